@@ -100,7 +100,8 @@ def test_delay_from_press_to_wire_stays_below_limit(
     device, qtbot = window.device, window.qtbot
     device.connect_to(ConnectionSettings(simulator.url, line))
     qtbot.waitUntil(
-        lambda: device.link is ConnectionState.CONNECTED and device.motors.can_arm, timeout=20_000
+        lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available,
+        timeout=20_000,
     )
     device.motors.lockout = 0.0
     window.window.pages.setCurrentIndex(3)

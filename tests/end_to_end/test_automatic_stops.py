@@ -31,7 +31,9 @@ def causes(window: WindowDriver, qtbot: QtBot, qapp: QApplication) -> Iterator[C
 
 def drive(window: WindowDriver, simulator: SimulatedDevice | None = None) -> None:
     """Let a motor run."""
-    window.wait(lambda: window.device.link is ConnectionState.CONNECTED and window.motors.can_arm)
+    window.wait(
+        lambda: window.device.link is ConnectionState.CONNECTED and window.motors.is_available
+    )
     window.motors.arm()
     window.motors.set_speed(1, 60)
     window.wait(lambda: window.device.may_move)
@@ -138,13 +140,13 @@ def test_no_stop_is_reported_without_stoppable_motors(
     wait_for_banner(window, causes, f"{MISTAKEN}.")
 
     window.connect(quick_simulator.url)
-    window.wait(lambda: window.motors.can_arm)
+    window.wait(lambda: window.motors.is_available)
     assert window.text("motorStateLabel") == NOT_ARMED, "no stop of a board connected later"
 
     for line in ("jumper mode rc", "power off", "power on"):
         quick_simulator.do(line)
     window.wait(
-        lambda: window.device.link is ConnectionState.CONNECTED and not window.motors.can_arm
+        lambda: window.device.link is ConnectionState.CONNECTED and not window.motors.is_available
     )
     causes.lock_the_screen()
     wait_for_banner(window, causes, f"{LOCKED}. {BEYOND_A_STOP}")  # channels drive

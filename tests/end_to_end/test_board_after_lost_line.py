@@ -8,7 +8,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 def lose(window: WindowDriver, board: SimulatedDevice) -> None:
     """Unplug a board while its motor runs."""
     device, motors = window.device, window.motors
-    window.wait(lambda: motors.can_arm)
+    window.wait(lambda: motors.is_available)
     motors.arm()
     motors.set_speed(1, 60)
     window.wait(lambda: device.may_move and board.show()["motors"][0]["direction"] == "forward")

@@ -46,7 +46,9 @@ class UnconfirmedStopWindow(WindowDriver):
 
     def connect_board(self) -> None:
         self.device.connect_to(ConnectionSettings(self.simulator.url))
-        self.wait(lambda: self.device.link is ConnectionState.CONNECTED and self.motors.can_arm)
+        self.wait(
+            lambda: self.device.link is ConnectionState.CONNECTED and self.motors.is_available
+        )
 
     @property
     def prompt(self) -> str:

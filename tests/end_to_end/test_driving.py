@@ -576,16 +576,16 @@ def test_page_shows_channel_commands_in_rc_mode(page: MotorsPage) -> None:
     page.simulator.do("channel 2 1800us")
     page.simulator.do("power cycle")
     page.wait_for_text("motorsReason", "RC channels control the motors")
-    page.wait_for_text("motorsReason", "perhaps held by safe-start")
+    page.wait_for_text("motorsReason", "may be holding")
     assert page.simulator.show()["safe_start"]
     page.simulator.do("channel 2 1500us")
     page.wait(lambda: not page.simulator.show()["safe_start"])
-    page.wait(lambda: "perhaps" not in page.text("motorsReason"))
+    page.wait(lambda: "may be holding" not in page.text("motorsReason"))
 
     page.simulator.do("channel 2 1800us")
     page.wait_for_text("motor2Asked", "Channel 2: forward")
     page.let_nothing_happen(0.1)
-    assert "perhaps" not in page.text("motorsReason")
+    assert "may be holding" not in page.text("motorsReason")
     assert not page.has("motor2Slider")
     assert not page.pad.isVisible()
     assert page.has("motor2Channel")
@@ -593,7 +593,7 @@ def test_page_shows_channel_commands_in_rc_mode(page: MotorsPage) -> None:
     page.simulator.do("channel 2 1500us")
 
     page.simulator.do("channel 1 silent")
-    page.wait_for_text("motorsReason", "channel 1 is required and has no signal")
+    page.wait_for_text("motorsReason", "channel 1 is required but has no signal")
 
 
 def test_page_drives_while_override_switch_is_on(page: MotorsPage) -> None:
@@ -631,7 +631,7 @@ def test_joint_mode_drives_one_motor_and_ignores_turning(page: MotorsPage) -> No
     page.wait(lambda: page.device.link is ConnectionState.NOT_RESPONDING)
     assert "does not answer" in page.text("motorsReason")
     page.simulator.do("power on")
-    page.wait(lambda: page.device.is_joint and page.motors.can_arm)
+    page.wait(lambda: page.device.is_joint and page.motors.is_available)
     page.arm()
     assert page.text("motor1Title") == "Motor (joint)"
     assert not page.is_enabled("motor2Slider")
@@ -648,7 +648,7 @@ def test_joint_mode_drives_one_motor_and_ignores_turning(page: MotorsPage) -> No
 def test_fault_is_shown_and_stored_value_links_to_parameter(armed: MotorsPage) -> None:
     armed.motors.set_speed(1, 60)
     armed.simulator.do("fault 1 on")
-    armed.wait_for_text("motorsReason", "Motor 1 without drive")
+    armed.wait_for_text("motorsReason", "Motor 1 has no drive")
     armed.simulator.do("fault 1 off")
     armed.wait_for_text("motorsReason", "armed")
 

@@ -216,7 +216,7 @@ def test_invalid_stored_polynomial_is_dropped_without_crc(qtbot: QtBot) -> None:
 
 def test_motors_reject_invalid_auxiliary_speed(qtbot: QtBot) -> None:
     motors = Motors()
-    motors.allow(True)
+    motors.set_available(True)
     motors.arm()
     with pytest.raises(BadRequest):
         motors.set_auxiliary(300)

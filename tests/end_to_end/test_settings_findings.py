@@ -45,7 +45,7 @@ def test_settings_check_warns_while_settings_are_edited(
 def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -> None:
     window = connected_window
     window.open_page("parametersPage")
-    window.wait(lambda: window.motors.can_arm)
+    window.wait(lambda: window.motors.is_available)
     window.motors.arm()
     window.click("acceptAdvice0")
     assert window.device.parameters.value_of("serial_timeout") == 5

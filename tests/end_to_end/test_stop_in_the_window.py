@@ -23,7 +23,7 @@ class DrivingWindow(MotorsPage):
 
     def drive(self) -> None:
         self.show_page()
-        self.wait(lambda: self.motors.can_arm and not self.motors.locked_for)
+        self.wait(lambda: self.motors.is_available and not self.motors.locked_for)
         self.motors.arm()
         assert self.is_armed()
         self.motors.set_speed(1, 60)
@@ -90,9 +90,9 @@ def test_motors_stop_at_every_stop_control_and_lost_control(driving: DrivingWind
     box.close()
 
     driving.drive()
-    driving.motors.hold("drive pad")
+    driving.motors.acquire("drive pad")
     driving.motors.set_speed(1, 90, "drive pad")
-    driving.motors.lose("drive pad", "The Motors page was left.")
+    driving.motors.abort("drive pad", "The Motors page was left.")
     driving.expect_stop("lost control")
     driving.wait_for_text("motorStateLabel", "The Motors page was left.")
 

@@ -50,7 +50,10 @@ class Driver(QObject):
         self._mistake.timeout.connect(partial(raise_error, ZeroDivisionError))
 
     def _drive_as_soon_as_possible(self) -> None:
-        if self._program.device.link is not ConnectionState.CONNECTED or not self._motors.can_arm:
+        if (
+            self._program.device.link is not ConnectionState.CONNECTED
+            or not self._motors.is_available
+        ):
             return
         if self._motors.armed:
             return
@@ -130,9 +133,9 @@ class Driver(QObject):
         watch._slept = lambda: 1e6
 
     def lose_the_gamepad(self) -> None:
-        self._motors.hold("gamepad")
+        self._motors.acquire("gamepad")
         self._motors.set_speed(1, 90, "gamepad")
-        self._motors.lose("gamepad", "The gamepad is gone.")
+        self._motors.abort("gamepad", "The gamepad is gone.")
 
 
 WATCHES: list[QObject] = []

@@ -123,7 +123,7 @@ def driven(simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device whose first motor runs."""
     device = Device()
     device.connect_to(ConnectionSettings(simulator.url))
-    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED and device.motors.can_arm)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available)
     device.motors.arm()
     device.motors.set_speed(1, 60)
     qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 60)

@@ -89,7 +89,7 @@ def test_device_is_empty_before_connecting(recorder: DeviceRecorder) -> None:
     assert device.link is ConnectionState.DISCONNECTED
     assert device.state is None
     assert device.settings is None
-    assert not device.motors.can_arm
+    assert not device.motors.is_available
 
 
 def test_connecting_reads_state_and_enables_arming(
@@ -102,7 +102,7 @@ def test_connecting_reads_state_and_enables_arming(
     assert device.state.parameters == quick_simulator.show()["parameters"]
     assert device.calibrations.stored(1) == device.state.calibrations[1]
     assert device.telemetry.serial_controls is True
-    assert device.motors.can_arm
+    assert device.motors.is_available
     assert not device.motors.armed
     assert not device.echo
     assert connected.steps[-1][0] == connected.steps[-1][1]
@@ -280,7 +280,7 @@ def test_unpowered_board_cannot_be_driven_or_edited(
     quick_simulator.do("power off")
     connected.until_link(ConnectionState.NOT_RESPONDING)
     assert not connected.device.motors.armed
-    assert not connected.device.motors.can_arm
+    assert not connected.device.motors.is_available
     model = connected.device.parameters
     assert not model.setData(model.index_of("serial_timeout"), 9)
     assert connected.device.telemetry.raw is None
@@ -372,7 +372,7 @@ def test_channel_driven_motors_cannot_be_armed(
     recorder: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
     recorder.connect(start_simulator("--mode", "rc").url)
-    assert not recorder.device.motors.can_arm
+    assert not recorder.device.motors.is_available
     recorder.device.motors.arm()
     assert not recorder.device.motors.armed
     assert "The RC channels control the motors" in recorder.device.control_text
@@ -429,7 +429,7 @@ def test_unplugged_cable_is_reported_within_half_a_second(
     assert now() - begun < 0.5
     assert len(connected.failures) == 1
     assert "Plug it in, then connect again" in connected.failures[0]
-    assert not connected.device.motors.can_arm
+    assert not connected.device.motors.is_available
 
 
 def test_cable_unplugged_during_a_write_keeps_the_edits(

@@ -36,7 +36,7 @@ def panel(qtbot: QtBot) -> Iterator[Panel]:
     device, pads, window = Device(), HeldPads(PAD), QWidget()
     qtbot.addWidget(window)
     panel = Panel(GamepadPanel(device, window, source=pads), device, pads, qtbot)
-    panel.motors.allow(True)
+    panel.motors.set_available(True)
     QVBoxLayout(window).addWidget(panel.root)
     window.show()
     panel.activate()

@@ -26,7 +26,7 @@ class AutomaticStop(QObject):
         self._awaited = ""  # the reason of a stop that nothing is known of yet
         self._unproved = ""  # the reason of a stop whose proof may still come
         device.link_changed.connect(self._on_link_changed)
-        device.motors.changed.connect(self._on_motors_changed)
+        device.motors.arming_changed.connect(self._on_arming_changed)
 
     def stop(self, reason: str) -> str:
         """Stop and disarm, because of `reason`, a clause without a full stop.
@@ -76,7 +76,7 @@ class AutomaticStop(QObject):
             self.told.emit(self._proved(reason))
 
     @Slot()
-    def _on_motors_changed(self) -> None:
+    def _on_arming_changed(self) -> None:
         """Who arms the motors has read what was told; the next proof is that of another stop."""
         if self._device.motors.armed:
             self._unproved = ""

@@ -65,7 +65,14 @@ class ActionBar(QWidget):
         self._run.clicked.connect(device.motors.arm)
         self._apply.clicked.connect(self.apply_requested)
         device.link_changed.connect(self._on_changed)
-        device.motors.changed.connect(self._on_changed)
+        motors = device.motors
+        for signal in (
+            motors.arming_changed,
+            motors.availability_changed,
+            motors.setpoints_changed,
+            motors.lockout_changed,
+        ):
+            signal.connect(self._on_changed)
         device.pending_changed.connect(self._on_changed)
         theme().changed.connect(self._on_theme_changed)
         self._on_changed()
@@ -74,10 +81,10 @@ class ActionBar(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         motors, link = self._device.motors, self._device.link
-        self._run.setEnabled(motors.can_arm and not motors.armed and not motors.locked_for)
+        self._run.setEnabled(motors.is_available and not motors.armed and not motors.locked_for)
         self._state.setText(self._state_text())
         is_beyond_reach = (
-            link is ConnectionState.CONNECTED and not motors.can_arm and motors.locked_for > 0
+            link is ConnectionState.CONNECTED and not motors.is_available and motors.locked_for > 0
         )
         alarming = motors.armed or self._device.may_move or is_beyond_reach
         self._show_state(alarming=alarming)
@@ -98,14 +105,14 @@ class ActionBar(QWidget):
             if link is ConnectionState.DISCONNECTED:
                 return self.tr("The line was lost: motors may still turn. Cut their power.")
             return self.tr("Not known: motors may still turn. The stop is sent again and again.")
-        if link is ConnectionState.CONNECTED and not motors.can_arm and motors.locked_for:
+        if link is ConnectionState.CONNECTED and not motors.is_available and motors.locked_for:
             return self.tr("Channels control the motors: Stop does not reach what they drive.")
         if motors.locked_for:
             left = math.ceil(motors.locked_for)
             return self.tr("Stopped. Motors are locked for {0} s.").format(left)
         if link is ConnectionState.CONNECTED and motors.stop_reason:
             return self.tr("Stopped. {0}").format(motors.stop_reason)
-        if link is ConnectionState.CONNECTED and motors.can_arm:
+        if link is ConnectionState.CONNECTED and motors.is_available:
             return self.tr("Not armed: nothing is sent before Run motor.")
         if link is ConnectionState.CONNECTED:
             return self.tr("Channels control the motors; Run motor needs serial control.")

@@ -120,7 +120,9 @@ class TrexWorkspace(Workspace):
         device.applied.connect(self._on_applied)
         device.applied.connect(question.reconsider)
         device.link_changed.connect(self._on_link_changed)
-        device.motors.changed.connect(self._on_motors_changed)
+        motors = device.motors
+        for signal in (motors.arming_changed, motors.availability_changed, motors.lockout_changed):
+            signal.connect(self._on_actions_changed)
         device.pending_changed.connect(self._on_actions_changed)
         self._undo_watch = device.undo.indexChanged.connect(self._on_undo_changed)
 
@@ -206,7 +208,7 @@ class TrexWorkspace(Workspace):
             "print": shown,
             "export": shown,
             "record": recorder.recording or recorder.can_record,
-            "run": motors.can_arm and not motors.armed and not motors.locked_for,
+            "run": motors.is_available and not motors.armed and not motors.locked_for,
             "apply": up and self._device.pending > 0 and not self._device.applying,
             "power": up and (waiting or self._device.reset_ordered),
             "defaults": up and not self._device.applying,
@@ -228,14 +230,6 @@ class TrexWorkspace(Workspace):
             self.notifier.cleared.emit()
         self._was_up = up
         self._on_actions_changed()
-
-    @Slot()
-    def _on_motors_changed(self) -> None:
-        """A drag tells of wishes many hundred times a second; no action depends on them."""
-        motors = self._device.motors
-        run = motors.can_arm and not motors.armed and not motors.locked_for
-        if "run" in self._actions and run != self._actions["run"].isEnabled():
-            self._on_actions_changed()
 
     @Slot()
     def _on_actions_changed(self) -> None:

@@ -117,7 +117,7 @@ def test_running_motors_block_the_test(armed: BenchSetup) -> None:
 
 
 def test_held_control_blocks_the_test(armed: BenchSetup) -> None:
-    armed.device.motors.hold("pad")
+    armed.device.motors.acquire("pad")
     assert "Another control" in armed.bench.obstacle
     assert not armed.bench.begin()
 
@@ -376,7 +376,7 @@ def test_channel_takeover_aborts_the_test(qtbot: QtBot, start_simulator: StartSi
     setup.until(lambda: not setup.simulator.show()["safe_start"])
     setup.simulator.do("channel 5 1000us")  # hands the motors to the serial port
     setup.connect()
-    setup.until(lambda: setup.device.motors.can_arm)
+    setup.until(lambda: setup.device.motors.is_available)
     setup.arm()
     setup.plan(speed=60, duration=30.0, abort_current=40.0)
     assert setup.bench.begin()

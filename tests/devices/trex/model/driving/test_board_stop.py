@@ -39,7 +39,8 @@ def test_line_error_disarms_and_clears_setpoints(
     simulator = start_simulator("--unpaced")
     device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(
-        lambda: device.link is ConnectionState.CONNECTED and device.motors.can_arm, timeout=20_000
+        lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available,
+        timeout=20_000,
     )
     device.motors.arm()
     device.motors.accelerate = False

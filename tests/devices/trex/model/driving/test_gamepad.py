@@ -28,7 +28,7 @@ class GamepadSetup:
         self.device = Device()
         self.motors = self.device.motors
         self.motors.lockout = 0
-        self.motors.allow(True)
+        self.motors.set_available(True)
         self.pads = HeldPads(PAD)
         self.gamepad = Gamepad(self.device, self.pads)
         self.stops: list[str] = []
@@ -201,7 +201,7 @@ def test_replugged_gamepad_needs_arming_and_a_new_press(setup: GamepadSetup) -> 
 
 
 def test_stop_button_stops_another_control(setup: GamepadSetup) -> None:
-    setup.motors.hold("pad")
+    setup.motors.acquire("pad")
     setup.motors.set_speed(1, 50, "pad")
     setup.pads.press(STOP)
     setup.qtbot.waitUntil(lambda: not setup.motors.armed)
@@ -237,13 +237,13 @@ def test_blocked_gamepad_does_not_drive(setup: GamepadSetup) -> None:
 
 
 def test_control_held_elsewhere_blocks_the_gamepad(setup: GamepadSetup) -> None:
-    setup.motors.hold("pad")
+    setup.motors.acquire("pad")
     setup.motors.set_speed(1, 30, "pad")
     setup.pads.press(HOLD)
     setup.pads.move(Y, -1.0)
     setup.wait_for("Another control drives")
     assert setup.motors.holder == "pad"
-    setup.motors.let_go("pad")
+    setup.motors.release("pad")
     setup.pads.move(Y, 0.0)
     setup.wait_for("Let go of button")
     assert not setup.motors.holder

@@ -22,7 +22,7 @@ def pads() -> HeldPads:
 @pytest.fixture
 def gamepad(device: Device, pads: HeldPads) -> Iterator[Gamepad]:
     """A gamepad that is read while the motors are not armed."""
-    device.motors.allow(True)
+    device.motors.set_available(True)
     gamepad = Gamepad(device, pads)
     gamepad.switch_on()
     yield gamepad

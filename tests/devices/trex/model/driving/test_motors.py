@@ -1,6 +1,7 @@
 """What a person wants the motors to do, and when it may be sent."""
 
 from collections.abc import Callable
+from functools import partial
 
 import pytest
 from PySide6.QtWidgets import QApplication
@@ -26,16 +27,15 @@ class RequestRecorder:
         self.motors = Motors()
         self.requests: list[SetpointRequest] = []
         self.stops = 0
-        self.changes = 0
+        self.changes: list[str] = []
         self.motors.requested.connect(self.requests.append)
         self.motors.stop_requested.connect(self._on_stop)
-        self.motors.changed.connect(self._on_changed)
+        for name in ("arming", "availability", "setpoints", "holder", "options", "lockout"):
+            signal = getattr(self.motors, f"{name}_changed")
+            signal.connect(partial(self.changes.append, name))
 
     def _on_stop(self) -> None:
         self.stops += 1
-
-    def _on_changed(self) -> None:
-        self.changes += 1
 
 
 @pytest.fixture
@@ -45,7 +45,7 @@ def recorder(qtbot: QtBot) -> RequestRecorder:
 
 @pytest.fixture
 def armed(recorder: RequestRecorder) -> RequestRecorder:
-    recorder.motors.allow(True)
+    recorder.motors.set_available(True)
     recorder.motors.arm()
     return recorder
 
@@ -61,7 +61,7 @@ def drive_everything(motors: Motors) -> None:
 
 
 def test_unarmed_motors_send_nothing(recorder: RequestRecorder) -> None:
-    recorder.motors.allow(True)
+    recorder.motors.set_available(True)
     drive_everything(recorder.motors)
     assert recorder.requests == []
     assert recorder.motors.drive(1) is None
@@ -71,7 +71,7 @@ def test_unarmed_motors_send_nothing(recorder: RequestRecorder) -> None:
 def test_motors_cannot_be_armed_without_a_board(recorder: RequestRecorder) -> None:
     recorder.motors.arm()
     assert not recorder.motors.armed
-    assert not recorder.motors.can_arm
+    assert not recorder.motors.is_available
     drive_everything(recorder.motors)
     assert recorder.requests == []
 
@@ -157,7 +157,7 @@ def test_stop_disarms_and_clears_setpoints(armed: RequestRecorder) -> None:
 
 @pytest.mark.parametrize("allowed", [False, True])
 def test_stop_is_always_accepted(recorder: RequestRecorder, *, allowed: bool) -> None:
-    recorder.motors.allow(allowed)
+    recorder.motors.set_available(allowed)
     for _ in range(3):
         recorder.motors.stop()
     assert recorder.stops == 3
@@ -166,28 +166,33 @@ def test_stop_is_always_accepted(recorder: RequestRecorder, *, allowed: bool) ->
 def test_lost_board_disarms_without_sending(armed: RequestRecorder) -> None:
     armed.motors.set_speed(1, 50)
     armed.requests.clear()
-    armed.motors.allow(False)
+    armed.motors.set_available(False)
     assert not armed.motors.armed
-    assert not armed.motors.can_arm
+    assert not armed.motors.is_available
     assert armed.motors.drive(1) is None
     assert armed.requests == []
     assert armed.stops == 0
 
 
 def test_returning_board_does_not_arm_the_motors(armed: RequestRecorder) -> None:
-    armed.motors.allow(False)
-    armed.motors.allow(True)
-    assert armed.motors.can_arm
+    armed.motors.set_available(False)
+    armed.motors.set_available(True)
+    assert armed.motors.is_available
     assert not armed.motors.armed
 
 
-def test_each_change_emits_changed(recorder: RequestRecorder) -> None:
-    recorder.motors.allow(True)
+def test_each_change_is_announced_by_its_signal(recorder: RequestRecorder) -> None:
+    recorder.motors.set_available(True)
     recorder.motors.arm()
     recorder.motors.set_speed(1, 5)
     recorder.motors.set_auxiliary(5)
+    recorder.motors.set_ceiling(100)
+    recorder.motors.acquire("pad")
     recorder.motors.stop()
-    assert recorder.changes == 5
+    assert recorder.changes == [
+        *("availability", "arming", "setpoints", "setpoints", "options", "holder"),
+        *("arming", "setpoints", "holder"),
+    ]
 
 
 def test_setpoint_text_names_each_motor(armed: RequestRecorder) -> None:
@@ -221,7 +226,7 @@ class Clock:
 def test_pressed_stop_prevents_arming_during_the_lockout(qtbot: QtBot) -> None:
     clock = Clock()
     motors = Motors(clock=clock)
-    motors.allow(True)
+    motors.set_available(True)
     motors.lockout = 3.0
     motors.arm()
     motors.press_stop()
@@ -230,7 +235,7 @@ def test_pressed_stop_prevents_arming_during_the_lockout(qtbot: QtBot) -> None:
     motors.arm()
     assert not motors.armed
     clock.now += 0.2
-    with qtbot.waitSignal(motors.changed):  # the end of the lock is announced
+    with qtbot.waitSignal(motors.lockout_changed):  # the end of the lock is announced
         pass
     assert motors.locked_for == 0
     motors.arm()
@@ -297,7 +302,7 @@ def test_higher_ceiling_does_not_speed_up_motors(armed: RequestRecorder) -> None
 
 def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> None:
     armed.motors.set_ceiling(30)
-    armed.motors.hold("stick")
+    armed.motors.acquire("stick")
     armed.motors.set_speed(1, 127, "stick")
     armed.motors.set_ceiling(100)
     armed.motors.set_speed(1, 127, "stick")  # as a stick that is held still says again and again
@@ -307,8 +312,8 @@ def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> No
     armed.motors.set_ceiling(20)
     assert armed.motors.drive(1) == Drive.at(20)
     armed.motors.set_ceiling(100)
-    armed.motors.let_go("stick")
-    armed.motors.hold("stick")
+    armed.motors.release("stick")
+    armed.motors.acquire("stick")
     armed.motors.set_speed(1, 127, "stick")
     assert armed.motors.drive(1) == Drive.at(100)
 
@@ -369,11 +374,11 @@ def test_linking_twice_keeps_motors_linked(armed: RequestRecorder) -> None:
 
 def test_releasing_a_held_control_brakes_its_motors(armed: RequestRecorder) -> None:
     armed.motors.set_release_brake(64)
-    assert armed.motors.hold("pad")
+    assert armed.motors.acquire("pad")
     armed.motors.set_speed(1, 50, "pad")
     armed.motors.set_speed(2, 50, "pad")
     armed.requests.clear()
-    armed.motors.let_go("pad")
+    armed.motors.release("pad")
     assert armed.requests == [
         SetMotors((SetMotor(1, Drive.brake(64), True), SetMotor(2, Drive.brake(64), True)))
     ]
@@ -384,52 +389,52 @@ def test_releasing_a_held_control_brakes_its_motors(armed: RequestRecorder) -> N
 def test_release_affects_only_the_held_motor(armed: RequestRecorder) -> None:
     armed.motors.set_speed(2, 30)
     armed.motors.set_auxiliary(30)
-    armed.motors.hold("motor1")
+    armed.motors.acquire("motor1")
     armed.motors.set_speed(1, 50, "motor1")
-    armed.motors.let_go("motor1")
+    armed.motors.release("motor1")
     assert armed.motors.drive(1) == Drive.brake(127)
     assert armed.motors.drive(2) == Drive.at(30)
     assert armed.motors.auxiliary == 30
 
 
 def test_releasing_the_auxiliary_sets_it_to_zero(armed: RequestRecorder) -> None:
-    armed.motors.hold("aux")
+    armed.motors.acquire("aux")
     armed.motors.set_auxiliary(50, "aux")
-    armed.motors.let_go("aux")
+    armed.motors.release("aux")
     assert armed.motors.auxiliary == 0
 
 
 def test_only_one_control_can_hold_the_motors(armed: RequestRecorder) -> None:
-    assert armed.motors.hold("pad")
-    assert armed.motors.hold("pad")
-    assert not armed.motors.hold("keys")
+    assert armed.motors.acquire("pad")
+    assert armed.motors.acquire("pad")
+    assert not armed.motors.acquire("keys")
     armed.motors.set_speed(1, 20, "pad")
     armed.motors.set_speed(1, 99, "keys")
     armed.motors.set_speed(1, 99)
     assert armed.motors.drive(1) == Drive.at(20)
-    armed.motors.let_go("keys")
+    armed.motors.release("keys")
     assert armed.motors.holder == "pad"
 
 
 def test_setpoint_after_release_is_dropped(armed: RequestRecorder) -> None:
-    armed.motors.hold("pad")
+    armed.motors.acquire("pad")
     armed.motors.set_speed(1, 20, "pad")
-    armed.motors.let_go("pad")
+    armed.motors.release("pad")
     armed.motors.set_speed(1, 99, "pad")
     assert armed.motors.drive(1) == Drive.brake(127)
 
 
 def test_unarmed_motors_cannot_be_held(recorder: RequestRecorder) -> None:
-    recorder.motors.allow(True)
-    assert not recorder.motors.hold("pad")
+    recorder.motors.set_available(True)
+    assert not recorder.motors.acquire("pad")
 
 
 def test_losing_the_holding_control_stops_and_disarms(armed: RequestRecorder) -> None:
-    armed.motors.hold("gamepad")
+    armed.motors.acquire("gamepad")
     armed.motors.set_speed(1, 20, "gamepad")
-    armed.motors.lose("keys", "not held")
+    armed.motors.abort("keys", "not held")
     assert armed.stops == 0
-    armed.motors.lose("gamepad", "The gamepad is gone.")
+    armed.motors.abort("gamepad", "The gamepad is gone.")
     assert armed.stops == 1
     assert not armed.motors.armed
     assert armed.motors.stop_reason == "The gamepad is gone."

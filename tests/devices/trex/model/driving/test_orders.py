@@ -58,7 +58,8 @@ def driven(program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> Device
     device = program.device
     device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(
-        lambda: device.link is ConnectionState.CONNECTED and device.motors.can_arm, timeout=20_000
+        lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available,
+        timeout=20_000,
     )
     device.motors.arm()
     device.motors.accelerate = False
@@ -133,7 +134,7 @@ def test_armed_motors_send_heartbeats_at_a_steady_rate(
     notifier = Notifier()
     driving = DriveController(motors, connection, notifier)
     assert not driving.may_move
-    motors.allow(True)
+    motors.set_available(True)
     motors.arm()
     virtual_time.advance(10.0)
     moments = connection.heartbeats
@@ -155,7 +156,7 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
     failures: list[str] = []
     device.notifier.error.connect(failures.append)
     device.connect_to(ConnectionSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: device.motors.can_arm)
+    qtbot.waitUntil(lambda: device.motors.is_available)
     device.stop_motors(outcomes.append)
     qtbot.waitUntil(lambda: outcomes == [None])
     device.stop_motors(lambda _error: None)
@@ -177,7 +178,9 @@ def test_line_closed_with_motors_at_rest_is_not_reported_as_lost(
     device.notifier.error.connect(failures.append)
     for simulator in (start_simulator("--unpaced"), start_simulator("--unpaced")):
         device.connect_to(ConnectionSettings(simulator.url))
-        qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED and device.motors.can_arm)
+        qtbot.waitUntil(
+            lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available
+        )
         device.disconnect_line()
         qtbot.waitUntil(lambda: device.link is ConnectionState.DISCONNECTED)
     assert failures == []

@@ -1,6 +1,9 @@
 """The one line that says why motors do not do what is asked."""
 
 import itertools
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -10,8 +13,9 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.drive_status import (
     DriveBlocker,
     DriveInputs,
-    reason_for,
-    situation_of,
+    drive_inputs,
+    find_blocker,
+    status_text,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode, UartError
@@ -25,8 +29,8 @@ from trex_gui.ui.devices.connection_state import ConnectionState
         (DriveInputs(link=ConnectionState.CONNECTING), DriveBlocker.OPENING, "being read"),
         (DriveInputs(link=ConnectionState.DISCONNECTING), DriveBlocker.CLOSING, "closed"),
         (DriveInputs(link=ConnectionState.NOT_RESPONDING), DriveBlocker.SILENT, "does not answer"),
-        (DriveInputs(mode=None), DriveBlocker.UNKNOWN, "not said yet"),
-        (DriveInputs(by_serial=None), DriveBlocker.UNKNOWN, "not said yet"),
+        (DriveInputs(mode=None), DriveBlocker.UNKNOWN, "not reported yet"),
+        (DriveInputs(by_serial=None), DriveBlocker.UNKNOWN, "not reported yet"),
         (DriveInputs(by_serial=False), DriveBlocker.NOT_SERIAL, "serial commands do not"),
         (DriveInputs(mode=Mode.RC, by_serial=False), DriveBlocker.CHANNELS, "The RC channels"),
         (
@@ -37,21 +41,21 @@ from trex_gui.ui.devices.connection_state import ConnectionState
         (
             DriveInputs(mode=Mode.RC, by_serial=False, missing=(1,)),
             DriveBlocker.SAFE_START,
-            "channel 1 is required and has no signal",
+            "channel 1 is required but has no signal",
         ),
         (
             DriveInputs(mode=Mode.RC, by_serial=False, missing=(1, 2, 4)),
             DriveBlocker.SAFE_START,
-            "channels 1, 2 and 4 are required and have no signal",
+            "channels 1, 2, 4 are required but have no signal",
         ),
         (
             DriveInputs(mode=Mode.RC, by_serial=False, perhaps_held=True),
-            DriveBlocker.CHANNELS,
-            "perhaps held by safe-start",
+            DriveBlocker.CHANNELS_HELD,
+            "safe-start may be holding",
         ),
         (DriveInputs(locked_for=2.2), DriveBlocker.LOCKED, "locked for 3 s"),
         (DriveInputs(faults=(1,)), DriveBlocker.FAULT, "Motor 1"),
-        (DriveInputs(faults=(1, 2), armed=True), DriveBlocker.FAULT, "Motors 1 and 2"),
+        (DriveInputs(faults=(1, 2), armed=True), DriveBlocker.FAULT, "Both motors"),
         (
             DriveInputs(uart=UartError.TIMEOUT, timeout="0.5 s"),
             DriveBlocker.TIMEOUT,
@@ -60,14 +64,14 @@ from trex_gui.ui.devices.connection_state import ConnectionState
         (
             DriveInputs(uart=UartError.PARITY, error_shutdown=True),
             DriveBlocker.LINE_ERROR,
-            "damaged",
+            "corrupted",
         ),
         (DriveInputs(uart=UartError.PARITY), DriveBlocker.NOT_ARMED, "Not armed"),
-        (DriveInputs(can_arm=False), DriveBlocker.NOT_ALLOWED, "cannot be armed"),
+        (DriveInputs(is_available=False), DriveBlocker.NOT_ALLOWED, "cannot be armed"),
         (DriveInputs(), DriveBlocker.NOT_ARMED, "nothing is sent yet"),
         (
             DriveInputs(stop_reason="The gamepad is gone."),
-            DriveBlocker.NOT_ARMED,
+            DriveBlocker.STOPPED,
             "The gamepad is gone.",
         ),
         (
@@ -84,49 +88,37 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 def test_reason_explains_the_situation(
     situation: DriveInputs, kind: DriveBlocker, said: str
 ) -> None:
-    reason = reason_for(situation)
-    assert reason.kind is kind
-    assert said in reason.text
+    assert find_blocker(situation) is kind
+    assert said in status_text(situation)[0]
 
 
+_VALUES: dict[str, Sequence[Any]] = {
+    "link": tuple(ConnectionState),
+    "mode": (None, *Mode),
+    "by_serial": (None, False, True),
+    "joint": (False, True),
+    "missing": ((), (1,)),
+    "faults": ((), (2,)),
+    "over_limit": ((), (1,)),
+    "uart": (UartError(0), UartError.TIMEOUT, UartError.CRC),
+    "locked_for": (0.0, 1.5),
+    "is_available": (False, True),
+    "armed": (False, True),
+}
 _EVERYTHING = [
-    DriveInputs(
-        link=link,
-        mode=mode,
-        by_serial=by_serial,
-        joint=joint,
-        missing=missing,
-        faults=faults,
-        over_limit=over_limit,
-        uart=uart,
-        error_shutdown=True,
-        locked_for=locked,
-        can_arm=can_arm,
-        armed=armed,
-    )
-    for link, mode, by_serial, joint, missing, faults, over_limit, uart, locked, can_arm, armed in (
-        itertools.product(
-            ConnectionState,
-            (None, *Mode),
-            (None, False, True),
-            (False, True),
-            ((), (1,)),
-            ((), (2,)),
-            ((), (1,)),
-            (UartError(0), UartError.TIMEOUT, UartError.CRC),
-            (0.0, 1.5),
-            (False, True),
-            (False, True),
-        )
-    )
+    replace(DriveInputs(error_shutdown=True), **dict(zip(_VALUES, values, strict=True)))
+    for values in itertools.product(*_VALUES.values())
+] + [
+    DriveInputs(stop_reason="The gamepad is gone."),
+    DriveInputs(mode=Mode.RC, by_serial=False, perhaps_held=True),
 ]
 
 
 def test_every_situation_gives_a_sentence() -> None:
     for situation in _EVERYTHING:
-        reason = reason_for(situation)
-        assert reason.text.endswith("."), situation
-        assert not reason.remedy or reason.remedy.endswith("."), situation
+        text, remedy = status_text(situation)
+        assert text.endswith("."), situation
+        assert not remedy or remedy.endswith("."), situation
 
 
 def test_obeyed_is_set_only_when_serial_commands_act() -> None:
@@ -139,11 +131,11 @@ def test_obeyed_is_set_only_when_serial_commands_act() -> None:
             and not now.faults
             and not now.uart
         )
-        assert reason_for(now).obeyed is obeyed, now
+        assert find_blocker(now).is_obeyed is obeyed, now
 
 
 def test_every_kind_of_reason_can_occur() -> None:
-    met = {reason_for(situation).kind for situation in _EVERYTHING}
+    met = {find_blocker(situation) for situation in _EVERYTHING}
     assert met == set(DriveBlocker)
 
 
@@ -153,35 +145,35 @@ def test_every_kind_of_reason_can_occur() -> None:
 def test_situation_follows_the_override_switch(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    assert situation_of(rc_device).by_serial is False
-    assert "perhaps held" not in reason_for(situation_of(rc_device)).text
+    assert drive_inputs(rc_device).by_serial is False
+    assert "may be holding" not in status_text(drive_inputs(rc_device))[0]
     rc_board.do("channel 5 1000us")
-    qtbot.waitUntil(lambda: situation_of(rc_device).by_serial is True)
-    assert reason_for(situation_of(rc_device)).kind is DriveBlocker.NOT_ARMED
+    qtbot.waitUntil(lambda: drive_inputs(rc_device).by_serial is True)
+    assert find_blocker(drive_inputs(rc_device)) is DriveBlocker.NOT_ARMED
 
 
 def test_channel_is_missing_only_after_it_was_read(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert rc_device.telemetry.raw is None
-    assert situation_of(rc_device).missing == ()
+    assert drive_inputs(rc_device).missing == ()
     for channel in (1, 2):  # the board requires the first of them
         rc_board.do(f"channel {channel} silent")
-    qtbot.waitUntil(lambda: situation_of(rc_device).missing == (1,))
+    qtbot.waitUntil(lambda: drive_inputs(rc_device).missing == (1,))
 
 
 def test_fault_names_the_motor_that_has_it(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     rc_board.do("fault 2 on")
-    qtbot.waitUntil(lambda: situation_of(rc_device).faults == (2,))
+    qtbot.waitUntil(lambda: drive_inputs(rc_device).faults == (2,))
 
 
 def test_situation_includes_the_serial_timeout_of_the_board(
     device: Device, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    assert situation_of(device).timeout == ""
+    assert drive_inputs(device).timeout == ""
     quick_simulator.do("eeprom serial_timeout 5")
     quick_simulator.do("power cycle")
     device.connect_to(ConnectionSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: situation_of(device).timeout == "0.5 s")
+    qtbot.waitUntil(lambda: drive_inputs(device).timeout == "0.5 s")

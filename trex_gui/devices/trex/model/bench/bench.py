@@ -97,7 +97,16 @@ class Bench(QObject):
 
         self._timer.timeout.connect(self._on_step)
         device.sampled.connect(self._on_sampled)
-        self._motors.changed.connect(self._on_motors_changed)
+        motors = self._motors
+        for signal in (
+            motors.arming_changed,
+            motors.availability_changed,
+            motors.setpoints_changed,
+            motors.holder_changed,
+            motors.options_changed,
+            motors.lockout_changed,
+        ):
+            signal.connect(self._on_motors_changed)
         device.link_changed.connect(self._on_link_changed)
         device.state_changed.connect(self._on_state_changed)
 
@@ -168,7 +177,7 @@ class Bench(QObject):
         """
         if self._phase is Phase.BRAKING:
             self._finish()
-        if self._phase is not Phase.IDLE or self.obstacle or not self._motors.hold(HOLDER):
+        if self._phase is not Phase.IDLE or self.obstacle or not self._motors.acquire(HOLDER):
             return False
         plan, motors = self._plan, self._motors
         self._options = motors.accelerate, motors.linked
@@ -270,7 +279,7 @@ class Bench(QObject):
     def _on_motors_changed(self) -> None:
         if self._phase is Phase.DRIVING and self._motors.holder != HOLDER:
             # Without a board nothing can be armed; the link is about to say why.
-            known = self._motors.can_arm or self._motors.stop_reason
+            known = self._motors.is_available or self._motors.stop_reason
             self._end(End.ABORTED, self._reason_from_outside() if known else "")
         elif self._phase is not Phase.DRIVING:  # its own commands change nothing here
             self.changed.emit()
@@ -297,9 +306,9 @@ class Bench(QObject):
         """Bring the motor to rest, first of all; go on reading its current for a moment."""
         self._phase = Phase.BRAKING
         if how is End.ABORTED:
-            self._motors.lose(HOLDER, reason)  # nothing to stop where another has stopped it
+            self._motors.abort(HOLDER, reason)  # nothing to stop where another has stopped it
         else:
-            self._motors.let_go(HOLDER)
+            self._motors.release(HOLDER)
         accelerate, linked = self._options
         self._motors.accelerate = accelerate
         if linked:

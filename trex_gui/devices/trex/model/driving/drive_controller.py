@@ -56,7 +56,7 @@ class DriveController(QObject):
         self._pulse.setInterval(round(HEARTBEAT_INTERVAL * 1000))
 
         self._pulse.timeout.connect(self._on_pulse_due)
-        motors.changed.connect(self._on_motors_changed)
+        motors.arming_changed.connect(self._on_arming_changed)
         motors.requested.connect(self._on_drive_requested)
         motors.stop_requested.connect(self._on_stop_requested)
         connection.answered.connect(self._on_answered)
@@ -80,10 +80,10 @@ class DriveController(QObject):
         self._by_serial = by_serial
         is_up = self._connection.link is ConnectionState.CONNECTED
         allowed = is_up and by_serial
-        if allowed != self._motors.can_arm:
+        if allowed != self._motors.is_available:
             if not allowed and self._motors.armed and is_up:
                 self._motors.stop(self.tr("Serial commands do not reach the motors any more."))
-            self._motors.allow(allowed)
+            self._motors.set_available(allowed)
 
     def stop_now(self, *, ending: bool = False) -> None:
         """Stop every motor, from any thread; `Motors.stop` has to follow in that of the window."""
@@ -105,7 +105,7 @@ class DriveController(QObject):
             self._may_move = True
 
     @Slot()
-    def _on_motors_changed(self) -> None:
+    def _on_arming_changed(self) -> None:
         armed, was_armed = self._motors.armed, self._was_armed
         self._was_armed = armed
         if armed and not was_armed:
@@ -167,11 +167,11 @@ class DriveController(QObject):
                 restarted = self.tr("The board was restarted, so the motors were stopped.")
                 self._motors.stop(restarted if report.occasion.power_cycled else "")
             self._may_move = report.may_move
-            self._motors.allow(False)
+            self._motors.set_available(False)
 
     @Slot()
     def _on_out_of_reach(self) -> None:
-        self._motors.allow(False)
+        self._motors.set_available(False)
 
     @Slot(object)
     def _on_left(self, last: Closed | None) -> None:
@@ -179,7 +179,7 @@ class DriveController(QObject):
             self._may_move = last.may_move
             if last.may_move and self._lost_with is None:
                 self._lost_with = self._connection.settings
-        self._motors.allow(False)
+        self._motors.set_available(False)
 
     @Slot()
     def _tell_of_the_lost(self) -> None:

@@ -1,9 +1,11 @@
-"""Why the motors do what is asked of them, or do not: one reason, and what to do about it."""
+"""The one reason why the motors follow the setpoints or do not, and what to do about it."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
 from math import ceil
+
+from PySide6.QtCore import QCoreApplication
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError, channels_in
@@ -14,66 +16,63 @@ _NO_ERROR = UartError(0)
 
 
 class DriveBlocker(Enum):
-    """What stands in the way; the first that holds is the one that is told."""
+    """What decides whether the motors follow the setpoints; the first that applies is shown."""
 
     NO_BOARD = auto()
     OPENING = auto()
     CLOSING = auto()
     SILENT = auto()
     UNKNOWN = auto()
-    SAFE_START = auto()
-    CHANNELS = auto()
     NOT_SERIAL = auto()
+    SAFE_START = auto()
+    CHANNELS_HELD = auto()
+    CHANNELS = auto()
     LOCKED = auto()
     FAULT = auto()
     TIMEOUT = auto()
     LINE_ERROR = auto()
-    NOT_ALLOWED = auto()
-    NOT_ARMED = auto()
     OVER_LIMIT = auto()
     RUNNING = auto()
-
-
-@dataclass(frozen=True, slots=True)
-class DriveStatus:
-    """What is so, and what a person can do about it; both are sentences."""
-
-    kind: DriveBlocker
-    text: str
-    remedy: str = ""
+    NOT_ALLOWED = auto()
+    STOPPED = auto()
+    NOT_ARMED = auto()
 
     @property
-    def obeyed(self) -> bool:
-        """Whether the motors do what is asked, if more slowly."""
-        return self.kind in {DriveBlocker.RUNNING, DriveBlocker.OVER_LIMIT}
+    def is_obeyed(self) -> bool:
+        """Whether the motors follow the setpoints, if more slowly."""
+        return self in {DriveBlocker.RUNNING, DriveBlocker.OVER_LIMIT}
 
     @property
-    def alarming(self) -> bool:
-        """Whether something is wrong, rather than not begun."""
-        return self.kind in {
-            *(
-                DriveBlocker.SILENT,
-                DriveBlocker.SAFE_START,
-                DriveBlocker.FAULT,
-                DriveBlocker.TIMEOUT,
-            ),
-            *(DriveBlocker.LINE_ERROR, DriveBlocker.OVER_LIMIT, DriveBlocker.LOCKED),
-        }
+    def is_alarming(self) -> bool:
+        """Whether something is wrong, rather than not started."""
+        return self in _ALARMING
+
+
+_ALARMING = {
+    *(DriveBlocker.SILENT, DriveBlocker.SAFE_START, DriveBlocker.FAULT, DriveBlocker.TIMEOUT),
+    *(DriveBlocker.LINE_ERROR, DriveBlocker.OVER_LIMIT, DriveBlocker.LOCKED),
+}
+_BY_LINK = {
+    ConnectionState.DISCONNECTED: DriveBlocker.NO_BOARD,
+    ConnectionState.CONNECTING: DriveBlocker.OPENING,
+    ConnectionState.DISCONNECTING: DriveBlocker.CLOSING,
+    ConnectionState.NOT_RESPONDING: DriveBlocker.SILENT,
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriveInputs:
-    """Everything that decides.
+    """What the decision depends on.
 
     Attributes:
-        mode, by_serial: as the board says; `None` while that is not known.
-        missing: channels that the board requires (RC mode) and gets no signal on.
-        faults, over_limit: motors whose driver shut down, or whose current passed the limit, of
-            late.
+        mode, by_serial: as the board reports; `None` while unknown.
+        missing: channels that the board requires (RC mode) and that have no signal.
+        faults, over_limit: motors whose driver shut down recently, or whose current passed its
+            limit.
         perhaps_held: whether safe-start may hold the motors (`SafeStartWatch`).
-        uart: UART errors of late.
+        uart: recent UART errors.
         error_shutdown: whether the board is set to stop the motors at a UART error.
-        timeout: the board's serial timeout, as text; empty when it is off or not known.
+        timeout: the board's serial timeout as text; empty if it is off or unknown.
         locked_for: seconds.
     """
 
@@ -89,21 +88,49 @@ class DriveInputs:
     error_shutdown: bool = False
     timeout: str = ""
     locked_for: float = 0.0
-    can_arm: bool = True
+    is_available: bool = True
     armed: bool = False
     stop_reason: str = ""
 
 
-def reason_for(now: DriveInputs) -> DriveStatus:
-    """Return the one reason that matters most."""
-    for find in (_of_the_link, _of_the_mode, _of_the_lock, _of_the_board):
-        if found := find(now):
-            return found
-    return _of_the_arming(now)
+def find_blocker(now: DriveInputs) -> DriveBlocker:
+    """Return what matters most."""
+    if now.link is not ConnectionState.CONNECTED:
+        return _BY_LINK[now.link]
+    if now.mode is None or now.by_serial is None:
+        return DriveBlocker.UNKNOWN
+    if not now.by_serial:
+        if now.mode.is_serial:
+            return DriveBlocker.NOT_SERIAL
+        if now.missing:
+            return DriveBlocker.SAFE_START
+        return DriveBlocker.CHANNELS_HELD if now.perhaps_held else DriveBlocker.CHANNELS
+    if now.locked_for and not now.armed:
+        return DriveBlocker.LOCKED
+    return _latched(now) or _by_arming(now)
 
 
-def situation_of(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
-    """Gather what decides from the models, and what was seen of safe-start."""
+def _latched(now: DriveInputs) -> DriveBlocker | None:
+    """Return what the board latched recently; a limit only matters while armed."""
+    if now.faults:
+        return DriveBlocker.FAULT
+    if now.uart & UartError.TIMEOUT:
+        return DriveBlocker.TIMEOUT
+    if now.uart and now.error_shutdown:
+        return DriveBlocker.LINE_ERROR
+    return DriveBlocker.OVER_LIMIT if now.over_limit and now.armed else None
+
+
+def _by_arming(now: DriveInputs) -> DriveBlocker:
+    if now.armed:
+        return DriveBlocker.RUNNING
+    if not now.is_available:
+        return DriveBlocker.NOT_ALLOWED
+    return DriveBlocker.STOPPED if now.stop_reason else DriveBlocker.NOT_ARMED
+
+
+def drive_inputs(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
+    """Gather the inputs from the models, and what was seen of safe-start."""
     state, motors, telemetry = device.state, device.motors, device.telemetry
     recent = {motor: device.errors.recent(motor) for motor in (1, 2)}
     bits = [entry.bit for entries in recent.values() for entry in entries]
@@ -137,7 +164,7 @@ def situation_of(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
         error_shutdown=bool(stored(ParameterKey.UART_ERROR_SHUTDOWN)),
         timeout=device.parameters.spec_of(ParameterKey.SERIAL_TIMEOUT).text(wire) if wire else "",
         locked_for=motors.locked_for,
-        can_arm=motors.can_arm,
+        is_available=motors.is_available,
         armed=motors.armed,
         stop_reason=motors.stop_reason,
     )
@@ -148,144 +175,132 @@ def _motors_with(bits: Sequence[Status | UartError], wanted: dict[int, Status]) 
     return tuple(motor for motor, bit in wanted.items() if bit in seen)
 
 
-def _of_the_link(now: DriveInputs) -> DriveStatus | None:
-    match now.link:
-        case ConnectionState.DISCONNECTED:
-            return DriveStatus(
-                DriveBlocker.NO_BOARD, "No board is connected.", "Choose a port above."
-            )
-        case ConnectionState.CONNECTING:
-            return DriveStatus(DriveBlocker.OPENING, "The board is being read.")
-        case ConnectionState.DISCONNECTING:
-            return DriveStatus(DriveBlocker.CLOSING, "The line is being closed.")
-        case ConnectionState.NOT_RESPONDING:
-            return DriveStatus(
-                DriveBlocker.SILENT,
-                "The board does not answer.",
-                "Look at its power and the cable; a stop is sent again and again.",
-            )
-        case ConnectionState.CONNECTED:
-            return None
+# --- Text -------------------------------------------------------------------------------
 
 
-def _of_the_mode(now: DriveInputs) -> DriveStatus | None:
-    if now.mode is None or now.by_serial is None:
-        return DriveStatus(
-            DriveBlocker.UNKNOWN, "The board has not said yet who controls the motors."
+def status_text(now: DriveInputs) -> tuple[str, str]:
+    """Return what the motors do and why, and what the user can do about it; in sentences."""
+    blocker = find_blocker(now)
+    return _text(blocker, now), _remedy(blocker, now)
+
+
+def _text(blocker: DriveBlocker, now: DriveInputs) -> str:
+    match blocker:
+        case DriveBlocker.SAFE_START:
+            text = _tr(
+                "Safe-start keeps the motors off: channel {0} is required but has no signal."
+            )
+            if len(now.missing) > 1:
+                text = _tr(
+                    "Safe-start keeps the motors off: channels {0} are required but have no signal."
+                )
+            return text.format(", ".join(map(str, now.missing)))
+        case DriveBlocker.CHANNELS | DriveBlocker.CHANNELS_HELD:
+            return _channels_text(now)
+        case DriveBlocker.LOCKED:
+            return _tr("Stopped. The motors are locked for {0} s.").format(ceil(now.locked_for))
+        case DriveBlocker.FAULT:
+            text = _tr(
+                "Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low "
+                "voltage)."
+            )
+            if len(now.faults) > 1:
+                text = _tr(
+                    "Both motors have no drive: their drivers shut down (too hot, a short circuit, "
+                    "or low voltage)."
+                )
+            return text.format(*now.faults)
+        case DriveBlocker.TIMEOUT if now.timeout:
+            text = _tr("Serial timeout: the board received nothing for {0} and stopped the motors.")
+            return text.format(now.timeout)
+        case DriveBlocker.OVER_LIMIT:
+            text = _tr("Motor {0} is slowed down: its current passed the limit.")
+            if len(now.over_limit) > 1:
+                text = _tr("Both motors are slowed down: their currents passed the limit.")
+            return text.format(*now.over_limit)
+        case DriveBlocker.STOPPED:
+            return _tr("Stopped. {0}").format(now.stop_reason)
+        case DriveBlocker.RUNNING | DriveBlocker.NOT_ARMED:
+            return " ".join([_sentence(blocker), *_notes(now)])
+        case _:
+            return _sentence(blocker)
+
+
+def _sentence(blocker: DriveBlocker) -> str:
+    return {
+        DriveBlocker.NO_BOARD: _tr("No board is connected."),
+        DriveBlocker.OPENING: _tr("The board is being read."),
+        DriveBlocker.CLOSING: _tr("The connection is being closed."),
+        DriveBlocker.SILENT: _tr("The board does not answer."),
+        DriveBlocker.UNKNOWN: _tr("The board has not reported yet what controls the motors."),
+        DriveBlocker.NOT_SERIAL: _tr(
+            "The board reports that serial commands do not control the motors."
+        ),
+        DriveBlocker.TIMEOUT: _tr(
+            "Serial timeout: the board received nothing and stopped the motors."
+        ),
+        DriveBlocker.LINE_ERROR: _tr(
+            "Serial errors: the board stops the motors when bytes arrive corrupted."
+        ),
+        DriveBlocker.RUNNING: _tr("The motors are armed: the controls on this page move them."),
+        DriveBlocker.NOT_ALLOWED: _tr("The motors cannot be armed at this moment."),
+        DriveBlocker.NOT_ARMED: _tr("Not armed: nothing is sent yet."),
+    }[blocker]
+
+
+def _channels_text(now: DriveInputs) -> str:
+    if now.perhaps_held:
+        if now.mode is Mode.RC:
+            return _tr(
+                "The RC channels control the motors, not this program; safe-start may be holding "
+                "the motors: let the sticks rest once."
+            )
+        return _tr(
+            "The analog channels control the motors, not this program; safe-start may be holding "
+            "the motors: let the sticks rest once."
         )
-    if now.by_serial:
-        return None
-    if now.mode.is_serial:
-        return DriveStatus(
-            DriveBlocker.NOT_SERIAL,
-            "The board says that serial commands do not control the motors.",
-            "Switch it off and on.",
-        )
-    if now.missing:
-        return DriveStatus(
-            DriveBlocker.SAFE_START,
-            f"Safe-start keeps the motors off: {_channels(now.missing)} required and "
-            f"{'have' if len(now.missing) > 1 else 'has'} no signal.",
-            "Switch the transmitter on and let go of its sticks.",
-        )
-    name = "RC" if now.mode is Mode.RC else "analog"
-    text = f"The {name} channels control the motors, not this program"
-    remedy = (
+    if now.mode is Mode.RC:
+        return _tr("The RC channels control the motors, not this program.")
+    return _tr("The analog channels control the motors, not this program.")
+
+
+def _remedy(blocker: DriveBlocker, now: DriveInputs) -> str:
+    if blocker is DriveBlocker.TIMEOUT and now.armed:
+        return ""
+    serial_control = _tr(
         "To drive from here, turn on the override switch (channel 5), or switch the board off, "
         "take the mode jumper off and switch it on."
     )
-    if now.perhaps_held:
-        return DriveStatus(
-            DriveBlocker.CHANNELS,
-            f"{text}; the motors are perhaps held by safe-start: let the sticks rest once.",
-            remedy,
-        )
-    return DriveStatus(
-        DriveBlocker.CHANNELS,
-        f"{text}.",
-        f"{remedy} After power-up safe-start waits for sticks at rest.",
-    )
+    return {
+        DriveBlocker.NO_BOARD: _tr("Choose a port above."),
+        DriveBlocker.SILENT: _tr("Check its power and the cable; the stop is being repeated."),
+        DriveBlocker.NOT_SERIAL: _tr("Switch it off and on."),
+        DriveBlocker.SAFE_START: _tr("Switch the transmitter on and let go of its sticks."),
+        DriveBlocker.CHANNELS_HELD: serial_control,
+        DriveBlocker.CHANNELS: " ".join(
+            [serial_control, _tr("After power-up safe-start waits for sticks at rest.")]
+        ),
+        DriveBlocker.LOCKED: _tr("Then Run motor arms them again."),
+        DriveBlocker.FAULT: _tr("Reduce the load, check wires and battery, let it cool."),
+        DriveBlocker.TIMEOUT: _tr("Run motor arms them again."),
+        DriveBlocker.LINE_ERROR: _tr(
+            "Check cable and ground; UART-Error Shutdown can be turned off in Parameters."
+        ),
+        DriveBlocker.OVER_LIMIT: _tr("Reduce the load, or raise the current limit in Parameters."),
+        DriveBlocker.RUNNING: _tr("Esc stops everything."),
+        DriveBlocker.STOPPED: _tr("Run motor arms the motors again."),
+        DriveBlocker.NOT_ARMED: _tr("Put the robot on blocks, then press Run motor."),
+    }.get(blocker, "")
 
 
-def _of_the_lock(now: DriveInputs) -> DriveStatus | None:
-    if not now.locked_for or now.armed:
-        return None
-    return DriveStatus(
-        DriveBlocker.LOCKED,
-        f"Stopped. The motors are locked for {ceil(now.locked_for)} s.",
-        "Then Run motor arms them again.",
-    )
-
-
-def _of_the_board(now: DriveInputs) -> DriveStatus | None:
-    """What the board has latched of late; a limit only matters while something is driven."""
-    if now.faults:
-        return DriveStatus(
-            DriveBlocker.FAULT,
-            f"{_motors(now.faults)} without drive: the driver shut itself down (too hot, a short "
-            "circuit, or low voltage).",
-            "Ease the load, look at wires and battery, let it cool.",
-        )
-    if now.uart & UartError.TIMEOUT:
-        after = f" for {now.timeout}" if now.timeout else ""
-        return DriveStatus(
-            DriveBlocker.TIMEOUT,
-            f"Serial timeout: the board heard nothing{after} and stopped the motors.",
-            "" if now.armed else "Run motor arms them again.",
-        )
-    if now.uart and now.error_shutdown:
-        return DriveStatus(
-            DriveBlocker.LINE_ERROR,
-            "Serial errors: the board stops the motors when bytes arrive damaged.",
-            "Look at cable and ground; UART-Error Shutdown can be turned off in Parameters.",
-        )
-    if now.over_limit and now.armed:
-        verb = "are" if len(now.over_limit) > 1 else "is"
-        return DriveStatus(
-            DriveBlocker.OVER_LIMIT,
-            f"{_motors(now.over_limit)} {verb} slowed down: the current passed its limit.",
-            "Ease the load, or raise the current limit in Parameters.",
-        )
-    return None
-
-
-def _of_the_arming(now: DriveInputs) -> DriveStatus:
-    if now.armed:
-        text = "The motors are armed: what you do here moves them."
-        return DriveStatus(DriveBlocker.RUNNING, text + _notes(now), "Esc stops everything.")
-    if not now.can_arm:
-        return DriveStatus(DriveBlocker.NOT_ALLOWED, "The motors cannot be armed at this moment.")
-    if now.stop_reason:
-        return DriveStatus(
-            DriveBlocker.NOT_ARMED,
-            f"Stopped. {now.stop_reason}",
-            "Run motor arms the motors again.",
-        )
-    return DriveStatus(
-        DriveBlocker.NOT_ARMED,
-        "Not armed: nothing is sent yet." + _notes(now),
-        "Put the robot on blocks, then press Run motor.",
-    )
-
-
-def _notes(now: DriveInputs) -> str:
-    """What is as it is, and good to know."""
-    notes = ""
+def _notes(now: DriveInputs) -> list[str]:
+    notes = []
     if now.mode is not None and not now.mode.is_serial:
-        notes += " Channel 5 overrides the sticks for as long as its switch is on."
+        notes.append(_tr("Channel 5 overrides the sticks for as long as its switch is on."))
     if now.joint:
-        notes += " Joint mode: both drivers work as one motor."
+        notes.append(_tr("Joint mode: both drivers work as one motor."))
     return notes
 
 
-def _motors(motors: tuple[int, ...]) -> str:
-    if len(motors) == 1:
-        return f"Motor {motors[0]}"
-    return "Motors " + " and ".join(str(motor) for motor in motors)
-
-
-def _channels(channels: tuple[int, ...]) -> str:
-    if len(channels) == 1:
-        return f"channel {channels[0]} is"
-    *first, last = (str(channel) for channel in channels)
-    return f"channels {', '.join(first)} and {last} are"
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("drive_status", text)

@@ -57,7 +57,7 @@ class Gamepad(QObject):
         self._timer = runtime().timer(self)
         self._timer.setInterval(STEP_MS)
         self._timer.timeout.connect(self._on_step)
-        self._motors.changed.connect(self._on_motors_changed)
+        self._motors.arming_changed.connect(self._on_arming_changed)
         self.destroyed.connect(source.close)
         self._tell()
 
@@ -242,7 +242,7 @@ class Gamepad(QObject):
             self._begin()  # it is another's turn: later, the button has to be pressed anew
 
     @Slot()
-    def _on_motors_changed(self) -> None:
+    def _on_arming_changed(self) -> None:
         if self._motors.armed != self._armed:
             self._armed = self._motors.armed
             self._begin()

@@ -36,7 +36,7 @@ class MomentaryDrive(QObject):
 
     def steer(self, forward: float, turn: float) -> bool:
         """Wish for -1 to 1 of the speed ceiling each way; return whether the motors are ours."""
-        if not self._motors.hold(self._name):
+        if not self._motors.acquire(self._name):
             return False
         ceiling = self._motors.ceiling_in_force
         left, right = mix(forward, turn if self.can_turn else 0.0, ceiling)
@@ -48,8 +48,8 @@ class MomentaryDrive(QObject):
 
     def let_go(self) -> None:
         """Brake what this control has driven; the motors stay armed."""
-        self._motors.let_go(self._name)
+        self._motors.release(self._name)
 
     def lose(self, reason: str) -> None:
         """Stop and disarm: nobody can see any more what is held."""
-        self._motors.lose(self._name, reason)
+        self._motors.abort(self._name, reason)

@@ -1,4 +1,4 @@
-"""What a person wants the motors to do, and whether it may be sent at all."""
+"""The setpoints of the motors, and whether they may be sent at all."""
 
 from collections.abc import Callable, Mapping
 
@@ -14,30 +14,38 @@ from trex_gui.ui.runtime import now
 __all__ = ["LOCKOUT", "Motors"]
 
 _AUXILIARY = 0
-"""The auxiliary motor among the numbers of the two others."""
+"""The number of the auxiliary motor beside motors 1 and 2."""
 
 
 class Motors(QObject):
-    """The wishes for both motors and the auxiliary; nothing is sent before `arm`.
+    """The setpoints of both motors and the auxiliary; nothing is sent before `arm`.
 
-    A control that must be held (a pad, keys, a gamepad, a test run) takes the motors with `hold`
-    and gives its name with each wish; meanwhile everybody else's wishes are dropped, and so are
-    its own once it has let go. Pads that mix give each motor its own speed: they are not for
-    motors that are linked.
+    A momentary control (pad, keys, gamepad, bench test) acquires the motors and passes its name
+    with each setpoint. Until it releases them all other setpoints are ignored, and its own are
+    ignored afterwards. Pads that mix give each motor its own speed: they are not for linked motors.
 
     Signals:
-        changed: a wish, who holds, an option, the lock, or whether the motors are armed.
-        requested: a `SetMotor`, `SetAuxiliary`, or `SetMotors` where both motors begin something
-            at once.
-        stop_requested: everything shall stop, now.
+        arming_changed: `armed` or `stop_reason`.
+        availability_changed: `is_available`.
+        setpoints_changed: what `drive`, `auxiliary` and `text` return.
+        holder_changed: `holder`.
+        options_changed: `ceiling`, `linked` or `release_brake`.
+        lockout_changed: `locked_for` began, passed another second, or ended.
+        requested: a `SetMotor`, a `SetAuxiliary`, or a `SetMotors` if both motors start at once.
+        stop_requested: everything has to stop now; emitted before any other signal of a stop.
 
     Attributes:
-        accelerate: whether wishes go through the board's ramp (accelerate) or at once (set).
-        lockout: seconds that nothing drives after `press_stop`, 0 to 10; 0 for none. What a
-            person has set is remembered under "motors/lockout".
+        accelerate: whether speeds follow the board's ramp (accelerate) or apply at once (set).
+        lockout: seconds without arming after `press_stop`, 0 to 10; remembered under
+            "motors/lockout".
     """
 
-    changed = Signal()
+    arming_changed = Signal()
+    availability_changed = Signal()
+    setpoints_changed = Signal()
+    holder_changed = Signal()
+    options_changed = Signal()
+    lockout_changed = Signal()
     requested = Signal(object)
     stop_requested = Signal()
 
@@ -46,9 +54,9 @@ class Motors(QObject):
         self.accelerate = True
         self.lockout = remembered_lockout()
         self._lock = Lockout(clock, self)
-        self._lock.changed.connect(self.changed)
+        self._lock.changed.connect(self.lockout_changed)
         self._armed = False
-        self._can_arm = False
+        self._is_available = False
         self._drives: dict[int, Drive] = {}
         self._auxiliary = 0
         self._ceiling = self._ceiling_in_force = FULL_SCALE
@@ -62,41 +70,41 @@ class Motors(QObject):
 
     @property
     def armed(self) -> bool:
-        """Whether wishes are sent."""
+        """Whether setpoints are sent."""
         return self._armed
 
     @property
-    def can_arm(self) -> bool:
-        """Whether a board is there to be driven; `locked_for` may forbid it all the same."""
-        return self._can_arm
+    def is_available(self) -> bool:
+        """Whether a board can be driven by serial commands; `locked_for` may still forbid it."""
+        return self._is_available
 
     @property
     def locked_for(self) -> float:
-        """Seconds for which nothing may be armed because stop was pressed; 0 when it may."""
+        """Seconds for which the motors cannot be armed because stop was pressed, or 0."""
         return self._lock.seconds_left
 
     @property
     def stop_reason(self) -> str:
-        """Why the motors were stopped last, for people; empty when a person pressed stop."""
+        """Why the motors were stopped last; empty if the user pressed stop."""
         return self._stop_reason
 
     @property
     def holder(self) -> str:
-        """The name of the control that is held; empty when none is."""
+        """The name of the control that has acquired the motors; empty if none has."""
         return self._holder
 
     @property
     def auxiliary(self) -> int:
-        """The wish for the auxiliary motor, 0-127."""
+        """The setpoint of the auxiliary motor, 0-127."""
         return self._auxiliary
 
     def drive(self, motor: int) -> Drive | None:
-        """The wish for motor 1 or 2; `None` since the motors were armed or stopped."""
+        """The setpoint of motor 1 or 2; `None` if there was none since arming."""
         return self._drives.get(motor)
 
     @property
     def text(self) -> str:
-        """What is wished, in few words: `motor 1 +90, motor 2 brake, auxiliary 40`."""
+        """The setpoints in short: `motor 1 +90, motor 2 brake, auxiliary 40`."""
         parts = []
         for motor, drive in sorted(self._drives.items()):
             if drive.is_brake:
@@ -111,22 +119,21 @@ class Motors(QObject):
 
     @property
     def ceiling(self) -> int:
-        """The greatest speed that is sent, 1-127; wishes beyond it are made as large as it."""
+        """The greatest speed that is sent, 1-127; greater setpoints are limited to it."""
         return self._ceiling
 
     @property
     def ceiling_in_force(self) -> int:
-        """The `ceiling`, or a lower one that was set when the control that is held was taken.
+        """The `ceiling`, or a lower one that was in force when the motors were acquired.
 
-        A stick that is held still would make its motors faster by itself otherwise.
+        Otherwise raising it would speed up motors under a stick that is held still.
         """
         return self._ceiling_in_force
 
     def set_ceiling(self, speed: int) -> None:
         """Send no greater speed from now on; motors that run faster are slowed down to it.
 
-        One that is higher makes nothing faster: it waits for the next wish, and for a control
-        that is held now until it is let go.
+        A higher ceiling applies from the next setpoint, and to a held control from its release.
 
         Raises:
             ValueError: the speed is not 1 to 127.
@@ -137,134 +144,147 @@ class Motors(QObject):
         if not self._holder or speed < self._ceiling_in_force:
             self._ceiling_in_force = speed
         driven = {motor: drive for motor, drive in self._drives.items() if not drive.is_brake}
-        self._wish(
-            {motor: Drive.at(self._limited(drive.signed)) for motor, drive in driven.items()}
-        )
+        self._set({motor: Drive.at(self._limited(drive.signed)) for motor, drive in driven.items()})
         if self._auxiliary > speed:
-            self._wish_auxiliary(speed)
-        self.changed.emit()
+            self._set_auxiliary(speed)
+        self.options_changed.emit()
 
     @property
     def linked(self) -> bool:
-        """Whether a wish for one motor is one for both."""
+        """Whether a setpoint of one motor applies to both."""
         return self._linked
 
     @property
     def can_link(self) -> bool:
-        """Whether linking them would change nothing that runs: not while they run differently."""
+        """Whether linking would change no speed: both at rest, or both at the same setpoint."""
         first, second = (self._drives.get(motor, Drive.brake()) for motor in (1, 2))
         at_rest = all(drive.is_brake or not drive.speed for drive in (first, second))
         return at_rest or first == second
 
     def set_linked(self, linked: bool) -> None:
-        """Let both motors do the same from the next wish on; refused unless `can_link`.
-
-        Linking motors that run differently would have to start one or change its speed, which
-        nobody expects of a tick.
-        """
+        """Apply setpoints to both motors from now on; ignored unless `can_link`."""
         self._linked = linked and (self._linked or self.can_link)
-        self.changed.emit()
+        self.options_changed.emit()
 
     @property
     def release_brake(self) -> int:
-        """How hard the motors brake when a held control lets go: 0 (coast) to 127 (full)."""
+        """The brake duty when a momentary control is released: 0 (coast) to 127 (full)."""
         return self._release_brake
 
     def set_release_brake(self, duty: int) -> None:
-        """Brake so hard when a held control lets go.
+        """Set the brake duty for the release of a momentary control.
 
         Raises:
             BadRequest: the duty is not 0 to 127.
         """
         self._release_brake = seven_bits(duty, "brake duty")
-        self.changed.emit()
+        self.options_changed.emit()
 
     # --- Arming and stopping ------------------------------------------------------------
 
-    def allow(self, allowed: bool) -> None:
-        """Say whether a board is there; without one the motors are disarmed, nothing is sent."""
-        self._can_arm = allowed
-        if not allowed:
-            self._rest()
-        self.changed.emit()
+    def set_available(self, available: bool) -> None:
+        """Set whether a board can be driven; without one the motors are disarmed, unsent."""
+        was_available, self._is_available = self._is_available, available
+        if not available:
+            self._disarm()
+        if available != was_available:
+            self.availability_changed.emit()
 
     def arm(self) -> None:
-        """Let wishes through from now on; both motors begin at rest. Not while locked."""
-        if self._can_arm and not self._armed and not self.locked_for:
-            self._rest()
+        """Send setpoints from now on, beginning at rest; ignored while locked or unavailable."""
+        if self._is_available and not self._armed and not self.locked_for:
             self._armed = True
             self._stop_reason = ""
-            self.changed.emit()
+            self.arming_changed.emit()
 
     def press_stop(self) -> None:
-        """Stop because a person wants it: nothing can be armed for `lockout` seconds."""
+        """Stop because the user wants it: the motors cannot be armed for `lockout` seconds."""
         self._lock.begin(self.lockout)
         self.stop()
+        self.lockout_changed.emit()
 
     def stop(self, reason: str = "") -> None:
-        """Stop everything and disarm. Works armed or not: a stop is never refused."""
+        """Stop everything and disarm, armed or not: a stop is never rejected."""
         self._stop_reason = reason
-        self._rest()
-        self.stop_requested.emit()
-        self.changed.emit()
+        self._disarm(stopping=True)
 
-    # --- Holding ------------------------------------------------------------------------
+    def _disarm(self, *, stopping: bool = False) -> None:
+        was_armed, self._armed = self._armed, False
+        had_holder, had_setpoints = bool(self._holder), bool(self._drives or self._auxiliary)
+        self._forget_holder()
+        self._drives = {}
+        self._auxiliary = 0
+        if stopping:
+            self.stop_requested.emit()
+        if was_armed or stopping:
+            self.arming_changed.emit()
+        if had_setpoints:
+            self.setpoints_changed.emit()
+        if had_holder:
+            self.holder_changed.emit()
 
-    def hold(self, holder: str) -> bool:
-        """Take the motors for a control that must be held; return whether it has them now."""
+    # --- Momentary controls -------------------------------------------------------------
+
+    def acquire(self, holder: str) -> bool:
+        """Reserve the motors for a momentary control; return whether it has them now."""
         if not self._armed or self._holder not in {"", holder}:
             return False
         if not self._holder:
             self._holder = holder
-            self.changed.emit()
+            self.holder_changed.emit()
         return True
 
-    def let_go(self, holder: str) -> None:
-        """End the hold; what this control has driven comes to rest, as `release_brake` says."""
+    def release(self, holder: str) -> None:
+        """End the reservation; motors that this control drove brake with `release_brake`."""
         if not holder or self._holder != holder:
             return
         rest = Drive.brake(self._release_brake)
-        self._wish(dict.fromkeys(sorted(self._held - {_AUXILIARY}), rest))
+        self._set(dict.fromkeys(sorted(self._held - {_AUXILIARY}), rest))
         if _AUXILIARY in self._held:
-            self._wish_auxiliary(0)
-        self._release()
-        self.changed.emit()
+            self._set_auxiliary(0)
+        self._forget_holder()
+        self.holder_changed.emit()
 
-    def lose(self, holder: str, reason: str) -> None:
-        """Stop and disarm because a control that is held has gone or cannot be seen any more."""
+    def abort(self, holder: str, reason: str) -> None:
+        """Stop and disarm because a control is gone or out of sight while it is held."""
         if holder and self._holder == holder:
             self.stop(reason)
 
-    # --- Wishes -------------------------------------------------------------------------
+    def _forget_holder(self) -> None:
+        self._holder = ""
+        self._held.clear()
+        self._ceiling_in_force = self._ceiling
+
+    # --- Setpoints ----------------------------------------------------------------------
 
     def set_speed(self, motor: int, speed: int, holder: str = "") -> None:
-        """Wish a signed speed (-127 to 127) for motor 1 or 2; ignored unless armed.
+        """Drive motor 1 or 2 at a signed speed (-127 to 127); ignored unless armed.
 
         Raises:
             BadRequest: the speed is outside its range.
         """
-        self._wish_for({motor: self._at(speed)}, holder)
+        self._set_for({motor: self._at(speed)}, holder)
 
     def set_speeds(self, first: int, second: int, holder: str = "") -> None:
-        """Wish signed speeds (-127 to 127) for both motors, which begin at once.
+        """Drive both motors at signed speeds (-127 to 127), starting at once.
 
-        Where they are linked, the first is for both.
+        If they are linked, the first applies to both.
 
         Raises:
             BadRequest: a speed is outside its range.
         """
-        self._wish_for({1: self._at(first), 2: self._at(second)}, holder)
+        self._set_for({1: self._at(first), 2: self._at(second)}, holder)
 
     def set_brake(self, motor: int, duty: int, holder: str = "") -> None:
-        """Wish braking with a duty of 0 (coast) to 127 (full); ignored unless armed.
+        """Brake motor 1 or 2 with a duty of 0 (coast) to 127 (full); ignored unless armed.
 
         Raises:
             BadRequest: the duty is outside its range.
         """
-        self._wish_for({motor: Drive.brake(duty)}, holder)
+        self._set_for({motor: Drive.brake(duty)}, holder)
 
     def set_auxiliary(self, speed: int, holder: str = "") -> None:
-        """Wish a speed (0-127) for the auxiliary motor; ignored unless armed.
+        """Drive the auxiliary motor at a speed (0-127); ignored unless armed.
 
         Raises:
             BadRequest: the speed is outside its range.
@@ -273,50 +293,39 @@ class Motors(QObject):
         if holder == self._holder:
             if holder:
                 self._held.add(_AUXILIARY)
-            self._wish_auxiliary(min(speed, self._ceiling_in_force))
+            self._set_auxiliary(min(speed, self._ceiling_in_force))
 
-    def _wish_for(self, wishes: Mapping[int, Drive], holder: str) -> None:
-        """Wish something for motors, the first of it for both where they are linked."""
+    def _set_for(self, drives: Mapping[int, Drive], holder: str) -> None:
+        """Drive motors for a control; if they are linked, the first setpoint applies to both."""
         if holder == self._holder:
             if self._linked:
-                wishes = dict.fromkeys((1, 2), next(iter(wishes.values())))
+                drives = dict.fromkeys((1, 2), next(iter(drives.values())))
             if holder:
-                self._held.update(wishes)
-            self._wish(wishes)
+                self._held.update(drives)
+            self._set(drives)
 
     def _at(self, speed: int) -> Drive:
-        _ = Drive.at(speed)  # one that no motor has is a mistake, not something to limit
+        _ = Drive.at(speed)  # raises for a speed that no motor has; only valid ones are limited
         return Drive.at(self._limited(speed))
 
     def _limited(self, speed: int) -> int:
         return max(-self._ceiling_in_force, min(self._ceiling_in_force, speed))
 
-    def _wish(self, wishes: Mapping[int, Drive]) -> None:
-        """Ask for what is new, for both motors in one message: neither waits for the other."""
+    def _set(self, drives: Mapping[int, Drive]) -> None:
+        """Request what is new, for both motors in one message so that they start together."""
         new = [
             SetMotor(motor, drive, self.accelerate)
-            for motor, drive in wishes.items()
+            for motor, drive in drives.items()
             if drive != self._drives.get(motor)
         ]
         if not self._armed or not new:
             return
-        self._drives.update((wish.motor, wish.drive) for wish in new)
+        self._drives.update((request.motor, request.drive) for request in new)
         self.requested.emit(SetMotors((new[0], new[1])) if len(new) > 1 else new[0])
-        self.changed.emit()
+        self.setpoints_changed.emit()
 
-    def _wish_auxiliary(self, speed: int) -> None:
+    def _set_auxiliary(self, speed: int) -> None:
         if self._armed and speed != self._auxiliary:
             self._auxiliary = speed
             self.requested.emit(SetAuxiliary(speed, self.accelerate))
-            self.changed.emit()
-
-    def _release(self) -> None:
-        self._holder = ""
-        self._held.clear()
-        self._ceiling_in_force = self._ceiling
-
-    def _rest(self) -> None:
-        self._armed = False
-        self._release()
-        self._drives = {}
-        self._auxiliary = 0
+            self.setpoints_changed.emit()

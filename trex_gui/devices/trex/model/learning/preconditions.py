@@ -32,7 +32,7 @@ class CalibrationPreconditions(QObject):
 
         device.link_changed.connect(self._on_link_changed)
         device.state_changed.connect(self._on_state_changed)
-        device.motors.changed.connect(self._on_motors_changed)
+        device.motors.arming_changed.connect(self._on_arming_changed)
         device.telemetry.updated.connect(self._on_updated)
 
     @property
@@ -52,7 +52,7 @@ class CalibrationPreconditions(QObject):
     def watch_motors(self, watch: bool) -> None:
         """Say whether armed motors end it; those that are already do it at once."""
         self._with_motors = watch
-        self._on_motors_changed()
+        self._on_arming_changed()
 
     def why_not(self) -> str:
         """Say why nobody should push sticks now; empty when they move nothing."""
@@ -100,7 +100,7 @@ class CalibrationPreconditions(QObject):
             self._break(self.tr("The board was started in another mode. ") + self.why_not())
 
     @Slot()
-    def _on_motors_changed(self) -> None:
+    def _on_arming_changed(self) -> None:
         if self._with_motors and self._device.motors.armed:
             self._break(self.tr("The motors were armed, so this has ended."))
 

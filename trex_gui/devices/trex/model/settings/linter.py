@@ -65,7 +65,7 @@ class BoardAdviser(SettingsLinter):
         self._drove = False
 
         device.link_changed.connect(self._on_board_changed)
-        device.motors.changed.connect(self._on_board_changed)
+        device.motors.arming_changed.connect(self._on_board_changed)
         self._on_board_changed()
 
     @Slot()

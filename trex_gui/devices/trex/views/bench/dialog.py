@@ -213,7 +213,7 @@ class BenchDialog(QDialog):
     @Slot()
     def _on_changed(self) -> None:
         bench, motors = self._bench, self._device.motors
-        self._run.setEnabled(motors.can_arm and not motors.armed and not motors.locked_for)
+        self._run.setEnabled(motors.is_available and not motors.armed and not motors.locked_for)
         self._save.setEnabled(bool(bench.runs) and bench.phase is Phase.IDLE)
         self._open.setEnabled(bench.phase is Phase.IDLE)
         self._compare.setEnabled(bench.phase is Phase.IDLE)

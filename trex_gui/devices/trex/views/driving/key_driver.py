@@ -79,7 +79,7 @@ class KeyDriver(QObject):
         self._watch = PressMonitor(page)
 
         self._watch.lost.connect(self.let_go)
-        motors.changed.connect(self._on_motors_changed)
+        motors.holder_changed.connect(self._on_holder_changed)
         app = QGuiApplication.instance()
         if isinstance(app, QGuiApplication):
             app.focusWindowChanged.connect(self._on_focus_window_changed)
@@ -167,7 +167,7 @@ class KeyDriver(QObject):
             self.steered.emit(0.0, 0.0)
 
     @Slot()
-    def _on_motors_changed(self) -> None:
+    def _on_holder_changed(self) -> None:
         if self._keys and not self._drive.held:
             self._forget()
 

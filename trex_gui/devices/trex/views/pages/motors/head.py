@@ -5,7 +5,12 @@ from html import escape
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
-from trex_gui.devices.trex.model.driving.drive_status import DriveBlocker, DriveStatus
+from trex_gui.devices.trex.model.driving.drive_status import (
+    DriveBlocker,
+    DriveInputs,
+    find_blocker,
+    status_text,
+)
 from trex_gui.ui.theme.icons import icon, set_icon
 from trex_gui.ui.theme.theme import theme, tint
 
@@ -23,7 +28,8 @@ class Head(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._reason = DriveStatus(DriveBlocker.NO_BOARD, "")
+        self._blocker = DriveBlocker.NO_BOARD
+        self._shown = ("", "")
         self._sign = QLabel(self)
         self._text = QLabel(self)
         self._text.setObjectName("motorsReason")
@@ -51,28 +57,25 @@ class Head(QWidget):
         theme().changed.connect(self._on_theme_changed)
         self._on_theme_changed()
 
-    def show_reason(self, reason: DriveStatus, *, can_run: bool) -> None:
-        """Say what is so; it is spoken, too."""
+    def show_status(self, inputs: DriveInputs, *, can_run: bool) -> None:
+        """Show what the motors do and why."""
         self._run.setEnabled(can_run)
-        if reason == self._reason:
+        shown = status_text(inputs)
+        if shown == self._shown:
             return
-        self._reason = reason
-        text = f"<b>{escape(reason.text)}</b>"
-        if reason.remedy:
-            text += f" {escape(reason.remedy)}"
-        self._text.setText(text)
-        self._text.setAccessibleName(f"{reason.text} {reason.remedy}".strip())
+        self._shown, self._blocker = shown, find_blocker(inputs)
+        text, remedy = shown
+        self._text.setText(f"<b>{escape(text)}</b> {escape(remedy)}".rstrip())
+        self._text.setAccessibleName(f"{text} {remedy}".strip())
         self._on_theme_changed()
 
     @Slot()
     def _on_theme_changed(self) -> None:
-        name = "warning" if self._reason.alarming else "info"
-        if self._reason.obeyed and not self._reason.alarming:
-            name = "ok"
+        alarming = self._blocker.is_alarming
+        name = "warning" if alarming else "ok" if self._blocker.is_obeyed else "info"
         size = self.fontMetrics().height() + 6
-        color = {"ok": "good"}.get(name, name)
-        self._sign.setPixmap(icon(name, color).pixmap(size, size))
+        self._sign.setPixmap(icon(name, "good" if name == "ok" else name).pixmap(size, size))
         palette = self.palette()
-        if self._reason.alarming:
+        if alarming:
             palette.setColor(self._text.foregroundRole(), theme().color("warning"))
         self._text.setPalette(palette)

@@ -128,8 +128,9 @@ class Options(QGroupBox):
         self._lock.chosen.connect(self._on_lock_chosen)
         self._ceiling.changed.connect(self._on_ceiling_changed)
         self._brake.changed.connect(self._on_brake_changed)
-        motors.changed.connect(self._on_motors_changed)
-        self._on_motors_changed()
+        motors.options_changed.connect(self._on_options_changed)
+        motors.setpoints_changed.connect(self._show_link)
+        self._on_options_changed()
 
     @property
     def returns_to_zero(self) -> bool:
@@ -141,6 +142,7 @@ class Options(QGroupBox):
         self._joint = joint
         self._show_link()
 
+    @Slot()
     def _show_link(self) -> None:
         """Tick it only over motors that do the same: a tick must not start or speed up one."""
         motors = self._motors
@@ -181,7 +183,7 @@ class Options(QGroupBox):
         self._store.setValue("motors/brake", duty)
 
     @Slot()
-    def _on_motors_changed(self) -> None:
+    def _on_options_changed(self) -> None:
         self._ceiling.set_value(self._motors.ceiling)
         self._brake.set_value(self._motors.release_brake)
         self._lock.show_wish(round(self._motors.lockout))

@@ -7,7 +7,7 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.drive_status import reason_for, situation_of
+from trex_gui.devices.trex.model.driving.drive_status import drive_inputs
 from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.driving.safe_start import SafeStartWatch
 from trex_gui.devices.trex.model.driving.setpoint_text import (
@@ -51,7 +51,6 @@ class MotorsPage(QWidget):
 
         self._safe_start = SafeStartWatch(device, self)
 
-        self._options_shown: tuple[float, ...] = ()
         self._holder = ""
         self._dragged: int | None = None
         self._forget_holder = runtime().timer(self)
@@ -103,7 +102,17 @@ class MotorsPage(QWidget):
         self._keys.steered.connect(self._pad.show_position)
         self._options.keys_toggled.connect(self._keys.set_enabled)
         self._facts.parameter_wanted.connect(self.parameter_wanted)
-        self._motors.changed.connect(self._on_motors_changed)
+        motors = self._motors
+        motors.holder_changed.connect(self._on_holder_changed)
+        motors.setpoints_changed.connect(self._show_setpoints)
+        motors.arming_changed.connect(self._show_setpoints)
+        for signal in (
+            motors.arming_changed,
+            motors.availability_changed,
+            motors.options_changed,
+            motors.lockout_changed,
+        ):
+            signal.connect(self._show_options)
         self._motors.stop_requested.connect(self._on_stop_requested)
         device.link_changed.connect(self._show_options)
         device.state_changed.connect(self._on_state_changed)
@@ -127,7 +136,7 @@ class MotorsPage(QWidget):
             drive = self._motors.drive(number)
             taken = drive is not None and drive.signed == speed
         if not taken:  # it is not to stay on the slider
-            self._show_wishes()
+            self._show_setpoints()
 
     def _on_brake_wanted(self, number: int) -> None:
         self._motors.set_brake(number, self._motors.release_brake)
@@ -135,12 +144,12 @@ class MotorsPage(QWidget):
     def _on_grabbed(self, number: int) -> None:
         self._dragged = number
         if self._options.returns_to_zero:
-            self._motors.hold(_name(number))
+            self._motors.acquire(_name(number))
 
     def _on_released(self, number: int) -> None:
         self._forget_holder.start()
-        self._motors.let_go(_name(number))
-        self._show_wishes()
+        self._motors.release(_name(number))
+        self._show_setpoints()
 
     @Slot(float, float)
     def _on_pad_steered(self, forward: float, turn: float) -> None:
@@ -163,21 +172,14 @@ class MotorsPage(QWidget):
         self._controls[1].set_title(self.tr("Motor (joint)") if joint else self.tr("Motor 1"))
         self._options.set_joint(joint)
         self._facts.refresh(joint=joint)
-        self._on_motors_changed()
+        self._show_setpoints()
         self._show_options()
 
     @Slot()
-    def _on_motors_changed(self) -> None:
-        """A drag changes wishes many hundred times a second, and seldom anything else."""
-        motors = self._motors
+    def _on_holder_changed(self) -> None:
         self._note_holder()
         if self._pad.held and not self._pad_drive.held:
             self._pad.let_go()
-        self._show_wishes()
-        options = (motors.armed, motors.can_arm, motors.ceiling, motors.linked)
-        if (*options, motors.release_brake, motors.locked_for) != self._options_shown:
-            self._options_shown = (*options, motors.release_brake, motors.locked_for)
-            self._show_options()
 
     @Slot()
     def _show_options(self) -> None:
@@ -197,7 +199,8 @@ class MotorsPage(QWidget):
     def _is_unused(self, number: int) -> bool:
         return number == 2 and self._device.is_joint
 
-    def _show_wishes(self) -> None:
+    @Slot()
+    def _show_setpoints(self) -> None:
         motors = self._motors
         for number in (1, 2):
             drive = motors.drive(number)
@@ -212,9 +215,9 @@ class MotorsPage(QWidget):
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
         device, motors = self._device, self._motors
-        reason = reason_for(situation_of(device, perhaps_held=self._safe_start.may_hold))
-        can_run = motors.can_arm and not motors.armed and not motors.locked_for
-        self._head.show_reason(reason, can_run=can_run)
+        inputs = drive_inputs(device, perhaps_held=self._safe_start.may_hold)
+        can_run = motors.is_available and not motors.armed and not motors.locked_for
+        self._head.show_status(inputs, can_run=can_run)
         driven = self._channels_drive()
         self._pad.setVisible(not driven)
         for number, control in self._controls.items():
