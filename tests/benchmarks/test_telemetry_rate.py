@@ -68,7 +68,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
     reports: list[Report] = []
     program.device.connect_to(settings)
     qtbot.waitUntil(lambda: program.device.link is ConnectionState.CONNECTED, timeout=20_000)
-    program.device._connection._line.reported.connect(reports.append)
+    program.device._connection.reported.connect(reports.append)
     qtbot.wait(round(_SECONDS * 1000))
     read = {name: count / _SECONDS for name, count in _count(reports).items()}
 

@@ -65,9 +65,9 @@ def test_serial_timeout_is_an_event_and_framing_error_is_not(setup: EventSetup) 
 
 
 def test_lost_connection_is_logged(setup: EventSetup) -> None:
-    setup.connection.silenced.emit()
+    setup.connection.not_responding.emit()
     setup.now = 3
-    setup.connection.left.emit(None)
+    setup.connection.line_closed.emit(None)
     assert [(time, kind) for time, kind, _ in setup.logged] == [(0, "link"), (3, "link")]
 
 

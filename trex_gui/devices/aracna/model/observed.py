@@ -79,9 +79,9 @@ class ObservedRobot(QObject):
         self.rejected.connect(self.notifier.error)
         self.speeds.refused.connect(self.rejected)
         self._line.reported.connect(self._on_reported)
-        self._line.answered.connect(self._on_answered)
-        self._line.lapsed.connect(self._on_lapsed)
-        self._line.left.connect(self._on_left)
+        self._line.device_read.connect(self._on_answered)
+        self._line.state_lost.connect(self._on_lapsed)
+        self._line.line_closed.connect(self._on_left)
         self._line.changed.connect(self._on_link_changed)
         self._line.failed.connect(self._on_failed)
 
@@ -165,11 +165,11 @@ class ObservedRobot(QObject):
 
     def disconnect_line(self) -> None:
         """Send nothing more and close the line; does not wait for it."""
-        self._line.leave()
+        self._line.close()
 
     def shut_down(self) -> bool:
         """Close the line for the end of the program; return whether it ended in time."""
-        return self._line.end()
+        return self._line.shut_down()
 
     def _hold(self) -> None:
         """Want the motors where they are, so that the next move begins there."""
@@ -185,7 +185,6 @@ class ObservedRobot(QObject):
 
     @Slot(object)
     def _on_reported(self, report: object) -> None:
-        self._line.follow(report)
         self._known.take(report)
         match report:
             case LineStatsChanged(stats=counters):

@@ -4,6 +4,7 @@ from collections.abc import Callable, Collection, Mapping
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.errors import StudioError
 from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import Counters
@@ -98,13 +99,13 @@ class Device(QObject):
         self._state: DeviceState | None = None
 
         self._connection.changed.connect(self.link_changed)
-        self._connection.answered.connect(self._on_answered)
-        self._connection.settled.connect(self._on_settled)
-        self._connection.silenced.connect(self._on_silenced)
-        self._connection.left.connect(self._on_left)
+        self._connection.device_read.connect(self._on_answered)
+        self._connection.ready.connect(self._on_settled)
+        self._connection.not_responding.connect(self._on_silenced)
+        self._connection.line_closed.connect(self._on_left)
         self._connection.sampled.connect(self._on_sampled)
         self._connection.progressed.connect(self.progressed)
-        self._connection.failed.connect(self._on_request_failed)
+        self._connection.failed.connect(self._on_connection_failed)
         self._driving.confirmed.connect(self.link_changed)
         self.draft.pending_changed.connect(self.pending_changed)
         self.draft.replacing.connect(self._kept.keep)
@@ -234,7 +235,7 @@ class Device(QObject):
     def shut_down(self) -> bool:
         """Close the line and wait for it, at most a second; return whether it ended in time.
 
-        For the end of the program only; see `Line.shut_down`.
+        For the end of the program only; see `SessionThread.shut_down`.
         """
         return self._connection.shut_down()
 
@@ -246,7 +247,7 @@ class Device(QObject):
         self._driving.stop(then, reason)
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every motor, from any thread and without telling anybody; see `Line.stop_now`."""
+        """Stop every motor, from any thread; see `Connection.stop_now`."""
         self._driving.stop_now(ending=ending)
 
     def set_serial_timeout(self, seconds: float) -> None:
@@ -344,6 +345,10 @@ class Device(QObject):
     def _on_apply_failed(self, reason: str) -> None:
         self.link_changed.emit()
         self._on_request_failed(reason)
+
+    @Slot(object)
+    def _on_connection_failed(self, error: StudioError) -> None:
+        self._on_request_failed(str(error))
 
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:

@@ -42,9 +42,9 @@ class EventWatch(QObject):
         self._motors = motors
         self._seen: dict[str, float] = {}
         motors.stop_requested.connect(self._on_stop_requested)
-        connection.answered.connect(self._on_answered)
-        connection.silenced.connect(self._on_silenced)
-        connection.left.connect(self._on_left)
+        connection.device_read.connect(self._on_answered)
+        connection.not_responding.connect(self._on_silenced)
+        connection.line_closed.connect(self._on_left)
         connection.sampled.connect(self._on_sampled)
 
     def note_applied(self, results: tuple[WriteResult, ...], names: tuple[str, ...]) -> None:

@@ -17,7 +17,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.drive_controller import DriveController
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.messages import Request
 from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier
@@ -31,9 +30,9 @@ class RecordingConnection(Connection):
 
     def __init__(self) -> None:
         super().__init__()
-        self._requests: list[Request] = []
+        self._requests: list[object] = []
 
-    def submit(self, request: Request) -> bool:
+    def submit(self, request: object) -> bool:
         self._requests.append(request)
         return True
 
@@ -121,7 +120,7 @@ def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
     notifier = Notifier()
     driving = DriveController(motors, connection, notifier)
     with qtbot.waitSignal(notifier.error) as said:
-        connection.halted.emit(MotorsStopped(STOOD_STILL, confirmed=False))
+        connection.motors_stopped.emit(MotorsStopped(STOOD_STILL, confirmed=False))
     assert said.args == [f"{STOOD_STILL} A stop was sent, and is not confirmed yet."]
     assert motors.stop_reason == STOOD_STILL
     assert not driving.may_move

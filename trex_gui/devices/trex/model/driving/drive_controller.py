@@ -59,12 +59,12 @@ class DriveController(QObject):
         motors.arming_changed.connect(self._on_arming_changed)
         motors.requested.connect(self._on_drive_requested)
         motors.stop_requested.connect(self._on_stop_requested)
-        connection.answered.connect(self._on_answered)
+        connection.device_read.connect(self._on_answered)
         connection.closing.connect(self._on_out_of_reach)
-        connection.silenced.connect(self._on_out_of_reach)
-        connection.left.connect(self._on_left)
-        connection.settled.connect(self._tell_of_the_lost)
-        connection.halted.connect(self._on_halted)
+        connection.not_responding.connect(self._on_out_of_reach)
+        connection.line_closed.connect(self._on_left)
+        connection.ready.connect(self._tell_of_the_lost)
+        connection.motors_stopped.connect(self._on_halted)
 
     @property
     def may_move(self) -> bool:

@@ -5,7 +5,7 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.core.session.messages import Closed
 from trex_gui.devices.trex.driving.requests import SetMotor
-from trex_gui.devices.trex.model.line import Line
+from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Reload
@@ -18,7 +18,7 @@ def test_crashed_session_closes_the_line_and_keeps_may_move(
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, drives: bool
 ) -> None:
     monkeypatch.setattr(TrexSession, "run", lambda _: runtime().sleep(0.1))
-    line = Line()
+    line = Connection()
     line.open(ConnectionSettings("nowhere"), may_move=False)
     if drives:
         line.submit(SetMotor(1, Drive.at(20)))
@@ -34,7 +34,7 @@ def test_crashed_session_closes_the_line_and_keeps_may_move(
 
 def test_requests_without_a_session_are_rejected(qtbot: QtBot) -> None:
     del qtbot
-    line = Line()
+    line = Connection()
     outcomes: list[object] = []
     assert not line.ask(Reload, outcomes.append)
     assert not line.submit(Reload(1))

@@ -1,0 +1,124 @@
+"""Connection to one device: one line session after another, and its state."""
+
+from typing import Generic, TypeVar
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.session.messages import Closed
+from trex_gui.core.transport.settings import PortSettings
+from trex_gui.core.transport.traffic_log import logged
+from trex_gui.core.transport.transactions import Decoder
+from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.runtime import now, open_transport
+from trex_gui.ui.traffic.model import TrafficModel
+from trex_gui.ui.workers.line_worker import MakeSession
+from trex_gui.ui.workers.session_thread import SessionThread
+
+SettingsT = TypeVar("SettingsT", bound=PortSettings)
+
+
+class DeviceConnection(SessionThread, Generic[SettingsT]):
+    """Base of every connection: a device adds its session and what it takes from its reports.
+
+    Other signals are emitted before `link` changes, and `changed` follows.
+
+    Attributes:
+        traffic: every byte that went over the line.
+
+    Signals:
+        changed: `link` or `status`.
+        line_closed: nothing of the device is valid any more: the `Closed`; `None` at the end of
+            the program, if the session does not end in time.
+        failed: the `StudioError` that closed the line.
+    """
+
+    changed = Signal()
+    line_closed = Signal(object)
+    failed = Signal(object)
+
+    def __init__(self, decoder: Decoder, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._link = ConnectionState.DISCONNECTED
+        self._status = self.tr("Not connected.")
+        self._settings: SettingsT | None = None
+        self._next: SettingsT | None = None
+        self.open_logged = logged(self.log, open_transport, now)
+        self.traffic = TrafficModel(self, decoder)
+        self.reported.connect(self.take)
+        self.closed.connect(self._on_closed)
+
+    @property
+    def link(self) -> ConnectionState:
+        """State of the connection."""
+        return self._link
+
+    @property
+    def status(self) -> str:
+        """State of the connection, as a sentence."""
+        return self._status
+
+    @property
+    def settings(self) -> SettingsT | None:
+        """How the line is, or was last, opened."""
+        return self._settings
+
+    def open(self, settings: SettingsT, *, may_move: bool = False) -> None:
+        """Open a line; one that is open is closed first.
+
+        `may_move` says that motors may still be turning from an earlier session.
+        """
+        if self.is_open:
+            self.close()
+            self._next = settings
+            return
+        self._settings = settings
+        make_session = self.new_session(settings, may_move=may_move)
+        text = self.tr("Connecting to {0} …").format(settings.text())
+        self._set_state(ConnectionState.CONNECTING, text)
+        self.start(make_session, may_move=may_move)
+
+    def close(self) -> None:
+        """Stop what moves, as far as that is possible, and close the line; does not wait."""
+        self._next = None
+        if self.is_open and self._link is not ConnectionState.DISCONNECTING:
+            self.prepare_to_close()
+            super().close()
+            self._set_state(ConnectionState.DISCONNECTING, self.tr("Disconnecting …"))
+
+    def shut_down(self) -> bool:
+        """Close the line and wait for it; return whether it ended in time."""
+        self._next = None
+        was_open = self.is_open
+        in_time = super().shut_down()
+        if was_open:
+            self.line_closed.emit(self.last)
+            self._set_state(ConnectionState.DISCONNECTED, self.tr("Not connected."))
+        return in_time
+
+    # --- For each device ----------------------------------------------------------------
+
+    def new_session(self, settings: SettingsT, *, may_move: bool) -> MakeSession:
+        """Forget the last session; return the function that makes the next one."""
+        raise NotImplementedError
+
+    def prepare_to_close(self) -> None:
+        """Do what has to be done before the line is closed."""
+
+    def take(self, report: object) -> None:
+        """Take a report of the session, in any state."""
+        raise NotImplementedError
+
+    def _set_state(self, link: ConnectionState, status: str) -> None:
+        self._link, self._status = link, status
+        self.changed.emit()
+
+    @Slot(object)
+    def _on_closed(self, last: Closed) -> None:
+        following, self._next = self._next, None
+        self.line_closed.emit(last)
+        if following is not None:
+            self.open(following, may_move=last.may_move)
+            return
+        self._set_state(ConnectionState.DISCONNECTED, self.tr("Not connected."))
+        if last.error is not None:
+            self.failed.emit(last.error)
