@@ -10,11 +10,9 @@ from PySide6.QtWidgets import QSpinBox
 from tests.support.pages.bench_dialog import BenchTestDialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.bench.profile import Profile
+from trex_gui.devices.trex.bench.profile import Plan, Profile
 from trex_gui.devices.trex.bench.run import End
-from trex_gui.devices.trex.model.bench.bench import Plan
-from trex_gui.devices.trex.views.bench.dialog import BenchDialog
-from trex_gui.devices.trex.views.bench.opener import BenchOpener
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog, BenchOpener
 
 
 @pytest.fixture
@@ -32,16 +30,16 @@ def test_motor_runs_while_the_button_is_held(dialog: BenchTestDialog) -> None:
     dialog.hold()
     dialog.release()
     dialog.wait_for_end()
-    assert dialog.bench.runs[-1].end is End.LET_GO
+    assert dialog.bench.runs[-1].end is End.RELEASED
     assert dialog.motors.armed
-    assert "Let go after" in dialog.note
+    assert "Released after" in dialog.note
 
     dialog.hold_button.setFocus()
     QTest.keyPress(dialog.hold_button, Qt.Key.Key_Space)
     dialog.wait(lambda: dialog.speed() == 60)
     QTest.keyRelease(dialog.hold_button, Qt.Key.Key_Space)
     dialog.wait_for_end()
-    assert dialog.bench.runs[-1].end is End.LET_GO
+    assert dialog.bench.runs[-1].end is End.RELEASED
     assert len(dialog.bench.runs) == 2
 
 
@@ -68,7 +66,7 @@ def test_each_stop_cause_in_dialog_ends_run_and_disarms(
     quick_simulator.do("current 1 31.5")
     dialog.wait_for_end()
     quick_simulator.do("current 1 auto")
-    assert "Motor 1 drew 31.50 A, more than the 30 A" in dialog.note
+    assert "Motor 1 drew 31.50 A, more than the abort current of 30 A" in dialog.note
     assert not dialog.motors.armed
     dialog.release()
     telemetry = connected_window.device.telemetry

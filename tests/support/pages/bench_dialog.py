@@ -5,7 +5,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver
-from trex_gui.devices.trex.model.bench.bench import Bench, Phase
+from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.bench.figures_table import FiguresTable

@@ -26,11 +26,11 @@ def run_of(
         accelerate=True,
         abort_current=10.0,
         ampere=0.15,
-        began=BEGAN,
+        started=BEGAN,
         end=end,
         reason=reason,
         ended=ended,
-        wishes=((0.0, profile.speed),),
+        setpoints=((0.0, profile.speed),),
         currents=tuple(currents),
         settings=(("Motor 1 Acceleration", "20 per 100 ms"),),
     )

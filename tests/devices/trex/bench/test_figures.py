@@ -58,7 +58,7 @@ def test_gap_in_readings_adds_no_charge() -> None:
 
 
 def test_peak_excludes_current_after_end() -> None:
-    run = run_of([(0.1, 1.0), (0.5, 1.0), (1.2, 50.0)], ended=1.0, end=End.LET_GO)
+    run = run_of([(0.1, 1.0), (0.5, 1.0), (1.2, 50.0)], ended=1.0, end=End.RELEASED)
     assert figures(run).peak == 1.0
 
 
@@ -101,7 +101,7 @@ def test_ramp_takes_steady_current_after_its_rise() -> None:
 
 
 def test_run_released_early_has_no_steady_current() -> None:
-    found = figures(run_of(readings((0.3, 5.0)), ended=0.3, end=End.LET_GO))
+    found = figures(run_of(readings((0.3, 5.0)), ended=0.3, end=End.RELEASED))
     assert found.steady is None
     assert found.mean == pytest.approx(5.0)
 

@@ -49,7 +49,7 @@ def test_saved_run_is_read_back_equal(run: Run) -> None:
 def test_csv_has_heading_with_units_and_row_per_reading() -> None:
     lines = [line for line in to_csv(SAVED).splitlines() if not line.startswith("#")]
     assert lines == [
-        "time_s,wish_speed,current_a",
+        "time_s,setpoint,current_a",
         "0.0000,40,",
         "0.0125,40,0.0000",
         "0.0250,40,4.5000",
@@ -72,7 +72,7 @@ def test_file_header_lists_motor_shape_and_settings() -> None:
         ("# motor: 1", "# motor: 7", "1 or 2 belongs here, not 7"),
         ("# shape: step", "# shape: square", "shape: “square” is no value for it"),
         ("# speed: 40", "# speed: 400", "not 400"),
-        ("time_s,", "seconds,", "the columns time_s, wish_speed, current_a belong here"),
+        ("time_s,", "seconds,", "the columns time_s, setpoint, current_a belong here"),
         ("0.0250,40,4.5000", "0.0250,40", "line 17: “0.0250,40” is no row of it"),
         ("0.0250,40,4.5000", "0.0250,40,many", "line 17: “0.0250,40,many” is no row of it"),
     ],

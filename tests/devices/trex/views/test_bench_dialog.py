@@ -25,7 +25,7 @@ from tests.support.pages.bench_dialog import BenchTestDialog
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.bench.profile import Profile, Shape
 from trex_gui.devices.trex.bench.run import End
-from trex_gui.devices.trex.model.bench.bench import Bench
+from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.bench.figures_table import FiguresTable
@@ -40,7 +40,7 @@ class HoldButtonDriver(WidgetDriver):
     """A button to hold, in a window with another field.
 
     Attributes:
-        signals: "held" and "let go", in the order in which the button emitted them.
+        signals: "held" and "released", in the order in which the button emitted them.
     """
 
     def __init__(self, qtbot: QtBot) -> None:
@@ -52,8 +52,8 @@ class HoldButtonDriver(WidgetDriver):
         self.widget = HoldButton("Hold", window)
         self.widget.resize(200, 60)
         self.signals: list[str] = []
-        self.widget.held.connect(lambda: self.signals.append("held"))
-        self.widget.let_go.connect(lambda: self.signals.append("let go"))
+        self.widget.hold_started.connect(lambda: self.signals.append("held"))
+        self.widget.hold_ended.connect(lambda: self.signals.append("released"))
         qtbot.addWidget(window)
         window.show()
         window.activateWindow()
@@ -94,7 +94,7 @@ def test_button_is_held_from_press_to_release(hold_button: HoldButtonDriver) -> 
     assert hold_button.signals == ["held"]
     assert hold_button.widget.is_held
     hold_button.release()
-    assert hold_button.signals == ["held", "let go"]
+    assert hold_button.signals == ["held", "released"]
 
 
 def test_space_bar_holds_button_and_repeats_are_ignored(hold_button: HoldButtonDriver) -> None:
@@ -104,7 +104,7 @@ def test_space_bar_holds_button_and_repeats_are_ignored(hold_button: HoldButtonD
         hold_button.send_space(QEvent.Type.KeyPress, repeated=True)
     assert hold_button.signals == ["held"]
     hold_button.send_space(QEvent.Type.KeyRelease)
-    assert hold_button.signals == ["held", "let go"]
+    assert hold_button.signals == ["held", "released"]
 
 
 def test_returning_mouse_does_not_hold_a_released_button(
@@ -112,11 +112,11 @@ def test_returning_mouse_does_not_hold_a_released_button(
 ) -> None:
     hold_button.press()
     hold_button.move(QPoint(500, 500))
-    assert hold_button.signals == ["held", "let go"]
+    assert hold_button.signals == ["held", "released"]
     hold_button.move(QPoint(10, 10))
     assert not hold_button.widget.is_held
     hold_button.release()
-    assert hold_button.signals == ["held", "let go"]
+    assert hold_button.signals == ["held", "released"]
 
 
 LOSSES: dict[str, Callable[[HoldButtonDriver], object]] = {
@@ -140,7 +140,7 @@ LOSSES: dict[str, Callable[[HoldButtonDriver], object]] = {
 def test_loss_of_input_releases_button(hold_button: HoldButtonDriver, loss: str) -> None:
     hold_button.press()
     LOSSES[loss](hold_button)
-    assert hold_button.signals == ["held", "let go"]
+    assert hold_button.signals == ["held", "released"]
 
 
 def test_disabled_button_cannot_be_held(hold_button: HoldButtonDriver) -> None:
@@ -219,9 +219,9 @@ GENTLER = [(index / 80, 6.0 if index < 10 else 4.0) for index in range(160)]
 
 
 def test_result_is_shown_beside_the_previous_one(dialog: BenchTestDialog) -> None:
-    dialog.bench.keep(run_of(READINGS))
+    dialog.bench.add_run(run_of(READINGS))
     assert [dialog.figure(0, column) for column in range(3)] == ["12.00 A", "–", "–"]
-    dialog.bench.keep(run_of(GENTLER))
+    dialog.bench.add_run(run_of(GENTLER))
     assert [dialog.figure(0, column) for column in range(3)] == ["6.00 A", "12.00 A", "−6.00 A"]
     assert dialog.figure(1, 0) == "4.00 A"
     plot = dialog.plot
@@ -230,7 +230,7 @@ def test_result_is_shown_beside_the_previous_one(dialog: BenchTestDialog) -> Non
 
 def test_reference_run_can_be_selected(dialog: BenchTestDialog) -> None:
     for readings in (READINGS, GENTLER, GENTLER):
-        dialog.bench.keep(run_of(readings))
+        dialog.bench.add_run(run_of(readings))
     compare = dialog.combo("benchCompare")
     assert dialog.figure(0, 1) == "6.00 A"
     compare.setCurrentIndex(compare.count() - 1)  # the oldest
@@ -241,7 +241,7 @@ def test_reference_run_can_be_selected(dialog: BenchTestDialog) -> None:
 
 def test_settling_band_can_be_selected(dialog: BenchTestDialog) -> None:
     rising = [(index / 80, index / 40) for index in range(80)]
-    dialog.bench.keep(run_of(rising + [(1 + index / 80, 2.0) for index in range(80)]))
+    dialog.bench.add_run(run_of(rising + [(1 + index / 80, 2.0) for index in range(80)]))
     assert dialog.figure(5, 0) == "850 ms"  # two counts are more than a tenth of 2 A
     dialog.find(QSpinBox, "benchBand").setValue(50)
     assert dialog.figure(5, 0) == "500 ms"
@@ -251,14 +251,14 @@ def test_settling_band_can_be_selected(dialog: BenchTestDialog) -> None:
 
 
 def test_reason_for_an_abort_is_shown(dialog: BenchTestDialog) -> None:
-    reason = "Motor 1 drew 12.00 A, more than the 10 A to abort at."
-    dialog.bench.keep(run_of(READINGS, ended=0.5, end=End.ABORTED, reason=reason))
+    reason = "Motor 1 drew 12.00 A, more than the abort current of 10 A."
+    dialog.bench.add_run(run_of(READINGS, ended=0.5, end=End.ABORTED, reason=reason))
     note = dialog.note
     assert f"Aborted after 0.50 s: {reason}" in note
 
 
 def test_saved_run_can_be_opened(dialog: BenchTestDialog, tmp_path: Path) -> None:
-    dialog.bench.keep(run_of(READINGS))
+    dialog.bench.add_run(run_of(READINGS))
     path = tmp_path / "test.csv"
     dialog.files.save(dialog.bench.runs[0], path)
     assert "Saved as test.csv" in dialog.note
@@ -271,7 +271,7 @@ def test_saved_run_can_be_opened(dialog: BenchTestDialog, tmp_path: Path) -> Non
     ("content", "words"),
     [
         (b"product: TReX\n", "a bench test begins with"),
-        (b"\xff\xfe\x00", "it is no text"),
+        (b"\xff\xfe\x00", "it is not a text file"),
         (None, "was not opened"),
     ],
 )
@@ -288,7 +288,7 @@ def test_invalid_file_is_rejected_with_the_reason(
 
 @pytest.mark.skipif(sys.platform == "win32", reason="every folder can be written to")
 def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchTestDialog, tmp_path: Path) -> None:
-    dialog.bench.keep(run_of(READINGS))
+    dialog.bench.add_run(run_of(READINGS))
     dialog.files.save(dialog.bench.runs[0], tmp_path / "test.PNG")
     picture = QImage(str(tmp_path / "test.PNG"))
     plot = dialog.plot
@@ -323,7 +323,7 @@ def test_every_control_has_an_accessible_name(dialog: BenchTestDialog) -> None:
 
 
 def test_plot_shows_values_under_the_mouse(dialog: BenchTestDialog) -> None:
-    dialog.bench.keep(run_of(READINGS))
+    dialog.bench.add_run(run_of(READINGS))
     plot = dialog.plot
     dialog.wait(lambda: plot.highest >= 12.0)
     viewport = dialog.find(QWidget, "benchCurrents")
@@ -344,5 +344,5 @@ def test_plot_shows_values_under_the_mouse(dialog: BenchTestDialog) -> None:
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_dialog_is_drawn_in_both_schemes(dialog: BenchTestDialog, scheme: str) -> None:
     theme().set_scheme("dark" if scheme == "dark" else "light")
-    dialog.bench.keep(run_of(READINGS))
+    dialog.bench.add_run(run_of(READINGS))
     assert not dialog.root.grab().isNull()

@@ -1,4 +1,4 @@
-"""The numbers of a bench test, from its readings alone. Pure."""
+"""The figures of a bench test, from its readings alone. Pure."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -7,16 +7,16 @@ from itertools import pairwise
 from trex_gui.devices.trex.bench.run import Run
 
 LONGEST_GAP = 0.5
-"""Seconds between two readings over which no charge is counted: nobody knows what flowed."""
+"""Seconds between two readings over which no charge is counted."""
 
 BAND = 0.1
-"""How far from the steady current, as a share of it, counts as settled, unless asked otherwise."""
+"""How far from the steady current, as a share of it, counts as settled by default."""
 
 _TAIL = 0.3
-"""The share of a constant wish, at its end, that is taken for steady."""
+"""The share of a constant setpoint, at its end, whose current counts as steady."""
 
 _SHORTEST_PLATEAU = 0.4
-"""Seconds below which a constant wish tells nothing steady: some ten readings in its tail."""
+"""Seconds of a constant setpoint below which no current is steady: ten readings in its tail."""
 
 _NOISE_COUNTS = 2
 """Counts from which a reading is a current; one alone may be noise."""
@@ -24,18 +24,18 @@ _NOISE_COUNTS = 2
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """What a test came to; `None` where the readings do not tell.
+    """The figures of a test; `None` where the readings are not sufficient.
 
     Attributes:
         peak: highest reading, A.
-        peak_at: when it was, s since the first command.
-        mean: A, from the first command until the motor was left to brake.
+        peak_at: its time, s since the first setpoint.
+        mean: A, from the first setpoint until the motor began to brake.
         charge: mAh, in the same time.
-        steady: A at the end of the first constant wish.
-        settled: s from the first command until the current came within a share of `steady`, or
-            two counts where that is more, and stayed there. The first time that it comes so near
-            would say nothing: an inrush passes the steady current on its way up.
-        delay: s from the first command to the first reading that is a current.
+        steady: A at the end of the first constant setpoint.
+        settled: s from the first setpoint until the current came within a share of `steady`, or
+            two counts where that is more, and stayed there: an inrush passes the steady
+            current on its way up.
+        delay: s from the first setpoint to the first reading that is a current.
     """
 
     peak: float | None = None
@@ -49,7 +49,7 @@ class Figures:
 
 def figures(run: Run, band: float = BAND) -> Figures:
     """Return the figures of a test; `band` is the share of `steady` (0 to 1) for `settled`."""
-    command = next((time for time, speed in run.wishes if speed), None)
+    command = next((time for time, speed in run.setpoints if speed), None)
     driven = [(time, amps) for time, amps in run.currents if 0 <= time <= run.ended]
     if command is None or not driven:
         return Figures()
@@ -94,7 +94,7 @@ def _steady(run: Run, driven: Sequence[tuple[float, float]]) -> float | None:
 def _settled(
     run: Run, after: Sequence[tuple[float, float]], steady: float, command: float, within: float
 ) -> float | None:
-    """Return when the current came to stay; readings after the first constant wish say nothing."""
+    """Return when the current came to stay; `None` where it did not."""
     span = run.profile.plateau(run.ended)
     if span is None:
         return None

@@ -1,15 +1,15 @@
 """A bench test as a text file that a spreadsheet reads, and back.
 
-What the test was stands first, a `# name: value` a line; then a table:
+The facts of the test come first, one `# name: value` on each line; then a table:
 
 ```
-time_s,wish_speed,current_a
+time_s,setpoint,current_a
 0.0000,40,
 0.0113,40,5.85
 ```
 
-A row is a command (no current) or a reading, in the order of time. Speeds are -127 to 127,
-times are seconds since the first command.
+A row is a setpoint (no current) or a reading, in the order of time. Speeds are -127 to 127,
+times are seconds since the first setpoint.
 """
 
 import csv
@@ -23,14 +23,14 @@ from trex_gui.devices.trex.bench.profile import Profile, Shape
 from trex_gui.devices.trex.bench.run import End, Run
 
 _TITLE = "# TReX Studio bench test"
-_COLUMNS = ["time_s", "wish_speed", "current_a"]
+_COLUMNS = ["time_s", "setpoint", "current_a"]
 _SETTING = "stored "
 
 ValueT = TypeVar("ValueT")
 
 
 class BenchFileError(Exception):
-    """A file is no bench test; says where and why, for people."""
+    """A file is not a bench test; the text says where and why."""
 
 
 def to_csv(run: Run) -> str:
@@ -40,16 +40,16 @@ def to_csv(run: Run) -> str:
     out.seek(0, io.SEEK_END)
     table = csv.writer(out, lineterminator="\n")
     table.writerow(_COLUMNS)
-    commands = [(time, 0, f"{speed}", "") for time, speed in run.wishes]
-    readings = [(time, 1, f"{run.wish_at(time)}", f"{amps:.4f}") for time, amps in run.currents]
-    for time, _, speed, amps in sorted(commands + readings, key=lambda row: row[:2]):
+    setpoints = [(time, 0, f"{speed}", "") for time, speed in run.setpoints]
+    readings = [(time, 1, f"{run.setpoint_at(time)}", f"{amps:.4f}") for time, amps in run.currents]
+    for time, _, speed, amps in sorted(setpoints + readings, key=lambda row: row[:2]):
         table.writerow([f"{time:.4f}", speed, amps])
     return out.getvalue()
 
 
 def _facts(run: Run) -> Iterable[tuple[str, str]]:
     profile = run.profile
-    yield "began", run.began.isoformat(timespec="seconds")
+    yield "started", run.started.isoformat(timespec="seconds")
     yield "motor", str(run.motor)
     yield "shape", profile.shape.value
     yield "speed", str(profile.speed)
@@ -70,7 +70,7 @@ def from_csv(text: str) -> Run:
     """Read back what `to_csv` wrote.
 
     Raises:
-        BenchFileError: it is something else, or damaged; names the line.
+        BenchFileError: the text is something else, or damaged; names the line.
     """
     lines = text.removeprefix("\ufeff").splitlines()
     if not lines or lines[0].strip() != _TITLE:
@@ -83,7 +83,7 @@ def from_csv(text: str) -> Run:
             raise BenchFileError(f"line {number + 1}: a name and a value belong here")
         facts[name.strip()] = value.strip()
         number += 1
-    wishes, currents = _table(lines, number)
+    setpoints, currents = _table(lines, number)
     try:
         profile = Profile(
             shape=_fact(facts, "shape", Shape),
@@ -102,11 +102,11 @@ def from_csv(text: str) -> Run:
         accelerate=_fact(facts, "sent", str) == "accelerate",
         abort_current=_fact(facts, "abort_current_a", _number),
         ampere=_fact(facts, "ampere_per_count", _number),
-        began=_fact(facts, "began", datetime.fromisoformat),
+        started=_fact(facts, "started", datetime.fromisoformat),
         end=_fact(facts, "end", End),
         reason=facts.get("reason", ""),
         ended=_fact(facts, "ended_s", _number),
-        wishes=wishes,
+        setpoints=setpoints,
         currents=currents,
         settings=tuple(
             (name.removeprefix(_SETTING), value)
@@ -142,7 +142,7 @@ def _table(
         raise BenchFileError(f"line {first + 1} or below: {error}") from error
     if not rows or rows[0] != _COLUMNS:
         raise BenchFileError(f"line {first + 1}: the columns {', '.join(_COLUMNS)} belong here")
-    wishes: list[tuple[float, int]] = []
+    setpoints: list[tuple[float, int]] = []
     currents: list[tuple[float, float]] = []
     for number, row in enumerate(rows[1:], first + 2):
         try:
@@ -150,7 +150,7 @@ def _table(
             if amps:
                 currents.append((_number(time), _number(amps)))
             else:
-                wishes.append((_number(time), int(speed)))
+                setpoints.append((_number(time), int(speed)))
         except ValueError as error:
             raise BenchFileError(f"line {number}: “{','.join(row)}” is no row of it") from error
-    return tuple(wishes), tuple(currents)
+    return tuple(setpoints), tuple(currents)

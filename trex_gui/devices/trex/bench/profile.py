@@ -1,21 +1,21 @@
-"""What a bench test asks of a motor: a speed as a function of time. Pure."""
+"""The plan of a bench test and its profile: a speed as a function of time. Pure."""
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
 SHORTEST = 0.2
-"""Seconds that a test or a period lasts at least: ten of the profile's own steps."""
+"""Seconds that a test or a period lasts at least: ten steps of the profile."""
 
 LONGEST = 120.0
-"""Seconds that a test lasts at most; somebody holds a button all the while."""
+"""Seconds that a test lasts at most; the user holds a button all the while."""
 
 
 class Shape(Enum):
-    """The course of a test; the values are the words of a saved one."""
+    """The shape of a profile; the values are those of saved files."""
 
     STEP = "step"
     RAMP = "ramp"
@@ -24,7 +24,7 @@ class Shape(Enum):
 
     @property
     def has_period(self) -> bool:
-        """Whether `Profile.period` means anything to it."""
+        """Whether it uses `Profile.period`."""
         return self is not Shape.STEP
 
 
@@ -33,10 +33,9 @@ class Profile:
     """A speed for each moment of a test.
 
     Attributes:
-        shape: step: the speed at once, then constant. Ramp: rises in a straight line for one
-            `period`, then constant. Reverse: the speed for half a period, the same backwards for
-            the other half, again and again. Sine: what its name says, forward first.
-        speed: the greatest speed, -127 to 127 and not 0; negative begins backwards.
+        shape: step: the speed at once, then constant. Ramp: rises linearly for one `period`,
+            then constant. Reverse: half a period forward, half backward, repeatedly. Sine.
+        speed: the highest speed, -127 to 127 and not 0; negative starts backward.
         duration: seconds in all.
         period: seconds; see `shape`.
     """
@@ -47,7 +46,7 @@ class Profile:
     period: float = 1.0
 
     def __post_init__(self) -> None:
-        """Refuse what is no test.
+        """Check the limits.
 
         Raises:
             ValueError: a value is outside its limits; names them.
@@ -68,13 +67,13 @@ class Profile:
             )
 
     def speed_at(self, seconds: float) -> int:
-        """Return the speed at a moment; 0 before the beginning and from the end on."""
+        """Return the speed at a moment; 0 before the start and from the end on."""
         if not 0 <= seconds < self.duration:
             return 0
         return round(self.speed * self._share(seconds))
 
     def _share(self, seconds: float) -> float:
-        """Return the share of the greatest speed, -1 to 1."""
+        """Return the share of the highest speed, -1 to 1."""
         match self.shape:
             case Shape.STEP:
                 return 1.0
@@ -86,15 +85,15 @@ class Profile:
                 return math.sin(2 * math.pi * seconds / self.period)
 
     def limited(self, ceiling: int) -> "Profile":
-        """Return the same course with no greater speed than a ceiling (1-127)."""
+        """Return the same profile with its speed limited to a ceiling (1-127)."""
         if abs(self.speed) <= ceiling:
             return self
         return replace(self, speed=ceiling if self.speed > 0 else -ceiling)
 
     def plateau(self, end: float) -> tuple[float, float] | None:
-        """Return from when to when the wish was constant first, in a test that ended at `end`.
+        """Return the first span of constant speed, in a test that ended at `end`.
 
-        `None` where it never was: a current means nothing steady there.
+        `None` without one: no current is steady there.
         """
         match self.shape:
             case Shape.STEP:
@@ -108,7 +107,7 @@ class Profile:
         return span if span[1] > span[0] else None
 
     def course(self, points: int = 600) -> Sequence[tuple[float, int]]:
-        """Return times and speeds to draw it by, with both sides of every jump."""
+        """Return times and speeds to draw, with both sides of every jump."""
         steps = {self.duration * index / points for index in range(points)}
         if self.shape is Shape.REVERSE:
             half, count = self.period / 2, 1
@@ -117,3 +116,21 @@ class Profile:
                 count += 1
         inside = [(seconds, self.speed_at(seconds)) for seconds in sorted(steps)]
         return [(0.0, 0), *inside, (self.duration, inside[-1][1]), (self.duration, 0)]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plan:
+    """The next test.
+
+    Attributes:
+        motor: 1 or 2.
+        accelerate: whether through the board's ramp, brake duration and limit, or at once.
+        abort_current: A; one reading above it stops everything.
+        abort_at_limit: whether the board's own current limit stops everything, too.
+    """
+
+    motor: int = 1
+    profile: Profile = field(default_factory=Profile)
+    accelerate: bool = True
+    abort_current: float = 10.0
+    abort_at_limit: bool = False

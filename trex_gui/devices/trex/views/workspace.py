@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.views.action_bar import ActionBar
-from trex_gui.devices.trex.views.bench.opener import BenchOpener
+from trex_gui.devices.trex.views.bench.dialog import BenchOpener
 from trex_gui.devices.trex.views.demo.panel import DemoPanel
 from trex_gui.devices.trex.views.history.dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog

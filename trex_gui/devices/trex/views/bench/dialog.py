@@ -2,24 +2,13 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Signal, Slot
+from PySide6.QtCore import QObject, QSignalBlocker, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QPixmap, QShowEvent
-from PySide6.QtWidgets import (
-    QComboBox,
-    QDialog,
-    QGridLayout,
-    QGroupBox,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QSpinBox,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialog, QGroupBox, QWidget
 
 from trex_gui.devices.trex.bench.figures import BAND
 from trex_gui.devices.trex.bench.run import End, Run
-from trex_gui.devices.trex.model.bench.bench import Bench, Phase
+from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.traces import current_limit
 from trex_gui.devices.trex.views.bench.figures_table import FiguresTable
@@ -32,6 +21,17 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import tint
+from trex_gui.ui.widgets.builders import (
+    button,
+    column,
+    combo_box,
+    grid,
+    label,
+    named,
+    row,
+    set_bold,
+    spin_box,
+)
 from trex_gui.ui.widgets.note import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 from trex_gui.ui.widgets.visibility import only_when_visible
@@ -40,16 +40,45 @@ if TYPE_CHECKING:
     from trex_gui.devices.trex.views.bench.plot import BenchPlot
 
 _FRAME_MS = 33
-_BEFORE, _NOTHING = -1, -2  # what is chosen to be compared with, beside the runs
+_PREVIOUS, _NOTHING = -1, -2  # choices of what to compare with, beside the runs
+
+
+class BenchOpener(QObject):
+    """Creates the window of bench tests when it is first opened.
+
+    Signals:
+        apply_requested: write the edits.
+    """
+
+    apply_requested = Signal()
+
+    def __init__(self, device: Device, window: QWidget) -> None:
+        super().__init__(window)
+        self._device = device
+        self._window = window
+        self._dialog: BenchDialog | None = None
+        self.bench = Bench(device, self)
+
+    def open(self) -> None:
+        """Show the window, or bring it forward."""
+        if self._dialog is None:
+            self._dialog = BenchDialog(self._device, self.bench, self._window)
+            self._dialog.apply_requested.connect(self.apply_requested)
+        self._dialog.open_bench()
+
+    def close(self) -> None:
+        """Close the window; a test that runs is aborted."""
+        if self._dialog is not None:
+            self._dialog.close()
 
 
 class BenchDialog(QDialog):
-    """Beside the main window, never in its way; Esc stops the motors here as everywhere.
+    """Not modal; Esc stops the motors here as everywhere.
 
-    Closing it while a test runs stops and disarms everything.
+    Closing it while a test runs stops and disarms all motors.
 
     Signals:
-        apply_requested: a person wants the edits written.
+        apply_requested: write the edits.
     """
 
     apply_requested = Signal()
@@ -61,122 +90,108 @@ class BenchDialog(QDialog):
         self.resize(1040, 700)
         self._device = device
         self._bench = bench
-        self._said = ""
+        self._message = ""
         self._plot: BenchPlot | None = None
-        self._notifier = Notifier(self)
-        self._files = BenchFiles(bench, self._notifier, self, self._picture)
+        notifier = Notifier(self)
+        self.files = BenchFiles(bench, notifier, self, self._picture)
         self._timer = runtime().timer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_FRAME_MS)
 
-        self._note = Note(2, self)
-        self._note.setObjectName("benchNote")
+        self._note = named(Note(2, self), "benchNote")
         plan = QGroupBox(self.tr("Test"), self)
-        self._plan = PlanForm(bench, device.motors, plan)
-        self._hold = HoldButton(self.tr("Hold to run"), self)
-        self._hold.setObjectName("benchHoldButton")
-        self._hold.setToolTip(
-            self.tr("Runs the test while it is held, with the mouse or the space bar; brakes then")
+        column(PlanForm(bench, device.motors, plan), into=plan)
+        self._hold = named(
+            HoldButton(self.tr("Hold to run"), self),
+            "benchHoldButton",
+            tip=self.tr("Runs the test while it is held, with the mouse or the space bar"),
         )
-        font = self._hold.font()
-        font.setBold(True)
-        self._hold.setFont(font)
+        set_bold(self._hold)
+        tint(self._hold, "run")
         self._hold.setMinimumHeight(3 * self.fontMetrics().height())
-        self._compare = QComboBox(self)
-        self._compare.setObjectName("benchCompare")
-        self._compare.setAccessibleName(self.tr("Test to compare with"))
-        band_name = QLabel(self.tr("Settled &within"), self)
-        self._band = QSpinBox(self)
-        self._band.setObjectName("benchBand")
-        self._band.setAccessibleName(
-            self.tr("How far from the steady current counts as settled, in percent")
+        self._compare = combo_box(
+            self,
+            "benchCompare",
+            self.tr("Test to compare with"),
+            on_change=self._on_compare_changed,
         )
-        self._band.setRange(2, 50)
-        self._band.setSuffix(self.tr(" %"))
-        self._band.setValue(round(100 * BAND))
-        band_name.setBuddy(self._band)
+        self._band = spin_box(
+            self,
+            "benchBand",
+            self.tr("How far from the steady current counts as settled, in percent"),
+            2,
+            50,
+            value=round(100 * BAND),
+            suffix=self.tr(" %"),
+            on_change=self._show_figures,
+        )
+        self._band.setKeyboardTracking(True)
         self._figures = FiguresTable(self)
-        self._tuning = Tuning(device, bench, self)
-        self._stop = StopButton(device, "benchStopButton", self)
-        self._run = self._button("benchRunButton", self.tr("Run motor"), "run")
-        self._run.setToolTip(self.tr("Let tests move the motors"))
-        self._run.setFont(font)
+        tuning = Tuning(device, bench, self)
+        self._run = button(
+            self,
+            "benchRunButton",
+            self.tr("Run motor"),
+            tip=self.tr("Let tests move the motors"),
+            default=False,
+            on_click=device.motors.arm,
+        )
+        set_bold(self._run)
         tint(self._run, "run")
         set_icon(self._run, "run", "run_text")
-        tint(self._hold, "run")
-        self._save = self._button("benchSaveButton", self.tr("Sa&ve…"), "save")
-        self._save.setToolTip(self.tr("Save this test to compare with later, or a picture of it"))
-        self._open = self._button("benchOpenButton", self.tr("&Open…"), "open")
-        self._open.setToolTip(self.tr("Look at a test that was saved"))
-        self._leave = self._button("benchCloseButton", self.tr("Close"))
+        self._save = button(
+            self,
+            "benchSaveButton",
+            self.tr("Sa&ve…"),
+            icon="save",
+            tip=self.tr("Save this test to compare with later, or a picture of it"),
+            default=False,
+            on_click=self._on_save_clicked,
+        )
+        self._open = button(
+            self,
+            "benchOpenButton",
+            self.tr("&Open…"),
+            icon="open",
+            tip=self.tr("Open a saved test"),
+            default=False,
+            on_click=self.files.ask_and_open,
+        )
+        close = button(
+            self, "benchCloseButton", self.tr("Close"), default=False, on_click=self.close
+        )
 
-        inside = QVBoxLayout(plan)
-        inside.addWidget(self._plan)
-        left_side = QWidget(self)
-        left_side.setObjectName("benchLeft")
-        left = QVBoxLayout(left_side)
-        left.setContentsMargins(0, 0, 0, 0)
-        left.addWidget(plan)
-        left.addWidget(self._tuning)
-        left.addStretch(1)
-        compare = QHBoxLayout()
-        label = QLabel(self.tr("Co&mpare with"), self)
-        label.setBuddy(self._compare)
-        compare.addWidget(label)
-        compare.addWidget(self._compare, 1)
-        compare.addWidget(band_name)
-        compare.addWidget(self._band)
-        self._right = QVBoxLayout()
-        self._right.addLayout(compare)
-        self._right.addWidget(self._figures)
-        middle = QGridLayout()
-        middle.setColumnStretch(1, 1)
-        middle.addWidget(ScrollBox(left_side, self), 0, 0)
+        left = QWidget(self)
+        left.setObjectName("benchLeft")
+        column(plan, tuning, 1, into=left, margins=0)
+        compare = row(
+            label(self, text=self.tr("Co&mpare with"), buddy=self._compare),
+            (self._compare, 1),
+            label(self, text=self.tr("Settled &within"), buddy=self._band),
+            self._band,
+        )
+        self._right = column(compare, self._figures)
+        middle = grid(stretch=[(1, 1)])
+        middle.addWidget(ScrollBox(left, self), 0, 0)
         middle.addWidget(self._hold, 1, 0)
         middle.addLayout(self._right, 0, 1, 2, 1)
-        buttons = QHBoxLayout()
-        buttons.addWidget(self._stop)
-        buttons.addWidget(self._run)
-        buttons.addStretch(1)
-        for button in (self._open, self._save, self._leave):
-            buttons.addWidget(button)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._note)
-        layout.addLayout(middle, 1)
-        layout.addLayout(buttons)
+        stop = StopButton(device, "benchStopButton", self)
+        buttons = row(stop, self._run, 1, self._open, self._save, close)
+        column(self._note, (middle, 1), buttons, into=self)
 
-        self._hold.held.connect(bench.begin)
-        self._hold.let_go.connect(bench.let_go)
-        self._run.clicked.connect(device.motors.arm)
-        self._save.clicked.connect(self._on_save_clicked)
-        self._open.clicked.connect(self._files.ask_and_open)
-        self._leave.clicked.connect(self.close)
-        self._notifier.info.connect(self._on_notified)
-        self._notifier.error.connect(self._on_notified)
-        self._tuning.apply_requested.connect(self.apply_requested)
-        self._compare.currentIndexChanged.connect(self._on_compare_changed)
-        self._band.valueChanged.connect(self._show_figures)
+        self._hold.hold_started.connect(bench.start)
+        self._hold.hold_ended.connect(bench.release)
+        notifier.info.connect(self._on_notified)
+        notifier.error.connect(self._on_notified)
+        tuning.apply_requested.connect(self.apply_requested)
         bench.changed.connect(self._on_changed)
+        bench.started.connect(self._on_started)
         bench.finished.connect(self._on_finished)
         device.telemetry.updated.connect(self._on_telemetry_updated)
         device.link_changed.connect(self._on_changed)
-        bench.begun.connect(self._on_begun)
         self._timer.timeout.connect(self._draw)
         self._fill_compare()
         self._on_changed()
-
-    def _button(self, name: str, text: str, icon: str = "") -> QPushButton:
-        button = QPushButton(text, self)
-        button.setObjectName(name)
-        button.setAutoDefault(False)  # Enter in a field must not press anything here
-        if icon:
-            set_icon(button, icon)
-        return button
-
-    @property
-    def files(self) -> BenchFiles:
-        """Opening and saving of tests."""
-        return self._files
 
     def open_bench(self) -> None:
         """Show it, or bring it forward."""
@@ -184,10 +199,10 @@ class BenchDialog(QDialog):
         self.activateWindow()
 
     def reject(self) -> None:
-        """Esc stops the motors and leaves the window: a result is not to be lost by it."""
+        """Esc stops the motors; the window stays open, so that no result is lost."""
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Close with the button or the window's cross: Qt's own asks `reject`, which stays."""
+        """Close; the one of Qt calls `reject`, which keeps the window open."""
         self._bench.abort(self.tr("The window of the bench test was closed."))
         event.accept()
 
@@ -198,7 +213,7 @@ class BenchDialog(QDialog):
         self._on_changed()
 
     def _make_plot(self) -> "BenchPlot":
-        """Load the plotting library when it is first needed: it takes as long as Qt."""
+        """Import pyqtgraph when the window is first shown."""
         from trex_gui.devices.trex.views.bench.plot import BenchPlot  # noqa: PLC0415
 
         plot = BenchPlot(self)
@@ -208,7 +223,7 @@ class BenchDialog(QDialog):
     def _picture(self) -> QPixmap:
         return QPixmap() if self._plot is None else self._plot.grab()
 
-    # --- What has changed ---------------------------------------------------------------
+    # --- State --------------------------------------------------------------------------
 
     @Slot()
     def _on_changed(self) -> None:
@@ -223,29 +238,29 @@ class BenchDialog(QDialog):
     @Slot()
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
-        obstacle = self._bench.obstacle
+        blocker = self._bench.blocker
         driving = self._bench.is_driving
-        self._hold.setEnabled(driving or not obstacle)
-        text = self.tr("Let go to stop") if driving else self.tr("Hold to run")
+        self._hold.setEnabled(driving or not blocker)
+        text = self.tr("Release to stop") if driving else self.tr("Hold to run")
         if self._hold.text() != text:
             self._hold.setText(text)
-        self._note.show_note(self._note_text(obstacle), alarming=self._is_alarming())
+        self._note.show_note(self._note_text(blocker), alarming=self._is_alarming())
 
     def _is_alarming(self) -> bool:
         last = self._bench.runs[-1] if self._bench.runs else None
         aborted = last is not None and last.end is End.ABORTED
-        return self._device.motors.armed or (aborted and not self._said)
+        return self._device.motors.armed or (aborted and not self._message)
 
-    def _note_text(self, obstacle: str) -> str:
-        """How things stand, what became of the last test, and what to do next."""
+    def _note_text(self, blocker: str) -> str:
+        """Return the result of the last test and what to do next."""
         bench = self._bench
         if bench.is_driving and bench.current is not None:
             run = bench.current
             return self.tr("Motor {0} runs: {1:.1f} of {2:g} s.").format(
                 run.motor, run.ended, run.profile.duration
             )
-        now = obstacle or self.tr("Armed. Hold the button: the motor runs only while it is held.")
-        return " ".join(filter(None, [self._said or self._last_text(), now]))
+        now = blocker or self.tr("Armed. Hold the button: the motor runs only while it is held.")
+        return " ".join(filter(None, [self._message or self._last_text(), now]))
 
     def _last_text(self) -> str:
         if not self._bench.runs:
@@ -254,29 +269,29 @@ class BenchDialog(QDialog):
         match run.end:
             case End.ABORTED:
                 return self.tr("Aborted after {0:.2f} s: {1}").format(run.ended, run.reason)
-            case End.LET_GO:
-                return self.tr("Let go after {0:.2f} s.").format(run.ended)
+            case End.RELEASED:
+                return self.tr("Released after {0:.2f} s.").format(run.ended)
             case End.COMPLETE:
                 return self.tr("The test is complete.")
 
     @Slot(str)
     def _on_notified(self, text: str) -> None:
-        self._said = text
+        self._message = text
         self._on_telemetry_updated()
 
     @Slot()
     def _on_save_clicked(self) -> None:
         if self._bench.runs:
-            self._files.ask_and_save(self._bench.runs[-1])
+            self.files.ask_and_save(self._bench.runs[-1])
 
     @Slot()
-    def _on_begun(self) -> None:
-        self._said = ""
+    def _on_started(self) -> None:
+        self._message = ""
         self._show_figures()
 
     @Slot(object)
     def _on_finished(self, _run: Run) -> None:
-        self._said = ""
+        self._message = ""
         self._fill_compare()
         self._on_changed()
         self._show_figures()
@@ -284,26 +299,24 @@ class BenchDialog(QDialog):
     # --- Comparing ----------------------------------------------------------------------
 
     def _fill_compare(self) -> None:
-        """Offer every test but the last; go on comparing with the one chosen."""
+        """Offer every test but the last; keep the choice."""
         chosen = self._compare.currentData()
         runs = self._bench.runs
-        self._compare.blockSignals(True)
+        blocker = QSignalBlocker(self._compare)
         self._compare.clear()
-        self._compare.addItem(self.tr("the test before"), _BEFORE)
+        self._compare.addItem(self.tr("the previous test"), _PREVIOUS)
         self._compare.addItem(self.tr("nothing"), _NOTHING)
         for run in reversed(runs[:-1]):
-            text = self.tr("{0:%H:%M:%S}, motor {1}: {2}").format(run.began, run.motor, run.title)
+            text = self.tr("{0:%H:%M:%S}, motor {1}: {2}").format(run.started, run.motor, run.title)
             self._compare.addItem(text, run)
-        kept = next(
-            (row for row in range(self._compare.count()) if self._compare.itemData(row) == chosen),
-            0,
-        )
+        rows = range(self._compare.count())
+        kept = next((index for index in rows if self._compare.itemData(index) == chosen), 0)
         self._compare.setCurrentIndex(kept)
-        self._compare.blockSignals(False)
+        del blocker
 
     @property
     def _before(self) -> Run | None:
-        """The test to compare with what is shown."""
+        """The test to compare with."""
         chosen, runs = self._compare.currentData(), self._bench.runs
         if isinstance(chosen, Run):
             return chosen
@@ -325,7 +338,7 @@ class BenchDialog(QDialog):
         self._figures.show_runs(run, self._before, self._band.value() / 100)
 
     def _want_frame(self) -> None:
-        """Draw soon: however much changes meanwhile, the line must not wait for a picture."""
+        """Draw at most once a frame, so that drawing does not delay the line."""
         if self.isVisible() and not self._timer.isActive():
             self._timer.start()
 

@@ -1,4 +1,4 @@
-"""The figures of a bench test beside those of another one."""
+"""The figures of a bench test beside those of another test."""
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtWidgets import (
@@ -11,10 +11,8 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.trex.bench.figures import BAND, Figures, figures
 from trex_gui.devices.trex.bench.run import Run
-from trex_gui.ui.widgets.bar import MINUS
+from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.header_names import name_headers
-
-_NONE = "–"
 
 
 def tr(text: str) -> str:
@@ -23,14 +21,14 @@ def tr(text: str) -> str:
 
 
 def _rows(band: float = BAND) -> tuple[tuple[str, str, str, int, str], ...]:
-    """Name, field of `Figures`, unit, decimals, what it is."""
+    """Return name, field of `Figures`, unit, decimals and explanation of each row."""
     return (
         (tr("Peak current"), "peak", "A", 2, tr("The highest reading.")),
         (tr("Steady current"), "steady", "A", 2, tr("At the end of the first constant speed.")),
-        (tr("Mean current"), "mean", "A", 2, tr("From the first command until it braked.")),
-        (tr("Charge"), "charge", "mAh", 2, tr("From the first command until it braked.")),
+        (tr("Mean current"), "mean", "A", 2, tr("From the first setpoint until braking.")),
+        (tr("Charge"), "charge", "mAh", 2, tr("From the first setpoint until braking.")),
         (
-            tr("Command to current"),
+            tr("Setpoint to current"),
             "delay",
             "ms",
             0,
@@ -42,15 +40,15 @@ def _rows(band: float = BAND) -> tuple[tuple[str, str, str, int, str], ...]:
             "ms",
             0,
             tr(
-                "Until the current came so near to the steady one, or within two counts of it, "
-                "and stayed there."
+                "Until the current stayed within this share of the steady current, or within two "
+                "counts of it."
             ),
         ),
     )
 
 
 class FiguresTable(QTableWidget):
-    """A row a figure: this test, the one compared with, and by how much they differ."""
+    """A row for each figure: this test, the one compared with, and the difference."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -68,7 +66,7 @@ class FiguresTable(QTableWidget):
             if (header := self.verticalHeaderItem(index)) is not None:
                 header.setToolTip(row[4])
             for column in range(3):
-                item = QTableWidgetItem(_NONE)
+                item = QTableWidgetItem(NO_VALUE)
                 item.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 item.setToolTip(row[4])
@@ -82,10 +80,7 @@ class FiguresTable(QTableWidget):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def show_runs(self, run: Run | None, before: Run | None, band: float = BAND) -> None:
-        """Show what a test came to, and what the one before it had.
-
-        Within `band` (0 to 1) of the steady current counts as settled.
-        """
+        """Show the figures of two tests; `band` (0 to 1) of the steady current is settled."""
         now = figures(run, band) if run is not None else Figures()
         then = figures(before, band) if before is not None else Figures()
         for index, (name, field, unit, decimals, _) in enumerate(_rows(band)):
@@ -114,6 +109,6 @@ class FiguresTable(QTableWidget):
 
 def _text(value: float | None, unit: str, decimals: int, *, sign: bool = False) -> str:
     if value is None:
-        return _NONE
+        return NO_VALUE
     number = f"{value:+.{decimals}f}" if sign else f"{value:.{decimals}f}"
     return f"{number.replace('-', MINUS)} {unit}"

@@ -9,16 +9,16 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, to_csv
 from trex_gui.devices.trex.bench.run import Run
-from trex_gui.devices.trex.model.bench.bench import Bench
+from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets.file_questions import last_folder, remember_folder
 
-_MOST_LETTERS = 10_000_000
-"""More than the longest test can be: two minutes of readings are half a megabyte."""
+_MAX_LENGTH = 10_000_000
+"""Characters; two minutes of readings are half a megabyte."""
 
 
 class BenchFiles(QObject):
-    """Asks for a file and says what became of it; `picture` gives the plot as it is shown."""
+    """Saves and opens files, and reports the result; `picture` returns the plot as it is shown."""
 
     def __init__(
         self, bench: Bench, notifier: Notifier, window: QWidget, picture: Callable[[], QPixmap]
@@ -31,19 +31,20 @@ class BenchFiles(QObject):
         self._store = QSettings(self)
 
     def ask_and_save(self, run: Run) -> None:
-        """Let a person choose where to save a test."""
-        name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.began:%Y%m%d_%H%M%S}.csv"
+        """Let the user choose where to save a test."""
+        name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.started:%Y%m%d_%H%M%S}.csv"
         kinds = self.tr("Bench tests (*.csv);;Pictures (*.png)")
         chosen, _ = QFileDialog.getSaveFileName(
-            self._window, self.tr("Save bench test"), str(self._folder / name), kinds
+            self._window, self.tr("Save bench test"), str(last_folder(self._store) / name), kinds
         )
         if chosen:
             self.save(run, Path(chosen))
 
     def ask_and_open(self) -> None:
-        """Let a person choose a test that was saved."""
+        """Let the user choose a saved test."""
+        kinds = self.tr("Bench tests (*.csv);;All files (*)")
         chosen, _ = QFileDialog.getOpenFileName(
-            self._window, self.tr("Open bench test"), str(self._folder), self._filter
+            self._window, self.tr("Open bench test"), str(last_folder(self._store)), kinds
         )
         if chosen:
             self.open(Path(chosen))
@@ -64,7 +65,7 @@ class BenchFiles(QObject):
         self._notifier.info.emit(self.tr("Saved as {0}.").format(path.name))
 
     def _save_picture(self, path: Path) -> None:
-        path.touch()  # which says why when it cannot be; Qt does not
+        path.touch()  # for the reason of a failure, which Qt does not give
         if not self._picture().save(str(path), "PNG"):
             raise OSError(self.tr("The picture could not be written"))
 
@@ -73,37 +74,29 @@ class BenchFiles(QObject):
         try:
             run = from_csv(_read(path))
         except OSError as error:
-            self._refuse(path, error.strerror or str(error))
+            self._reject(path, error.strerror or str(error))
         except UnicodeDecodeError:
-            self._refuse(path, self.tr("it is no text"))
+            self._reject(path, self.tr("it is not a text file"))
         except BenchFileError as error:
-            self._refuse(path, str(error))
+            self._reject(path, str(error))
         else:
             remember_folder(self._store, path)
-            self._bench.keep(run)
+            self._bench.add_run(run)
             self._notifier.info.emit(self.tr("{0}: {1}.").format(path.name, run.title))
 
-    def _refuse(self, path: Path, why: str) -> None:
+    def _reject(self, path: Path, why: str) -> None:
         self._notifier.error.emit(self.tr("{0} was not opened: {1}.").format(path.name, why))
-
-    @property
-    def _folder(self) -> Path:
-        return last_folder(self._store)
-
-    @property
-    def _filter(self) -> str:
-        return self.tr("Bench tests (*.csv);;All files (*)")
 
 
 def _read(path: Path) -> str:
-    """Return what is in a file.
+    """Return the text of a file.
 
     Raises:
         OSError, UnicodeDecodeError: it cannot be read, or is no text.
         BenchFileError: it is far too long.
     """
     with path.open(encoding="utf-8") as file:
-        text = file.read(_MOST_LETTERS + 1)
-    if len(text) > _MOST_LETTERS:
-        raise BenchFileError("it is too long for one")
+        text = file.read(_MAX_LENGTH + 1)
+    if len(text) > _MAX_LENGTH:
+        raise BenchFileError("it is too long")
     return text

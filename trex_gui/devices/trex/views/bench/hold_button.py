@@ -1,4 +1,4 @@
-"""A button that means something only while it is held."""
+"""A button that acts only while it is held."""
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent, QMouseEvent
@@ -8,17 +8,16 @@ from PySide6.QtWidgets import QPushButton, QWidget
 class HoldButton(QPushButton):
     """Held with the mouse, a finger or the space bar.
 
-    Whatever could mean that nobody holds it any more counts as letting go: another window or
-    widget takes the focus, the mouse leaves it, it is hidden or greyed. It is held again only
-    by a press anew: a mouse that comes back with its button down does not count.
+    Every loss of input releases it: another window or widget takes the focus, the mouse leaves
+    it, it is hidden or disabled. Then it has to be pressed again: a mouse that comes back with
+    its button down does not count.
 
     Signals:
-        held: somebody begins to hold it.
-        let_go: nobody holds it any more.
+        hold_started, hold_ended: the user presses it, or no longer holds it.
     """
 
-    held = Signal()
-    let_go = Signal()
+    hold_started = Signal()
+    hold_ended = Signal()
 
     def __init__(self, text: str, parent: QWidget | None = None) -> None:
         super().__init__(text, parent)
@@ -28,19 +27,19 @@ class HoldButton(QPushButton):
 
     @property
     def is_held(self) -> bool:
-        """Whether somebody holds it."""
+        """Whether the user holds it."""
         return self._is_held
 
     def _begin(self) -> None:
         if not self._is_held and self.isEnabled():
             self._is_held = True
-            self.held.emit()
+            self.hold_started.emit()
 
     def _end(self) -> None:
         if self._is_held:
             self._is_held = False
             self.setDown(False)
-            self.let_go.emit()
+            self.hold_ended.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         super().mousePressEvent(event)

@@ -1,107 +1,99 @@
-"""What was asked of a motor above what it drew, on one axis of time.
+"""The setpoint of a bench test above the current that the motor drew, on one axis of time.
 
-Importing it loads the plotting library: do so when it is to be shown.
+Importing it loads pyqtgraph: do so when it is to be shown.
 """
 
 import math
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import QSize, Qt, Slot
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.bench.profile import Profile
 from trex_gui.devices.trex.bench.run import Run
-from trex_gui.devices.trex.views.bench.legend import LegendKey
 from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.data.pyramid import Floats
+from trex_gui.ui.plotting.legend import LegendKey
+from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
+from trex_gui.ui.widgets.builders import column, label, row
 
-_WIDEST = "−127"
+_WIDEST_LABEL = f"{MINUS}127"
+_SPEED_REACH = 134.0
 _AFTER = 0.6
-_SMALLEST_CURRENT = 2.0
-_MOST_SECONDS_TICKS = 8
-_MOST_CURRENT_TICKS = 4
-_SPEEDS = (-127, -64, 0, 64, 127)
+"""Seconds shown after the end of a test."""
+
+_MIN_CURRENT = 2.0
+"""A; the current axis reaches at least that far."""
+
+_MAX_SECONDS_LABELS = 8
+_MAX_CURRENT_LABELS = 4
 
 
 class BenchPlot(QWidget):
-    """A test, the one it is compared with, and what the next one will ask for."""
+    """A test, the one it is compared with, and the profile of the next one."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("benchPlot")
-        self.setAccessibleName(self.tr("Speed asked for and current drawn, against time"))
+        self.setAccessibleName(self.tr("Speed setpoint and current drawn, against time"))
         self._run: Run | None = None
         self._before: Run | None = None
         self._profile: Profile | None = None
         self._abort: float | None = None
         self._limit: float | None = None
-        self._highest = _SMALLEST_CURRENT
-        self._axes = (0.0, 0.0, 0.0)
+        self._axes = (0.0, 0.0)
+        self.highest = _MIN_CURRENT  # A, at the top of the lower plot
 
-        self._speeds = PlotCanvas(self.tr("Speed asked for, against time"), self)
+        self._speeds = PlotCanvas(self.tr("Speed setpoint, against time"), self)
         self._currents = PlotCanvas(self.tr("Current drawn, against time"), self)
-        for canvas, name in ((self._speeds, "benchSpeeds"), (self._currents, "benchCurrents")):
+        canvases = (self._speeds, self._currents)
+        for canvas, name in zip(canvases, ("benchSpeeds", "benchCurrents"), strict=True):
             canvas.viewport.setObjectName(name)
-            canvas.viewport.setMouseTracking(True)
-            canvas.viewport.installEventFilter(self)
             canvas.setMinimumHeight(70)
+            canvas.hovered.connect(self._on_hovered)
+            canvas.unhovered.connect(self._on_unhovered)
         dash = Qt.PenStyle.DashLine
         self._planned = self._speeds.add_curve("muted", 1, dash)
-        self._wished = self._speeds.add_curve("motor1")
-        self._abort_line = self._currents.add_curve("danger", 1, dash)
-        self._limit_line = self._currents.add_curve("warning", 1, dash)
+        self._setpoints = self._speeds.add_curve("motor1")
+        self._abort_line = self._currents.add_line("danger", dash)
+        self._limit_line = self._currents.add_line("warning", dash)
         self._drawn_before = self._currents.add_curve("muted")
         self._drawn = self._currents.add_curve("motor2")
-        self._ends = [canvas.add_curve("neutral", 1, dash) for canvas in self._canvases]
-        self._cursors = [canvas.add_curve("pointer") for canvas in self._canvases]
-        self._values = QLabel(self)
-        self._values.setObjectName("benchValues")
-        keys = (
-            LegendKey(self.tr("Asked"), "motor1", self),
-            LegendKey(self.tr("Planned"), "muted", self, dashed=True),
-            LegendKey(self.tr("Current"), "motor2", self),
-        )
+        self._ends = [canvas.add_line("neutral", dash, vertical=True) for canvas in canvases]
+        self._cursors = [canvas.add_line("pointer", vertical=True) for canvas in canvases]
+        self._values = label(self, "benchValues")
         self._before_key = LegendKey(self.tr("Compared"), "muted", self)
-        self._abort_key = LegendKey(self.tr("Abort"), "danger", self, dashed=True)
-        self._limit_key = LegendKey(self.tr("Limit"), "warning", self, dashed=True)
-
-        legend = QHBoxLayout()
-        legend.setSpacing(self.fontMetrics().averageCharWidth() * 2)
-        for key in (*keys, self._before_key, self._abort_key, self._limit_key):
-            legend.addWidget(key)
-        legend.addStretch(1)
-        legend.addWidget(self._values)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(2)
-        layout.addLayout(legend)
-        layout.addWidget(self._speeds, 2)
-        layout.addWidget(self._currents, 3)
+        self._abort_key = LegendKey("", "danger", self, dash)
+        self._limit_key = LegendKey("", "warning", self, dash)
+        legend = row(
+            LegendKey(self.tr("Setpoint"), "motor1", self),
+            LegendKey(self.tr("Planned"), "muted", self, dash),
+            LegendKey(self.tr("Current"), "motor2", self),
+            *(self._before_key, self._abort_key, self._limit_key),
+            1,
+            self._values,
+            spacing=self.fontMetrics().averageCharWidth() * 2,
+        )
+        column(legend, (self._speeds, 2), (self._currents, 3), into=self, margins=0, spacing=2)
 
         half = self.fontMetrics().height() // 2 + 2
         side = self.fontMetrics().horizontalAdvance("000.0 s") // 2 + 2
-        self._speeds.set_margins(left=_WIDEST, top=half, right=side, x_axis=False)
-        self._currents.set_margins(left=_WIDEST, top=half, right=side, x_axis=True)
+        for canvas in canvases:
+            has_labels = canvas is self._currents
+            canvas.set_margins(left=_WIDEST_LABEL, top=half, right=side, x_axis=has_labels)
         self._show()
-
-    @property
-    def _canvases(self) -> tuple[PlotCanvas, PlotCanvas]:
-        return self._speeds, self._currents
-
-    @property
-    def highest(self) -> float:
-        """The current in A at the top of the lower plot."""
-        return self._highest
 
     @property
     def seconds(self) -> float:
         """The time at the right end."""
-        return self._seconds()
+        lengths = [run.ended for run in (self._run, self._before) if run is not None]
+        if self._profile is not None:
+            lengths.append(self._profile.duration)
+        return max(lengths, default=1.0) + _AFTER
 
     def show_plan(self, profile: Profile, abort: float, limit: float | None) -> None:
-        """Take what the next test asks for, and where it is aborted or limited, in A."""
+        """Take the profile of the next test, and its abort current and limit in A."""
         if (profile, abort, limit) != (self._profile, self._abort, self._limit):
             self._profile, self._abort, self._limit = profile, abort, limit
             self._planned.set_points(*_arrays(profile.course()))
@@ -114,97 +106,73 @@ class BenchPlot(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(self.fontMetrics().averageCharWidth() * 70, self.fontMetrics().height() * 16)
 
-    # --- Drawing ------------------------------------------------------------------------
-
-    def _seconds(self) -> float:
-        lengths = [run.ended for run in (self._run, self._before) if run is not None]
-        if self._profile is not None:
-            lengths.append(self._profile.duration)
-        return max(lengths, default=1.0) + _AFTER
-
     def _show(self) -> None:
-        readings = [run.currents for run in (self._run, self._before) if run is not None]
-        peak = max((amps for each in readings for _, amps in each), default=0.0)
-        peak = max(_SMALLEST_CURRENT, 1.05 * peak)
-        step = round_up(peak / _MOST_CURRENT_TICKS)
-        end = self._seconds()
-        axes = end, step, step * math.ceil(peak / step - 1e-9)
-        if axes != self._axes:
-            self._axes = axes
-            self._highest = axes[2]
-            self._show_axes(end, step)
-        self._wished.set_points(*_steps(self._run))
+        runs = [run for run in (self._run, self._before) if run is not None]
+        peak = max((amps for run in runs for _, amps in run.currents), default=0.0)
+        peak = max(_MIN_CURRENT, 1.05 * peak)
+        axes = self.seconds, round_up(peak / _MAX_CURRENT_LABELS)
+        highest = axes[1] * math.ceil(peak / axes[1] - 1e-9)
+        if axes != self._axes or highest != self.highest:
+            self._axes, self.highest = axes, highest
+            self._show_axes(*axes)
+        self._setpoints.set_points(*_steps(self._run))
         for curve, run in ((self._drawn, self._run), (self._drawn_before, self._before)):
             curve.set_points(*_arrays(run.currents if run is not None else ()))
         self._before_key.setVisible(self._before is not None)
-        for line, key, at, name in (
+        for line, key, amps, name in (
             (self._abort_line, self._abort_key, self._abort, self.tr("Abort {0:g} A")),
             (self._limit_line, self._limit_key, self._limit, self.tr("Limit {0:g} A")),
         ):
-            key.setVisible(at is not None)
-            line.set_visible(at is not None and at <= self._highest)
-            if at is not None:
-                key.set_text(name.format(at))
-                line.set_points(np.array([0.0, end]), np.array([at, at]))
-        self._show_end()
-        self._show_cursor(None)
+            key.setVisible(amps is not None)
+            key.setText(name.format(amps) if amps is not None else "")
+            line.set_value(amps)
+        for end in self._ends:
+            end.set_value(self._run.ended if self._run is not None else None)
+        self._on_unhovered()
 
     def _show_axes(self, end: float, step: float) -> None:
-        marks = [(at, f"{at:g} s") for at in ticks(0, end, round_up(end / _MOST_SECONDS_TICKS))]
-        x = (0.0, end)
-        reach = 134.0
-        self._speeds.set_axes(x, (-reach, reach), [(at, "") for at, _ in marks], count_labels())
-        amps = ticks(0, self._highest, step)
-        labels = value_labels(amps, self.tr("A"))
+        marks = ticks(0, end, round_up(end / _MAX_SECONDS_LABELS))
+        x, margin = (0.0, end), 0.02 * self.highest
+        self._speeds.set_axes(
+            x, (-_SPEED_REACH, _SPEED_REACH), [(at, "") for at in marks], count_labels()
+        )
         self._currents.set_axes(
             x,
-            (-0.02 * self._highest, 1.02 * self._highest),
-            marks,
-            labels,
+            (-margin, self.highest + margin),
+            [(at, f"{at:g} s") for at in marks],
+            value_labels(ticks(0, self.highest, step), self.tr("A")),
         )
-
-    def _show_end(self) -> None:
-        """Mark where the motor was left to brake."""
-        ended = self._run.ended if self._run is not None else None
-        for line, low, high in zip(self._ends, (-134.0, 0.0), (134.0, self._highest), strict=True):
-            line.set_visible(ended is not None)
-            if ended is not None:
-                line.set_points(np.array([ended, ended]), np.array([low, high]))
 
     # --- The cursor ---------------------------------------------------------------------
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Show the values under the mouse, in both plots."""
-        if event.type() == QEvent.Type.MouseMove and isinstance(event, QMouseEvent):
-            canvas = next(each for each in self._canvases if each.viewport is watched)
-            self._show_cursor(canvas.x_at(event.position().x()))
-        elif event.type() == QEvent.Type.Leave:
-            self._show_cursor(None)
-        return super().eventFilter(watched, event)
-
-    def _show_cursor(self, at: float | None) -> None:
-        there = at is not None and self._run is not None and 0 <= at <= self._seconds()
-        for line, low, high in zip(
-            self._cursors, (-134.0, 0.0), (134.0, self._highest), strict=True
-        ):
-            line.set_visible(there)
-            if there and at is not None:
-                line.set_points(np.array([at, at]), np.array([low, high]))
-        self._values.setText(self._values_text(at) if there and at is not None else "")
-
-    def _values_text(self, at: float) -> str:
-        parts = [self.tr("{0:.2f} s").format(at)]
-        if self._run is not None:
-            parts.append(f"{self._run.wish_at(at):+d}".replace("-", "−"))
-            parts.append(_amps_at(self._run, at))
+    @Slot(float)
+    def _on_hovered(self, x: float) -> None:
+        """Show the values under the mouse, with a cursor in both plots."""
+        at = self._speeds.x_at(x)
+        if self._run is None or not 0 <= at <= self.seconds:
+            self._on_unhovered()
+            return
+        for cursor in self._cursors:
+            cursor.set_value(at)
+        parts = [
+            self.tr("{0:.2f} s").format(at),
+            f"{self._run.setpoint_at(at):+d}".replace("-", MINUS),
+            _amps_at(self._run, at),
+        ]
         if self._before is not None:
-            parts.append(self.tr("({0})").format(_amps_at(self._before, at)))
-        return "  ".join(parts)
+            parts.append(f"({_amps_at(self._before, at)})")
+        self._values.setText("  ".join(parts))
+
+    @Slot()
+    def _on_unhovered(self) -> None:
+        for cursor in self._cursors:
+            cursor.set_value(None)
+        self._values.setText("")
 
 
 def _amps_at(run: Run, at: float) -> str:
     amps = run.current_at(at)
-    return "– A" if amps is None else f"{amps:.2f} A"
+    return f"{NO_VALUE} A" if amps is None else f"{amps:.2f} A"
 
 
 def _arrays(points: object) -> tuple[Floats, Floats]:
@@ -214,10 +182,10 @@ def _arrays(points: object) -> tuple[Floats, Floats]:
 
 
 def _steps(run: Run | None) -> tuple[Floats, Floats]:
-    """Return the commands as a line with corners: each holds until the next."""
-    if run is None or not run.wishes:
+    """Return the setpoints as a line with corners: each holds until the next."""
+    if run is None or not run.setpoints:
         return _arrays(())
-    times, speeds = _arrays(run.wishes)
+    times, speeds = _arrays(run.setpoints)
     ends = np.append(times[1:], max(run.ended, times[-1]))
     x = np.column_stack([times, ends]).ravel()
     y = np.repeat(speeds, 2)

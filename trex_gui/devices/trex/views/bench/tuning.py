@@ -1,18 +1,18 @@
-"""The settings that a bench test is run for, beside its result: edit, apply, test again."""
+"""The parameters that a bench test tunes: edit, apply, test again."""
 
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGroupBox, QLabel, QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.model.bench.bench import Bench
+from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.parameters.motor_pairs import motor_name
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.builders import button, column, grid, label
 
 _WIDEST = "127 per 100 ms (127 ms)"
 
@@ -20,11 +20,10 @@ _WIDEST = "127 per 100 ms (127 ms)"
 class Tuning(QGroupBox):
     """Editors of one motor's acceleration, brake duration, current limit and P.
 
-    They edit the same draft as the Parameters page, and what is written goes through the same
-    review.
+    They edit the draft of the Parameters page, and its review comes before writing.
 
     Signals:
-        apply_requested: a person wants the edits written.
+        apply_requested: write the edits.
     """
 
     apply_requested = Signal()
@@ -38,29 +37,23 @@ class Tuning(QGroupBox):
         self._editors: dict[str, Editor] = {}
         self._names: dict[str, QLabel] = {}
 
-        self._empty = QLabel(self.tr("Connect to a board to see what it stores."), self)
-        self._empty.setWordWrap(True)
-        self._edited = QLabel(self)
-        self._edited.setObjectName("benchEdited")
-        self._edited.setWordWrap(True)
-        self._apply = QPushButton(self.tr("A&pply…"), self)
-        self._apply.setObjectName("benchApplyButton")
-        self._apply.setToolTip(self.tr("Review and write every edit that waits, these included"))
-        self._apply.setAutoDefault(False)
-        set_icon(self._apply, "apply")
-
-        self._grid = QGridLayout()
-        self._grid.setColumnStretch(1, 1)
+        self._empty = label(
+            self, text=self.tr("Connect to a board to see what it stores."), wrap=True
+        )
+        self._edited = label(self, "benchEdited", wrap=True)
+        self._apply = button(
+            self,
+            "benchApplyButton",
+            self.tr("A&pply…"),
+            icon="apply",
+            tip=self.tr("Review and write all pending edits, these included"),
+            default=False,
+            on_click=self.apply_requested,
+        )
+        self._grid = grid(stretch=[(1, 1)])
         self._grid.setVerticalSpacing(3)
-        layout = QVBoxLayout(self)
-        layout.setSpacing(4)
-        layout.addWidget(self._empty)
-        layout.addLayout(self._grid)
-        layout.addWidget(self._edited)
-        layout.addStretch(1)
-        layout.addWidget(self._apply)
+        column(self._empty, self._grid, self._edited, 1, self._apply, into=self, spacing=4)
 
-        self._apply.clicked.connect(self.apply_requested)
         bench.changed.connect(self._on_changed)
         device.state_changed.connect(self._on_changed)
         device.pending_changed.connect(self._on_changed)
@@ -70,7 +63,7 @@ class Tuning(QGroupBox):
 
     @Slot()
     def _on_changed(self) -> None:
-        """Show the plan's motor, as the board has it."""
+        """Show the parameters of the planned motor."""
         device, motor = self._device, self._bench.plan.motor
         keys = tuple(key for key in self._bench.tuned_keys() if device.parameters.knows(key))
         shown = device.parameters.model_key, keys
@@ -117,7 +110,7 @@ class Tuning(QGroupBox):
         try:
             self._device.parameters.edit(key, wire, alone=True)
         except (BadRequest, KeyError):
-            self._show_values()  # the board has gone meanwhile
+            self._show_values()  # the board was disconnected meanwhile
 
     @Slot()
     def _show_values(self) -> None:

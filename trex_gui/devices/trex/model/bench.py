@@ -1,16 +1,15 @@
-"""Bench tests: a motor is driven along a profile while somebody holds a button."""
+"""Bench tests: a motor is driven along a profile while the user holds a button."""
 
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import UTC, datetime
 from enum import Enum, auto
 
-from PySide6.QtCore import QObject, Qt, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
 
-from trex_gui.devices.trex.bench.plan import Plan
+from trex_gui.devices.trex.bench.profile import Plan
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus
-from trex_gui.devices.trex.model.bench.obstacle import HOLDER, obstacle
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
@@ -18,8 +17,11 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import EventKind
 from trex_gui.ui.runtime import now, runtime
 
-KEPT = 10
-"""Tests that are kept to be compared with."""
+HOLDER = "bench"
+"""The name by which the motors know that a bench test drives them."""
+
+MAX_RUNS = 10
+"""Tests kept for comparison."""
 
 HIGHEST_COUNT = 255
 """The current measurement is one byte (0x8D)."""
@@ -27,28 +29,26 @@ HIGHEST_COUNT = 255
 _TREX_AMPERE = 0.15
 
 TUNED = ("acceleration", "brake_duration", "current_limit", "current_limit_p")
-"""What a bench test is used to tune: parameters of its motor, by the end of their keys."""
+"""The parameters of its motor that a bench test tunes, by the end of their keys."""
 
 _ABORT_COUNTS = 100
-"""The current at which a test is aborted unless set otherwise, in counts: 15 A, on a Jr 4 A.
+"""The default abort current in counts: 15 A, on a Jr 4 A.
 
-Near what the drivers bear for long (13 A and 2.5 A): a start may pass it for a moment and then
-needs a higher one, which somebody has to choose.
+It is near the drivers' continuous rating (13 A and 2.5 A): a motor whose start exceeds it needs
+a higher one, which the user has to choose.
 """
 
-__all__ = ["HOLDER", "KEPT", "TUNED", "Bench", "Phase", "Plan"]
-
-_STEP_MS = 20  # 50 times a second: the board renews its outputs 100 times, a person sees 25
+_STEP_MS = 20  # the board renews its outputs every 10 ms
 
 _TAIL = 0.6
-"""Seconds for which currents are taken after the motor was left to brake."""
+"""Seconds for which currents are recorded after the motor began to brake."""
 
 _FAULTS = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
 _LIMITS = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
 
 
 class Phase(Enum):
-    """Where a test is: none, driving, or braking with an eye on the current."""
+    """No test, driving, or braking while the current is still recorded."""
 
     IDLE = auto()
     DRIVING = auto()
@@ -56,19 +56,19 @@ class Phase(Enum):
 
 
 class Bench(QObject):
-    """Runs one test at a time, only while it is held, and keeps the last ones.
+    """Runs one test at a time, only while its button is held, and keeps the last ones.
 
-    Letting go brakes the motor. Whatever else ends a test stops and disarms everything: too
-    high a current, a fault, no readings, a board that obeys somebody else, a stop.
+    Releasing the button brakes the motor. Everything else that ends a test stops and disarms
+    all motors: too high a current, a fault, missing readings, loss of serial control, a stop.
 
     Signals:
-        changed: the plan, `phase`, or what stands in the way of a test; `current` grows silently.
-        begun: a test runs now.
+        changed: the plan, `phase` or `blocker`; `current` grows silently.
+        started: a test runs now.
         finished: a test is over, braking included: the `Run`, which is the last of `runs`.
     """
 
     changed = Signal()
-    begun = Signal()
+    started = Signal()
     finished = Signal(object)
 
     def __init__(
@@ -80,7 +80,7 @@ class Bench(QObject):
         super().__init__(parent)
         self._device = device
         self._motors = device.motors
-        self._clock = clock  # the one that a session gives its samples, too
+        self._clock = clock  # the one of the session's samples
         self._plan = Plan()
         self._phase = Phase.IDLE
         self._runs: tuple[Run, ...] = ()
@@ -89,7 +89,7 @@ class Bench(QObject):
         self._ends_at_limit = False
         self._unit = 0.0
         self._start = self._last_reading = 0.0
-        self._wishes: list[tuple[float, int]] = []
+        self._setpoints: list[tuple[float, int]] = []
         self._readings: list[tuple[float, float]] = []
         self._timer = runtime().timer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -110,74 +110,71 @@ class Bench(QObject):
         device.link_changed.connect(self._on_link_changed)
         device.state_changed.connect(self._on_state_changed)
 
-    # --- What is known ------------------------------------------------------------------
+    # --- State --------------------------------------------------------------------------
 
     @property
     def plan(self) -> Plan:
-        """What the next test is."""
+        """The next test."""
         return self._plan
 
     @property
     def phase(self) -> Phase:
-        """Where a test is."""
+        """The phase of the test that runs."""
         return self._phase
 
     @property
     def is_driving(self) -> bool:
-        """Whether a motor is driven by a test now."""
+        """Whether a test drives a motor now."""
         return self._phase is Phase.DRIVING
 
     @property
     def current(self) -> Run | None:
-        """The test that runs, as far as it has come, else the last one."""
+        """The test that runs, up to now, else the last one."""
         if self._phase is not Phase.IDLE and self._current is not None:
             return replace(
                 self._current,
                 ended=self._current.ended if self._phase is Phase.BRAKING else self._past,
-                wishes=tuple(self._wishes),
+                setpoints=tuple(self._setpoints),
                 currents=tuple(self._readings),
             )
         return self._runs[-1] if self._runs else None
 
     @property
     def runs(self) -> tuple[Run, ...]:
-        """The last tests, oldest first; at most `KEPT`."""
+        """The last tests, oldest first; at most `MAX_RUNS`."""
         return self._runs
 
     @property
     def highest_current(self) -> float:
-        """The highest current in A that the board can measure; of a TReX while none is known."""
+        """The highest current in A that the board can measure; without a board, a TReX."""
         return self._ampere * HIGHEST_COUNT
 
     @property
-    def obstacle(self) -> str:
-        """Why no test can begin now, for people; empty when one can."""
-        return obstacle(self._device, ignore_wishes=self._phase is Phase.DRIVING)
+    def blocker(self) -> str:
+        """Why no test can start now and what to do, for the user; empty when one can."""
+        return _blocker(self._device, ignore_setpoints=self._phase is Phase.DRIVING)
 
     def tuned_keys(self) -> tuple[str, ...]:
-        """Return the keys of the parameters that a test of the plan's motor tunes."""
+        """Return the keys of the parameters that the planned test tunes."""
         return tuple(f"motor{self._plan.motor}_{name}" for name in TUNED)
 
     @property
     def _past(self) -> float:
         return self._clock() - self._start
 
-    # --- What a person does -------------------------------------------------------------
+    # --- Commands -----------------------------------------------------------------------
 
     def set_plan(self, plan: Plan) -> None:
-        """Take what the next test shall be; one that runs goes on as it was begun."""
+        """Set the next test; one that runs keeps its own plan."""
         if plan != self._plan:
             self._plan = plan
             self.changed.emit()
 
-    def begin(self) -> bool:
-        """Begin a test because its button is held now; return whether one runs.
-
-        It ends by itself, by `let_go`, or by what makes it dangerous.
-        """
+    def start(self) -> bool:
+        """Start a test when its button is pressed; return whether one runs."""
         if self._phase is Phase.BRAKING:
             self._finish()
-        if self._phase is not Phase.IDLE or self.obstacle or not self._motors.acquire(HOLDER):
+        if self._phase is not Phase.IDLE or self.blocker or not self._motors.acquire(HOLDER):
             return False
         plan, motors = self._plan, self._motors
         self._options = motors.accelerate, motors.linked
@@ -186,17 +183,17 @@ class Bench(QObject):
         if motors.linked:
             motors.set_linked(False)  # the test is one motor's
         self._start = self._last_reading = self._clock()
-        self._wishes, self._readings = [], []
+        self._setpoints, self._readings = [], []
         self._current = Run(
             motor=plan.motor,
             profile=plan.profile.limited(motors.ceiling),
             accelerate=plan.accelerate,
             abort_current=plan.abort_current,
             ampere=self._ampere,
-            began=datetime.now(UTC).astimezone(),
+            started=datetime.now(UTC).astimezone(),
             end=End.COMPLETE,
             ended=0.0,
-            wishes=(),
+            setpoints=(),
             currents=(),
             settings=self._settings(),
         )
@@ -206,22 +203,22 @@ class Bench(QObject):
         self._timer.start()
         self._on_step()
         self.changed.emit()
-        self.begun.emit()
+        self.started.emit()
         return True
 
-    def let_go(self) -> None:
-        """The button is not held any more: the motor brakes."""
+    def release(self) -> None:
+        """Brake the motor when the button is released."""
         if self._phase is Phase.DRIVING:
-            self._end(End.LET_GO)
+            self._end(End.RELEASED)
 
     def abort(self, reason: str) -> None:
-        """Stop everything and disarm; `reason` is for people."""
+        """Stop and disarm all motors; `reason` is for the user."""
         if self._phase is Phase.DRIVING:
             self._end(End.ABORTED, reason)
 
-    def keep(self, run: Run) -> None:
-        """Keep a test that was saved earlier, to compare with; it is not the last one's better."""
-        self._runs = (*self._runs[-KEPT + 1 :], run)
+    def add_run(self, run: Run) -> None:
+        """Add a saved test, to compare with."""
+        self._runs = (*self._runs[-MAX_RUNS + 1 :], run)
         self.changed.emit()
         self.finished.emit(run)
 
@@ -241,10 +238,10 @@ class Bench(QObject):
             self.abort(self.tr("No current was read for {0:g} s.").format(gap))
         else:
             speed = run.profile.speed_at(past)
-            if not self._wishes or self._wishes[-1][1] != speed:
+            if not self._setpoints or self._setpoints[-1][1] != speed:
                 self._motors.set_speed(run.motor, speed, HOLDER)
-                if self._phase is Phase.DRIVING:  # a stop may come from within
-                    self._wishes.append((past, speed))
+                if self._phase is Phase.DRIVING:  # a stop may have come from within
+                    self._setpoints.append((past, speed))
 
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
@@ -253,35 +250,35 @@ class Bench(QObject):
         motor = self._current.motor
         for sample in batch.samples:
             if sample.time < self._start:
-                continue  # was measured before the first command
+                continue  # measured before the first setpoint
             if isinstance(sample, Currents):
                 self._last_reading = sample.time
                 amps = sample.counts[motor - 1] * self._current.ampere
                 self._readings.append((sample.time - self._start, amps))
-                self._judge_current(motor, amps)
+                self._check_current(motor, amps)
             elif isinstance(sample, LatchedStatus):
-                self._judge_status(motor, sample)
+                self._check_status(motor, sample)
 
-    def _judge_current(self, motor: int, amps: float) -> None:
+    def _check_current(self, motor: int, amps: float) -> None:
         if self._current is not None and amps > self._current.abort_current:
-            text = self.tr("Motor {0} drew {1:.2f} A, more than the {2:g} A to abort at.")
+            text = self.tr("Motor {0} drew {1:.2f} A, more than the abort current of {2:g} A.")
             self.abort(text.format(motor, amps, self._current.abort_current))
 
-    def _judge_status(self, motor: int, news: LatchedStatus) -> None:
-        if news.status & _FAULTS[motor]:
+    def _check_status(self, motor: int, sample: LatchedStatus) -> None:
+        if sample.status & _FAULTS[motor]:
             self.abort(self.tr("The driver of motor {0} reported a fault.").format(motor))
-        elif news.uart & UartError.TIMEOUT:
-            self.abort(self.tr("The board's serial timeout has stopped the motors."))
-        elif self._ends_at_limit and news.status & _LIMITS[motor]:
-            self.abort(self.tr("Motor {0} went over its current limit.").format(motor))
+        elif sample.uart & UartError.TIMEOUT:
+            self.abort(self.tr("The board's serial timeout stopped the motors."))
+        elif self._ends_at_limit and sample.status & _LIMITS[motor]:
+            self.abort(self.tr("Motor {0} exceeded its current limit.").format(motor))
 
     @Slot()
     def _on_motors_changed(self) -> None:
         if self._phase is Phase.DRIVING and self._motors.holder != HOLDER:
-            # Without a board nothing can be armed; the link is about to say why.
+            # Without a board nothing can be armed; the report of the link has the reason.
             known = self._motors.is_available or self._motors.stop_reason
-            self._end(End.ABORTED, self._reason_from_outside() if known else "")
-        elif self._phase is not Phase.DRIVING:  # its own commands change nothing here
+            self._end(End.ABORTED, self._external_reason() if known else "")
+        elif self._phase is not Phase.DRIVING:  # its own setpoints change nothing here
             self.changed.emit()
 
     @Slot()
@@ -291,22 +288,22 @@ class Bench(QObject):
             self._finish()
         self.changed.emit()
 
-    def _reason_from_outside(self) -> str:
+    def _external_reason(self) -> str:
         if self._device.link is ConnectionState.NOT_RESPONDING:
-            return self.tr("The board has stopped answering.")
+            return self.tr("The board stopped responding.")
         if self._device.link is not ConnectionState.CONNECTED:
-            return self.tr("The line was closed.")
+            return self.tr("The connection was closed.")
         if self._device.telemetry.serial_controls is False:
-            return self.tr("Serial commands do not control the motors any more.")
+            return self.tr("Serial commands no longer control the motors.")
         return self._motors.stop_reason or self.tr("Stop was pressed.")
 
     # --- The end ------------------------------------------------------------------------
 
     def _end(self, how: End, reason: str = "") -> None:
-        """Bring the motor to rest, first of all; go on reading its current for a moment."""
+        """Brake the motor first; go on recording its current for a moment."""
         self._phase = Phase.BRAKING
         if how is End.ABORTED:
-            self._motors.abort(HOLDER, reason)  # nothing to stop where another has stopped it
+            self._motors.abort(HOLDER, reason)  # does nothing if the motors are stopped already
         else:
             self._motors.release(HOLDER)
         accelerate, linked = self._options
@@ -320,14 +317,14 @@ class Bench(QObject):
     def _finish(self) -> None:
         if self._current is not None and self._current.end is End.ABORTED:
             # The motors are disarmed before the link says why.
-            reason = self._current.reason or self._reason_from_outside()
+            reason = self._current.reason or self._external_reason()
             self._current = replace(self._current, reason=reason)
         run = self.current
         self._timer.stop()
         self._phase = Phase.IDLE
         self._current = None
         if run is not None:
-            self._runs = (*self._runs[-KEPT + 1 :], run)
+            self._runs = (*self._runs[-MAX_RUNS + 1 :], run)
             self.changed.emit()
             self.finished.emit(run)
 
@@ -338,7 +335,7 @@ class Bench(QObject):
 
     @Slot()
     def _on_state_changed(self) -> None:
-        """Begin with a current to abort at that fits the board."""
+        """Set the default abort current of the board."""
         state = self._device.state
         if state is not None and state.signature.model.current_unit != self._unit:
             self._unit = state.signature.model.current_unit
@@ -346,7 +343,7 @@ class Bench(QObject):
         self.changed.emit()
 
     def _settings(self) -> tuple[tuple[str, str], ...]:
-        """What the board stores for the motor, for people."""
+        """Return the motor's stored parameters, for the user."""
         parameters, found = self._device.parameters, []
         for key in self.tuned_keys():
             wire = parameters.stored_of(key)
@@ -354,3 +351,37 @@ class Bench(QObject):
                 spec = parameters.spec_of(key)
                 found.append((spec.name, spec.text(wire)))
         return tuple(found)
+
+
+def _blocker(device: Device, *, ignore_setpoints: bool) -> str:
+    """Return why no test can start; with `ignore_setpoints` motors may be driven already."""
+    motors = device.motors
+
+    def tr(text: str) -> str:
+        return QCoreApplication.translate("bench_obstacle", text)
+
+    if device.link is ConnectionState.NOT_RESPONDING:
+        return tr("The board does not answer.")
+    if device.link is not ConnectionState.CONNECTED:
+        return tr("Connect to a board to test its motors.")
+    if device.is_joint:
+        return tr("In joint mode the board senses no current: nothing would end a test of itself.")
+    if device.applying:
+        return tr("Settings are being written.")
+    if device.telemetry.serial_controls is False:
+        return tr("{0} A test needs serial control.").format(device.control_text)
+    if motors.locked_for:
+        return tr("Stop was pressed: the motors are locked for {0:.0f} s more.").format(
+            max(1.0, motors.locked_for)
+        )
+    if not motors.armed:
+        return tr("Nothing is sent yet. Put the robot on blocks, then press Run motor.")
+    if motors.holder not in {"", HOLDER}:
+        return tr("Another control drives the motors now.")
+    drives = [motors.drive(motor) for motor in (1, 2)]
+    moving = any(drive and not drive.is_brake and drive.speed for drive in drives)
+    if not ignore_setpoints and (moving or motors.auxiliary > 0):
+        return tr("Motors are driven already ({0}): bring them to rest first.").format(motors.text)
+    if device.telemetry.motor_currents is None:
+        return tr("No current was read yet.")
+    return ""

@@ -9,9 +9,9 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.bench.figures import figures
-from trex_gui.devices.trex.bench.profile import Profile, Shape
+from trex_gui.devices.trex.bench.profile import Plan, Profile, Shape
 from trex_gui.devices.trex.bench.run import End, Run
-from trex_gui.devices.trex.model.bench.bench import Bench, Phase, Plan
+from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.simulator.physics import CONSTANTS, MotorPhysics
@@ -61,7 +61,7 @@ class BenchSetup:
 
     def run(self) -> Run:
         """Hold the button until the test is over."""
-        assert self.bench.begin(), self.bench.obstacle
+        assert self.bench.start(), self.bench.blocker
         return self.result()
 
     def result(self) -> Run:
@@ -98,33 +98,33 @@ def armed(connected: BenchSetup) -> BenchSetup:
 
 def test_bench_needs_a_connected_board(qtbot: QtBot) -> None:
     bench = Bench(Device())
-    assert "Connect to a board" in bench.obstacle
-    assert not bench.begin()
+    assert "Connect to a board" in bench.blocker
+    assert not bench.start()
     assert bench.phase is Phase.IDLE
 
 
 def test_bench_needs_armed_motors(connected: BenchSetup) -> None:
     connected.plan()
-    assert "press Run motor" in connected.bench.obstacle
-    assert not connected.bench.begin()
+    assert "press Run motor" in connected.bench.blocker
+    assert not connected.bench.start()
     assert connected.speed() == 0
 
 
 def test_running_motors_block_the_test(armed: BenchSetup) -> None:
     armed.device.motors.set_speed(2, 20)
-    assert "motor 2 +20" in armed.bench.obstacle
-    assert not armed.bench.begin()
+    assert "motor 2 +20" in armed.bench.blocker
+    assert not armed.bench.start()
 
 
 def test_held_control_blocks_the_test(armed: BenchSetup) -> None:
     armed.device.motors.acquire("pad")
-    assert "Another control" in armed.bench.obstacle
-    assert not armed.bench.begin()
+    assert "Another control" in armed.bench.blocker
+    assert not armed.bench.start()
 
 
-def test_lockout_after_stop_is_named_as_obstacle(armed: BenchSetup) -> None:
+def test_lockout_after_stop_is_named_as_blocker(armed: BenchSetup) -> None:
     armed.device.motors.press_stop()
-    assert "locked for" in armed.bench.obstacle
+    assert "locked for" in armed.bench.blocker
 
 
 def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
@@ -133,7 +133,7 @@ def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
     connected.until(lambda: not connected.device.applying and connected.device.pending == 0)
     connected.device.note_power_cycled()
     connected.arm()
-    assert "joint mode" in connected.bench.obstacle
+    assert "joint mode" in connected.bench.blocker
 
 
 # --- The motors follow ------------------------------------------------------------------
@@ -148,7 +148,7 @@ def test_simulated_motor_follows_the_profile(armed: BenchSetup, shape: Shape, mo
     profile = armed.bench.plan.profile
     seen: list[tuple[float, int]] = []
     begun = now()
-    assert armed.bench.begin()
+    assert armed.bench.start()
 
     def look() -> bool:
         seen.append((now() - begun, armed.speed(motor)))
@@ -177,14 +177,14 @@ def test_completed_test_leaves_the_motor_braked_and_armed(armed: BenchSetup) -> 
 
 def test_profile_sends_at_most_50_setpoints_per_second(armed: BenchSetup) -> None:
     armed.plan(Shape.SINE, speed=127, duration=1.0, abort_current=40.0)
-    assert 40 <= len(armed.run().wishes) <= 51
+    assert 40 <= len(armed.run().setpoints) <= 51
 
 
 def test_profile_speed_is_limited_by_the_ceiling(armed: BenchSetup) -> None:
     armed.device.motors.set_ceiling(30)
     armed.plan(Shape.SINE, speed=100, duration=0.6, period=0.6, abort_current=40.0)
     run = armed.run()
-    assert max(abs(speed) for _, speed in run.wishes) == 30
+    assert max(abs(speed) for _, speed in run.setpoints) == 30
     assert run.profile.speed == 30
 
 
@@ -193,10 +193,10 @@ def test_options_of_other_controls_are_unchanged(armed: BenchSetup) -> None:
     motors.accelerate = True
     motors.set_linked(True)
     armed.plan(duration=30.0, accelerate=False, abort_current=40.0)
-    assert armed.bench.begin()
+    assert armed.bench.start()
     armed.until(lambda: armed.speed(1) == 60)
     assert armed.speed(2) == 0  # the test is of one motor
-    armed.bench.let_go()
+    armed.bench.release()
     armed.result()
     assert motors.accelerate
     assert motors.linked
@@ -264,26 +264,26 @@ def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> Non
 def driving(armed: BenchSetup) -> BenchSetup:
     """A long test that runs."""
     armed.plan(speed=60, duration=30.0, abort_current=20.0)
-    assert armed.bench.begin()
+    assert armed.bench.start()
     armed.until(lambda: armed.speed() == 60)
     return armed
 
 
 def test_releasing_the_button_brakes_the_motor(driving: BenchSetup) -> None:
-    driving.bench.let_go()
+    driving.bench.release()
     driving.until(driving.brakes)
     run = driving.result()
-    assert run.end is End.LET_GO
+    assert run.end is End.RELEASED
     assert run.ended < 30
     assert driving.device.motors.armed
 
 
 def test_next_test_can_begin_right_after_release(driving: BenchSetup) -> None:
-    driving.bench.let_go()
-    assert driving.bench.begin()
+    driving.bench.release()
+    assert driving.bench.start()
     driving.until(lambda: driving.speed() == 60)
     assert len(driving.finished) == 1
-    driving.bench.let_go()
+    driving.bench.release()
     driving.until(driving.brakes)
 
 
@@ -300,7 +300,7 @@ def aborted(setup: BenchSetup) -> Run:
 def test_current_above_abort_limit_aborts_and_disarms(driving: BenchSetup) -> None:
     driving.simulator.do("current 1 21")
     run = aborted(driving)
-    assert "Motor 1 drew 21.00 A, more than the 20 A to abort at" in run.reason
+    assert "Motor 1 drew 21.00 A, more than the abort current of 20 A" in run.reason
     assert driving.device.motors.stop_reason == run.reason
     driving.simulator.do("current 1 auto")
 
@@ -308,7 +308,7 @@ def test_current_above_abort_limit_aborts_and_disarms(driving: BenchSetup) -> No
 def test_stalled_motor_is_stopped_within_one_second(armed: BenchSetup) -> None:
     armed.simulator.do("load 1 25")  # more than it can turn at this speed
     armed.plan(speed=100, duration=30.0, abort_current=15.0, accelerate=False)
-    assert armed.bench.begin()
+    assert armed.bench.start()
     assert aborted(armed).ended < 1.0
 
 
@@ -316,7 +316,7 @@ def test_current_of_other_motor_does_not_abort_the_test(driving: BenchSetup) -> 
     driving.simulator.do("current 2 25")
     driving.until(lambda: (driving.device.telemetry.motor_currents or (0, 0))[1] > 24)
     assert driving.bench.phase is Phase.DRIVING
-    driving.bench.let_go()
+    driving.bench.release()
     driving.until(driving.brakes)
 
 
@@ -341,14 +341,14 @@ def test_board_current_limit_aborts_only_when_enabled(armed: BenchSetup, *, want
 def test_stop_aborts_the_test_and_locks_it_out(driving: BenchSetup) -> None:
     driving.device.motors.press_stop()
     assert aborted(driving).reason == "Stop was pressed."
-    assert not driving.bench.begin()
+    assert not driving.bench.start()
 
 
 def test_unresponsive_board_aborts_the_test(driving: BenchSetup) -> None:
     driving.simulator.do("line mute on")
     run = driving.result()
     assert run.end is End.ABORTED
-    assert "stopped answering" in run.reason or "No current was read" in run.reason
+    assert "stopped responding" in run.reason or "No current was read" in run.reason
     assert not driving.device.motors.armed
     driving.simulator.do("line mute off")
     driving.until(lambda: driving.speed() == 0)
@@ -358,14 +358,14 @@ def test_unplugged_cable_aborts_the_test(driving: BenchSetup) -> None:
     driving.simulator.do("line unplug")
     run = driving.result()
     assert run.end is End.ABORTED
-    assert "line was closed" in run.reason or "stopped answering" in run.reason
+    assert "connection was closed" in run.reason or "stopped responding" in run.reason
 
 
 def test_disconnecting_aborts_the_test_and_stops_the_motor(driving: BenchSetup) -> None:
     driving.device.disconnect_line()
     run = driving.result()
     assert run.end is End.ABORTED
-    assert run.reason == "The line was closed."
+    assert run.reason == "The connection was closed."
     driving.until(lambda: driving.speed() == 0)
 
 
@@ -379,11 +379,11 @@ def test_channel_takeover_aborts_the_test(qtbot: QtBot, start_simulator: StartSi
     setup.until(lambda: setup.device.motors.is_available)
     setup.arm()
     setup.plan(speed=60, duration=30.0, abort_current=40.0)
-    assert setup.bench.begin()
+    assert setup.bench.start()
     setup.until(lambda: setup.speed() == 60)
     setup.simulator.do("channel 5 2000us")
     run = aborted(setup)
-    assert "do not control the motors" in run.reason
+    assert "no longer control the motors" in run.reason
     setup.until(setup.device.shut_down)
 
 
@@ -391,7 +391,7 @@ def test_plan_changed_during_a_run_applies_to_the_next_test(driving: BenchSetup)
     driving.bench.set_plan(replace(driving.bench.plan, motor=2))
     assert driving.speed(1) == 60
     assert driving.speed(2) == 0
-    driving.bench.let_go()
+    driving.bench.release()
     driving.until(lambda: driving.brakes(1))
     assert driving.result().motor == 1
 
@@ -400,7 +400,7 @@ def test_current_run_can_be_read_while_it_runs(driving: BenchSetup) -> None:
     driving.until(lambda: len((driving.bench.current or driving.finished[0]).currents) > 10)
     run = driving.bench.current
     assert run is not None
-    assert run.wishes[0][1] == 60
+    assert run.setpoints[0][1] == 60
     assert 0 < run.ended < 30
-    driving.bench.let_go()
+    driving.bench.release()
     driving.until(driving.brakes)

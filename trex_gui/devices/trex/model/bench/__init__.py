@@ -1,1 +1,0 @@
-"""Bench tests on the board that is connected."""
