@@ -8,9 +8,8 @@ from PySide6.QtWidgets import QSlider, QWidget
 from tests.support.pages.parameters import ParametersPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now, open_transport
 
@@ -105,7 +104,7 @@ def test_parameters_are_edited_applied_and_activated(
     assert device.state is not None
     assert device.state.calibrations[1] == wanted
     assert device.draft.stored is not None
-    assert device.draft.stored.calibrations[InputSource.RC, 1] == wanted
+    assert device.draft.stored.calibrations[CalibrationKey.RC_CHANNEL_1] == wanted
     assert device.parameters.stored_of("motor1_current_limit") == 10
 
     assert device.parameters.waiting_for_power == ("Motor Mode",)

@@ -13,10 +13,10 @@ from tests.devices.trex.settings.test_samples import BOARDS, GOLDEN, SAMPLES, ev
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import VirtualCommand
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
-from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
@@ -103,9 +103,9 @@ def other_settings(model: str, firmware: str, *, analog: bool, line: LineSetting
         "uart_settings": line.to_wire(),
     }
     calibrations = {
-        place: Calibration(100 + place[1], 400 + place[1], 800 + place[1], 10 + place[1])
-        for place in CALIBRATION_KEYS.values()
-        if (place[0].value == "analog") is analog
+        key: Calibration(*(count + key.channel for count in (100, 400, 800, 10)))
+        for key in CalibrationKey
+        if (key.source.value == "analog") is analog
     }
     return replace(factory(model, firmware), parameters=values, calibrations=calibrations)
 

@@ -24,7 +24,7 @@ def take(
     settings = replace(
         there,
         parameters={**there.parameters, **values},
-        calibrations={k: c for k, c in there.calibrations.items() if k[0] is InputSource.RC},
+        calibrations={k: c for k, c in there.calibrations.items() if k.source is InputSource.RC},
     )
     now = datetime.now(UTC) - ago
     return history.take(settings, adapter=adapter, reason=reason, now=now)

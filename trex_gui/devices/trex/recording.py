@@ -40,7 +40,7 @@ from trex_gui.devices.trex.protocol.flags import (
     Status,
     UartError,
 )
-from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.writer import write_settings
 
 STOP = "stop"

@@ -12,7 +12,7 @@ from tests.devices.trex.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 from trex_gui.core.files.errors import Finding, SettingsError
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings
@@ -81,7 +81,7 @@ def other(before: Settings) -> Settings:
         for spec in SPECS.readable
         if spec.key not in {"uart_settings", "crc7_polynomial", "device_number"}
     }
-    places = {(InputSource.RC, channel) for channel in CHANNELS[:2]}
+    places = {CalibrationKey.of(InputSource.RC, channel) for channel in CHANNELS[:2]}
     return replace(
         before,
         parameters={**before.parameters, **values},

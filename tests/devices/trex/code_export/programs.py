@@ -14,7 +14,7 @@ import pytest
 
 from tests.devices.trex.settings.samples import factory
 from tests.support.simulator import SimulatorProcess
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
@@ -50,8 +50,8 @@ WANTED = {
 """What the exported settings have other than the factory's."""
 
 CALIBRATIONS = {
-    (InputSource.RC, 2): Calibration(2511, 3661, 4999, 88),
-    (InputSource.RC, 5): Calibration(127, 128, 16383, 0),
+    CalibrationKey.RC_CHANNEL_2: Calibration(2511, 3661, 4999, 88),
+    CalibrationKey.RC_CHANNEL_5: Calibration(127, 128, 16383, 0),
 }
 
 
@@ -76,7 +76,7 @@ def settings_for(link: ConnectionSettings, model: str = "trex", **wanted: int) -
         "crc7_polynomial": link.polynomial & 0x7F,
         "uart_settings": link.line.to_wire(),
     }
-    rc = {place: c for place, c in as_new.calibrations.items() if place[0] is InputSource.RC}
+    rc = {place: c for place, c in as_new.calibrations.items() if place.source is InputSource.RC}
     return replace(
         as_new,
         parameters={**as_new.parameters, **line, **WANTED, **wanted},

@@ -25,7 +25,7 @@ from tests.devices.trex.settings.samples import TREX, TREX_JR, any_settings, fac
 from tests.support.matrix import examples
 from trex_gui import __version__
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -123,7 +123,7 @@ def test_exported_python_parses_in_3_8_and_has_all_values(
     assert exported == settings.parameters
     sources = {"r": InputSource.RC, "a": InputSource.ANALOG}
     calibrations = {
-        (sources[letter], channel): Calibration(*values)
+        CalibrationKey.of(sources[letter], channel): Calibration(*values)
         for letter, channel, values in ast.literal_eval(table.get("CALIBRATIONS", ast.List([])))
     }
     assert calibrations == settings.calibrations
@@ -222,7 +222,7 @@ def test_invalid_values_are_reported_and_left_out(language: Language) -> None:
         TREX,
         "1.2",
         {"uart_settings": 0x0F, "serial_timeout": 3},
-        {(InputSource.RC, 2): Calibration(9, 8, 7, 0)},
+        {CalibrationKey.RC_CHANNEL_2: Calibration(9, 8, 7, 0)},
     )
     text = export_code(settings, link(), language)
     assert "0x7E," not in text

@@ -34,8 +34,8 @@ from tests.devices.trex.code_export.programs import (
 )
 from tests.devices.trex.simulator.patience import becomes
 from tests.support.matrix import sampled
+from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.code_export import Language
 from trex_gui.devices.trex.settings.document import Settings
@@ -293,7 +293,7 @@ def test_calibration_for_other_input_is_reported_as_skipped(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     as_new = settings_for(link())
-    analog = {(InputSource.ANALOG, 3): CALIBRATIONS[InputSource.RC, 2]}
+    analog = {CalibrationKey.ANALOG_CHANNEL_3: CALIBRATIONS[CalibrationKey.RC_CHANNEL_2]}
     settings = Settings(as_new.product, as_new.firmware, calibrations=analog)
     board = boards.board(link())
     program = made_ready(tmp_path, settings, link(), language)

@@ -9,6 +9,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     Calibration,
+    CalibrationKey,
     decode_14_bits,
     encode_14_bits,
     remap,
@@ -257,3 +258,14 @@ def test_parabolic_output_never_exceeds_linear_output(raw: int, calibration: Cal
     linear, parabolic = remap(raw, calibration), remap(raw, calibration, parabolic=True)
     assert abs(parabolic) <= abs(linear)
     assert linear * parabolic >= 0
+
+
+@pytest.mark.parametrize("key", CalibrationKey)
+def test_calibration_key_is_made_of_source_and_channel(key: CalibrationKey) -> None:
+    assert CalibrationKey.of(key.source, key.channel) is key
+    assert key.label.lower().replace(" ", "_") == key
+
+
+def test_calibration_key_of_unknown_channel_is_rejected() -> None:
+    with pytest.raises(ValueError, match="rc_channel_6"):
+        CalibrationKey.of(InputSource.RC, 6)

@@ -7,9 +7,10 @@ from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     HIGHEST_CODED,
     Calibration,
+    CalibrationKey,
 )
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings, specs_for
+from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.reader import read_settings
 
 TREX, TREX_JR = device_table().models
@@ -22,7 +23,7 @@ def factory(model_key: str = "trex", firmware: str | None = "1.2") -> Settings:
         product=model,
         firmware=firmware,
         parameters={spec.key: spec.default for spec in specs_for(model, firmware).readable},
-        calibrations={place: DEFAULT_CALIBRATION[place[0]] for place in CALIBRATION_KEYS.values()},
+        calibrations={key: DEFAULT_CALIBRATION[key.source] for key in CalibrationKey},
     )
 
 
@@ -54,7 +55,7 @@ def any_settings(draw: st.DrawFn) -> Settings:
     firmware = draw(st.none() | st.sampled_from(model.firmware))
     specs = specs_for(model, firmware).readable
     values = {spec.key: st.sampled_from(sorted(spec.valid)) for spec in specs}
-    places = st.sampled_from(list(CALIBRATION_KEYS.values()))
+    places = st.sampled_from(CalibrationKey)
     return Settings(
         product=model,
         firmware=firmware,

@@ -7,13 +7,12 @@ from hypothesis import Phase, given
 
 from tests.devices.trex.settings.samples import TREX, TREX_JR, any_settings, factory
 from tests.support.matrix import examples
-from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
-from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.document import Settings
 
 modest = examples(40, phases=[Phase.generate])
-RC_1 = (InputSource.RC, 1)
+RC_1 = CalibrationKey.RC_CHANNEL_1
 STICK = Calibration(2500, 3750, 5000, 75)
 STICK_TEXT = "1000 / 1500 / 2000 µs, deadband 30 µs"
 
@@ -98,7 +97,7 @@ def test_report_lists_only_differences() -> None:
         calibrations={
             **before.calibrations,
             RC_1: Calibration(2000, 3750, 5100, 75),
-            (InputSource.RC, 2): STICK,
+            CalibrationKey.RC_CHANNEL_2: STICK,
         },
     )
     assert compare(before, after).report().splitlines() == [

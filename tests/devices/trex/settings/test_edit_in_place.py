@@ -17,16 +17,15 @@ from tests.devices.trex.settings.samples import (
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.errors import SettingsError
-from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
-from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import calibration_text, parameter_text, write_settings
 
 thorough = examples(20, phases=[Phase.generate])
-RC_1 = (InputSource.RC, 1)
+RC_1 = CalibrationKey.RC_CHANNEL_1
 
 
 def amended(text: str, **parameters: int) -> str:
@@ -306,7 +305,7 @@ def any_trailer(draw: st.DrawFn, generated: str) -> str:
 
 @st.composite
 def any_calibration_lines(draw: st.DrawFn, key: str, calibration: Calibration) -> list[str]:
-    source, _ = CALIBRATION_KEYS[key]
+    source = CALIBRATION_KEYS[key].source
     names = draw(st.permutations(["minimum", "neutral", "maximum", "deadband"]))
     parts = [
         f"{draw(any_key(name))}: {draw(any_number(getattr(calibration, name)))}" for name in names

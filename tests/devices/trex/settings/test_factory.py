@@ -3,7 +3,7 @@
 import pytest
 
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
-from trex_gui.devices.trex.settings.factory import REACH, factory_settings, serial_defaults
+from trex_gui.devices.trex.settings.document import REACH, factory_settings, serial_defaults
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 

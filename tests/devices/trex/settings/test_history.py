@@ -12,9 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.core.files.errors import SettingsError
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import (
@@ -31,7 +30,7 @@ NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 def settings_of_a_board(**values: int) -> Settings:
     model = device_table().model("trexjr")
     parameters = {spec.key: spec.default for spec in parameters_of("trexjr", "1.2").readable}
-    calibrations = {(InputSource.RC, 1): Calibration(2600, 3700, 5100, 60)}
+    calibrations = {CalibrationKey.RC_CHANNEL_1: Calibration(2600, 3700, 5100, 60)}
     return Settings(model, "1.2", {**parameters, **values}, calibrations)
 
 

@@ -9,11 +9,10 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.settings.samples import TREX, TREX_JR, any_calibration, factory
 from tests.support.matrix import examples
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.crc7 import crc7
-from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
-from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, accept, advise
 
 thorough = examples(40, phases=[Phase.generate])
@@ -385,7 +384,7 @@ def test_invalid_values_are_not_checked() -> None:
             "motor_mode": 7,
             "motor1_current_limit": 1,
         },
-        {(InputSource.RC, 1): Calibration(9, 8, 7, 6)},
+        {CalibrationKey.RC_CHANNEL_1: Calibration(9, 8, 7, 6)},
     )
     assert advise(broken, Context(port_rates=[])) == ()
 

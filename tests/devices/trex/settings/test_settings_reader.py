@@ -8,8 +8,7 @@ import pytest
 from tests.devices.trex.settings.samples import TREX, TREX_JR, factory, refused
 from trex_gui.core.files.errors import SettingsError, Severity
 from trex_gui.core.files.text_files import LARGEST_FILE
-from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
@@ -70,7 +69,7 @@ def test_numbers_may_be_hexadecimal() -> None:
     )
     settings, _ = read_settings(text)
     assert settings.parameters == {"serial_timeout": 127}
-    assert settings.calibrations == {(InputSource.RC, 1): Calibration(0, 16, 32, 1)}
+    assert settings.calibrations == {CalibrationKey.RC_CHANNEL_1: Calibration(0, 16, 32, 1)}
 
 
 def test_calibration_may_span_several_lines() -> None:
@@ -79,7 +78,7 @@ def test_calibration_may_span_several_lines() -> None:
         "  maximum: 900\n  minimum: 100\n  deadband: 0\n  neutral: 500\n"
     )
     settings, _ = read_settings(text)
-    assert settings.calibrations == {(InputSource.ANALOG, 5): Calibration(100, 500, 900, 0)}
+    assert settings.calibrations == {CalibrationKey.ANALOG_CHANNEL_5: Calibration(100, 500, 900, 0)}
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])

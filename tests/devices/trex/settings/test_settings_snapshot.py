@@ -4,11 +4,11 @@ import pytest
 
 from tests.devices.trex.settings.samples import factory
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
-from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
@@ -31,7 +31,9 @@ def state_of(mode: Mode = Mode.SERIAL_RC, **changes: int) -> DeviceState:
 )
 def test_calibrations_belong_to_active_input_source(mode: Mode, source: InputSource) -> None:
     settings = settings_of(state_of(mode))
-    assert list(settings.calibrations) == [(source, channel) for channel in CHANNELS]
+    assert list(settings.calibrations) == [
+        CalibrationKey.of(source, channel) for channel in CHANNELS
+    ]
 
 
 def test_device_state_is_saved_and_read_back() -> None:

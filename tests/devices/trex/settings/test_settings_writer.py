@@ -7,9 +7,8 @@ from ruamel.yaml import YAML
 
 from tests.devices.trex.settings.samples import TREX, TREX_JR, factory
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration, CalibrationKey
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
@@ -126,11 +125,11 @@ def test_title_cannot_become_setting_or_damage_file(line: str) -> None:
 def test_invalid_value_is_written_as_comment() -> None:
     settings = factory()
     broken = Calibration(0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF)
-    place = (InputSource.RC, 2)
+    key = CalibrationKey.RC_CHANNEL_2
     odd = replace(
         settings,
         parameters={**settings.parameters, "uart_settings": 12},
-        calibrations={**settings.calibrations, place: broken},
+        calibrations={**settings.calibrations, key: broken},
     )
     text = write_settings(odd)
     assert "\n# uart_settings: 12  # left out: " in text
@@ -138,7 +137,7 @@ def test_invalid_value_is_written_as_comment() -> None:
     read, findings = read_settings(text)
     assert [found.message for found in findings] == ["1 of 28 parameters is missing: uart_settings"]
     assert "uart_settings" not in read.parameters
-    assert place not in read.calibrations
+    assert key not in read.calibrations
     assert len(read.calibrations) == len(CALIBRATION_KEYS) - 1
 
 
@@ -151,12 +150,8 @@ def test_invalid_value_is_written_as_comment() -> None:
         ),
         (Settings(TREX, None, {"factory_reset": 127}), "a TReX has no factory_reset"),
         (Settings(TREX, "1.2", {"speed": 1}), "a TReX 1.2 has no speed"),
-        (
-            Settings(TREX, "1.2", {}, {(InputSource.RC, 6): Calibration(0, 1, 2, 0)}),
-            "a TReX 1.2 has no calibration of RC channel 6",
-        ),
     ],
-    ids=["newer firmware", "factory reset", "unknown", "sixth channel"],
+    ids=["newer firmware", "factory reset", "unknown"],
 )
 def test_setting_unknown_to_board_is_rejected(settings: Settings, words: str) -> None:
     with pytest.raises(BadRequest, match=words):

@@ -12,8 +12,7 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.settings.samples import factory
 from tests.support.pages.settings import ComparisonDialog
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
-from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import specs_for
@@ -34,8 +33,12 @@ def worst() -> Comparison:
         for spec in specs_for(BEFORE.product, BEFORE.firmware).readable
     }
     whole = Calibration(2600, 3700, 4900, 61)
-    before = {p: c for p, c in BEFORE.calibrations.items() if p != (InputSource.RC, 3)}
-    after = {**BEFORE.calibrations, (InputSource.RC, 2): whole, (InputSource.RC, 3): whole}
+    before = {p: c for p, c in BEFORE.calibrations.items() if p != "rc_channel_3"}
+    after = {
+        **BEFORE.calibrations,
+        CalibrationKey.RC_CHANNEL_2: whole,
+        CalibrationKey.RC_CHANNEL_3: whole,
+    }
     return compare(
         replace(BEFORE, calibrations=before),
         replace(BEFORE, parameters=longest, calibrations=after),

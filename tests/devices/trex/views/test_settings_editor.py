@@ -24,7 +24,11 @@ from tests.support.window import LEFT, WidgetDriver
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    DEFAULT_CALIBRATION,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
@@ -254,7 +258,7 @@ def test_count_is_typed_in_any_unit(editor: EditorDriver) -> None:
     expected = Calibration(2601, 3700, 4900, 60)
     for typed in ("1040.4", "1040.4 µs", "1,0404 ms", "2601 counts", "2601 #"):
         editor.type_count(1, 1, typed)
-        assert calibrations.shown(2, InputSource.RC) == expected, typed
+        assert calibrations.shown(CalibrationKey.RC_CHANNEL_2) == expected, typed
         editor.trigger("Undo")
         assert editor.document.text == TEXT, typed
 
@@ -275,10 +279,13 @@ def test_calibrations_are_added_and_left_out(editor: EditorDriver) -> None:
     view = editor.select_calibration(7)
     assert view.model().index(7, 1).data() == "not given"
     editor.click("addCalibrationButton")
-    assert calibrations.shown(3, InputSource.ANALOG) == DEFAULT_CALIBRATION[InputSource.ANALOG]
+    assert (
+        calibrations.shown(CalibrationKey.ANALOG_CHANNEL_3)
+        == DEFAULT_CALIBRATION[InputSource.ANALOG]
+    )
     editor.select_calibration(1)
     editor.click("leaveOutCalibrationButton")
-    assert calibrations.shown(2, InputSource.RC) is None
+    assert calibrations.shown(CalibrationKey.RC_CHANNEL_2) is None
     assert "# rc_channel_2" in editor.document.text
     editor.trigger("Undo")
     editor.trigger("Undo")

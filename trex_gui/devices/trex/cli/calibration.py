@@ -20,13 +20,17 @@ from trex_gui.devices.trex.cli.common import (
 )
 from trex_gui.devices.trex.client.reading import ask
 from trex_gui.devices.trex.client.writing import write_calibration
-from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_FIELDS,
+    HIGHEST_CODED,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.commands import GetCalibratedChannels, GetCalibration, GetMode
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
-from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.rules import Context
 
-_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 _UNITS = {
     "us": (InputSource.RC, 1.0),
     "µs": (InputSource.RC, 1.0),
@@ -61,8 +65,10 @@ def get_command(as_json: bool, **options: Any) -> None:
                 {
                     "channel": channel,
                     "differs_from_default": channel in learned,
-                    **{name: getattr(row, name) for name in _FIELDS},
-                    "physical": {name: source.text(getattr(row, name)) for name in _FIELDS},
+                    **{name: getattr(row, name) for name in CALIBRATION_FIELDS},
+                    "physical": {
+                        name: source.text(getattr(row, name)) for name in CALIBRATION_FIELDS
+                    },
                 }
                 for channel, row in rows.items()
             ],
@@ -87,7 +93,7 @@ def set_command(channel: int, **options: Any) -> None:
     snapshot of what the board stores is kept first; a calibration that it has already is not
     written.
     """
-    given = {name: _parse(name, options.pop(name)) for name in _FIELDS}
+    given = {name: _parse(name, options.pop(name)) for name in CALIBRATION_FIELDS}
     link = link_settings(options)
     with open_line_to_change(link) as (client, rates):
         identify(client)
@@ -99,7 +105,10 @@ def set_command(channel: int, **options: Any) -> None:
         there = settings_of(state)
         is_new = prepare_one(
             state,
-            replace(there, calibrations={**there.calibrations, (source, channel): wanted}),
+            replace(
+                there,
+                calibrations={**there.calibrations, CalibrationKey.of(source, channel): wanted},
+            ),
             Context(port_rates=rates, used_by_line=link.line),
             link,
             what=f"Calibration of channel {channel}",
@@ -139,6 +148,6 @@ def _counts(name: str, value: tuple[float, str], source: InputSource) -> int:
 
 
 def _text(channel: int, row: Calibration, source: InputSource) -> str:
-    counts = " ".join(str(getattr(row, name)) for name in _FIELDS)
-    physical = " / ".join(source.text(getattr(row, name)) for name in _FIELDS)
+    counts = " ".join(str(getattr(row, name)) for name in CALIBRATION_FIELDS)
+    physical = " / ".join(source.text(getattr(row, name)) for name in CALIBRATION_FIELDS)
     return f"{channel}\t{counts}\t{physical}"

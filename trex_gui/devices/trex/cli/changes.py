@@ -12,8 +12,7 @@ from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
-from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.rules import Context, advise
 
 

@@ -13,8 +13,7 @@ from trex_gui.devices.trex.client.writing import write_parameter
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
-from trex_gui.devices.trex.settings.factory import factory_settings
-from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.document import factory_settings, settings_of
 
 _HOW_TO_REACH = (ParameterKey.UART_SETTINGS, ParameterKey.DEVICE_NUMBER)
 

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.cli.common import identify, link_options, link_settin
 from trex_gui.devices.trex.cli.settings_io import FILE, save_file
 from trex_gui.devices.trex.client.reading import read_everything
 from trex_gui.devices.trex.settings.code_export import Language, export_code
-from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.document import settings_of
 
 
 @click.command()

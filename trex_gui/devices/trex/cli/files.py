@@ -29,12 +29,16 @@ from trex_gui.devices.trex.cli.snapshots import keep
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import Skipped, WriteResult, write_all
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_FIELDS,
+    CALIBRATION_KEYS,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
-from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.edit_in_place import amend
-from trex_gui.devices.trex.settings.from_board import settings_of
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.rules import Context, advise
 from trex_gui.devices.trex.settings.writer import write_settings
@@ -215,12 +219,10 @@ def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
 
 def _visible(wanted: Settings, state: DeviceState) -> Settings:
     """Leave out the calibrations that the board neither shows nor takes now."""
-    places = wanted.calibrations
-    kept = {at: found for at, found in places.items() if at[0] is state.source}
-    if len(kept) < len(places):
-        others = ", ".join(
-            key for key, at in CALIBRATION_KEYS.items() if at in places.keys() - kept
-        )
+    given = wanted.calibrations
+    kept = {key: found for key, found in given.items() if key.source is state.source}
+    if len(kept) < len(given):
+        others = ", ".join(key for key in CalibrationKey if key in given.keys() - kept)
         say(
             f"Warning: {others} left out: only the calibrations for {state.source.value} inputs, "
             "the ones in force, can be read and written."
@@ -236,7 +238,7 @@ def _write(
     calibrations: list[tuple[int, Calibration]] = []
     for row in rows:
         if isinstance(row.after, Calibration):
-            channel = CALIBRATION_KEYS[row.key][1]
+            channel = CALIBRATION_KEYS[row.key].channel
             calibrations.append((channel, row.after))
             names[f"channel {channel}"] = row.name
     with ProgressLine("Writing") as line, Interruption() as interrupted:

@@ -11,7 +11,7 @@ from trex_gui.core.cli.console import UsageError, refusals, refuse, say
 from trex_gui.core.cli.options import json_option
 from trex_gui.devices.trex.cli.common import link_options
 from trex_gui.devices.trex.cli.settings_io import read_file
-from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS, CalibrationKey
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 
 
@@ -89,9 +89,9 @@ def show(which: str, as_json: bool) -> None:
         "firmware": settings.firmware,
         "parameters": dict(settings.parameters),
         "calibrations": {
-            key: {name: getattr(settings.calibrations[place], name) for name in CALIBRATION_FIELDS}
-            for key, place in CALIBRATION_KEYS.items()
-            if place in settings.calibrations
+            key: {name: getattr(settings.calibrations[key], name) for name in CALIBRATION_FIELDS}
+            for key in CalibrationKey
+            if key in settings.calibrations
         },
     }
     click.echo(json.dumps(report, indent=2, ensure_ascii=False))

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.cli.common import (
 )
 from trex_gui.devices.trex.cli.parameters import spec_of
 from trex_gui.devices.trex.client.writing import write_parameter
-from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.rules import Context
 
 

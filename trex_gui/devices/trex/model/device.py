@@ -27,6 +27,7 @@ from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
 from trex_gui.devices.trex.model.telemetry import Telemetry
+from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import (
@@ -37,8 +38,7 @@ from trex_gui.devices.trex.session.messages import (
     SetReconnectCandidates,
     Write,
 )
-from trex_gui.devices.trex.settings.document import calibration_key
-from trex_gui.devices.trex.settings.factory import factory_settings
+from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import EventLog
@@ -164,7 +164,7 @@ class Device(QObject):
     def key_of(self, what: str) -> str:
         """Return the key, as a settings file spells it, of what a `WriteResult` is about."""
         channel = WriteResult(what).channel
-        return what if channel is None else calibration_key(self.calibrations.source, channel)
+        return what if channel is None else CalibrationKey.of(self.calibrations.source, channel)
 
     def name_of(self, what: str) -> str:
         """Return the name for people of what a `WriteResult` is about."""

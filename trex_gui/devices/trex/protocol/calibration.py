@@ -4,7 +4,9 @@ Ref: Pololu TReX User's Guide 4.b (regions); TReX 1.0 command documentation 0x87
 0xA0-0xA4. The arithmetic between the region limits is inferred: no source gives it.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from enum import StrEnum
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -12,8 +14,47 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 INVALID_RAW = 0xFFFF
 """What 0x86 answers for a channel whose last pulse was bad or is missing."""
 
+CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 FULL_SCALE = 127
 HIGHEST_CODED = 0x3FFF
+
+
+class CalibrationKey(StrEnum):
+    """What one calibration is for: an input source and a channel; as settings files spell it."""
+
+    RC_CHANNEL_1 = "rc_channel_1"
+    RC_CHANNEL_2 = "rc_channel_2"
+    RC_CHANNEL_3 = "rc_channel_3"
+    RC_CHANNEL_4 = "rc_channel_4"
+    RC_CHANNEL_5 = "rc_channel_5"
+    ANALOG_CHANNEL_1 = "analog_channel_1"
+    ANALOG_CHANNEL_2 = "analog_channel_2"
+    ANALOG_CHANNEL_3 = "analog_channel_3"
+    ANALOG_CHANNEL_4 = "analog_channel_4"
+    ANALOG_CHANNEL_5 = "analog_channel_5"
+
+    @classmethod
+    def of(cls, source: InputSource, channel: int) -> "CalibrationKey":
+        """Return the key for an input source and a channel, 1-5."""
+        return cls(f"{source.value.lower()}_channel_{channel}")
+
+    @property
+    def source(self) -> InputSource:
+        return InputSource.RC if self.startswith("rc") else InputSource.ANALOG
+
+    @property
+    def channel(self) -> int:
+        """The channel, 1-5."""
+        return int(self[-1])
+
+    @property
+    def label(self) -> str:
+        """The channel for the user, such as `RC channel 1`."""
+        return f"{self.source.value} channel {self.channel}"
+
+
+CALIBRATION_KEYS: Mapping[str, CalibrationKey] = {str(key): key for key in CalibrationKey}
+"""All keys by their text."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +72,7 @@ class Calibration:
 
     def problem(self) -> str | None:
         """Say why the board would refuse these values; `None` when it would take them."""
-        for name in ("minimum", "neutral", "maximum", "deadband"):
+        for name in CALIBRATION_FIELDS:
             value = getattr(self, name)
             if not 0 <= value <= HIGHEST_CODED:
                 return f"{name} is {value}; a calibration value is 0 to {HIGHEST_CODED}"

@@ -12,19 +12,18 @@ from enum import Enum
 
 from trex_gui import __version__
 from trex_gui.core.resource_files import resource
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_FIELDS,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
-from trex_gui.devices.trex.protocol.flags import InputSource, Mode
+from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameter_number
-from trex_gui.devices.trex.settings.document import (
-    CALIBRATION_FIELDS,
-    CALIBRATION_KEYS,
-    Settings,
-    calibration_key,
-)
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.writer import calibration_text, check_keys, parameter_text
 
 _COMMENT_WIDTH = 86
@@ -127,7 +126,7 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
         ),
         parameters=_aligned(language, [_row(language, *pair) for pair in tables.parameters]),
         calibrations=_aligned(
-            language, [_calibration_row(language, *place) for place in tables.calibrations]
+            language, [_calibration_row(language, *pair) for pair in tables.calibrations]
         ),
         left_out="\n".join(map(plain, tables.left_out)),
     )
@@ -176,7 +175,7 @@ class _Tables:
     """
 
     parameters: tuple[tuple[ParameterSpec, int], ...]
-    calibrations: tuple[tuple[InputSource, int, Calibration], ...]
+    calibrations: tuple[tuple[CalibrationKey, Calibration], ...]
     left_out: tuple[str, ...]
 
     @classmethod
@@ -188,19 +187,17 @@ class _Tables:
             if spec.key in settings.parameters
         ]
         found = [
-            (source, channel, settings.calibrations[source, channel])
-            for source, channel in CALIBRATION_KEYS.values()
-            if (source, channel) in settings.calibrations
+            (key, settings.calibrations[key])
+            for key in CalibrationKey
+            if key in settings.calibrations
         ]
         left_out = [problem for spec, wire in given if (problem := spec.problem(wire))]
         left_out += [
-            f"{calibration_key(source, channel)}: {problem}"
-            for source, channel, calibration in found
-            if (problem := calibration.problem())
+            f"{key}: {problem}" for key, calibration in found if (problem := calibration.problem())
         ]
         valid = [(spec, wire) for spec, wire in given if not spec.problem(wire)]
         valid.sort(key=lambda p: (p[0].needs_power_cycle, p[0].group == "serial", p[0].number))
-        return cls(tuple(valid), tuple(c for c in found if not c[2].problem()), tuple(left_out))
+        return cls(tuple(valid), tuple(c for c in found if not c[1].problem()), tuple(left_out))
 
     def wire(self, key: str) -> int | None:
         """Return the new wire value of a parameter; `None` if it is not stored."""
@@ -221,15 +218,15 @@ def _row(language: Language, spec: ParameterSpec, wire: int) -> tuple[str, str]:
 
 
 def _calibration_row(
-    language: Language, source: InputSource, channel: int, calibration: Calibration
+    language: Language, key: CalibrationKey, calibration: Calibration
 ) -> tuple[str, str]:
     """Return code and comment for a calibration."""
-    letter = _SOURCE_LETTERS[source]
+    letter = _SOURCE_LETTERS[key.source]
     values = ", ".join(str(getattr(calibration, name)) for name in CALIBRATION_FIELDS)
-    comment = plain(calibration_text(source, calibration))
+    comment = plain(calibration_text(key.source, calibration))
     if language is Language.PYTHON:
-        return f'("{letter}", {channel}, ({values})),', comment
-    return f"{{'{letter}', {channel}, {{{values}}}}},", comment
+        return f'("{letter}", {key.channel}, ({values})),', comment
+    return f"{{'{letter}', {key.channel}, {{{values}}}}},", comment
 
 
 def _aligned(language: Language, rows: Sequence[tuple[str, str]]) -> str:

@@ -4,15 +4,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_FIELDS,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
-from trex_gui.devices.trex.settings.document import (
-    CALIBRATION_FIELDS,
-    CALIBRATION_KEYS,
-    Settings,
-    specs_for,
-)
+from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.writer import calibration_text
 
 _NOT_GIVEN = "not given"
@@ -23,8 +22,8 @@ class ComparisonRow:
     """One setting before and after.
 
     Attributes:
-        key: as a settings file spells it.
-        name: for people.
+        key: of a parameter, or a `CalibrationKey`.
+        name: for the user.
         before: wire value or calibration; `None`: not known, or not given.
         after: likewise; `None` leaves a setting as it is.
         text_before: `before` in physical units; empty for `None`.
@@ -50,7 +49,7 @@ class ComparisonRow:
 
     @property
     def is_calibration(self) -> bool:
-        return self.key in CALIBRATION_KEYS
+        return isinstance(self.key, CalibrationKey)
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,17 +167,16 @@ def _parameter_row(key: str, before: Settings, after: Settings) -> ComparisonRow
 
 
 def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonRow]:
-    for key, place in CALIBRATION_KEYS.items():
-        source, channel = place
-        old, new = before.calibrations.get(place), after.calibrations.get(place)
+    for key in CalibrationKey:
+        old, new = before.calibrations.get(key), after.calibrations.get(key)
         if old is not None or new is not None:
             yield ComparisonRow(
                 key,
-                f"Calibration of {source.value} channel {channel}",
+                f"Calibration of {key.label}",
                 old,
                 new,
-                "" if old is None else calibration_text(source, old),
-                "" if new is None else calibration_text(source, new),
+                "" if old is None else calibration_text(key.source, old),
+                "" if new is None else calibration_text(key.source, new),
             )
 
 
@@ -194,8 +192,9 @@ def _counts(noun: str, rows: list[ComparisonRow]) -> str:
 
 def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
     """Yield the lines of a row: key, wire values, physical values."""
-    if isinstance(row.before, Calibration) and isinstance(row.after, Calibration):
-        source, _ = CALIBRATION_KEYS[row.key]
+    both = isinstance(row.before, Calibration) and isinstance(row.after, Calibration)
+    if both and isinstance(row.key, CalibrationKey):
+        source = row.key.source
         for name in CALIBRATION_FIELDS:
             old, new = getattr(row.before, name), getattr(row.after, name)
             if old != new:

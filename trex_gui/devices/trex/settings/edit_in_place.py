@@ -14,7 +14,8 @@ from dataclasses import dataclass, field, replace
 from ruamel.yaml.nodes import MappingNode, Node
 
 from trex_gui.core.files.errors import Finding, SettingsError
-from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, CalibrationKey
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import (
     calibration_line,
@@ -235,23 +236,22 @@ def _spelled_like(old: str, wire: int) -> str:
 def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
     """Change or remove every setting of a text, and update the comments that the program wrote."""
     for key, entry in document.entries.items():
-        place = CALIBRATION_KEYS.get(key)
+        calibration_key = CALIBRATION_KEYS.get(key)
         if key == "product":
             document.replace(entry.value, old.product.name, new.product.name)
         elif key == "firmware" and old.firmware and new.firmware:
             document.replace(entry.value, old.firmware, new.firmware)
         elif key in new.parameters:
-            before, after = old.parameters[key], new.parameters[key]
-            document.set_number(entry.value, after)
-            document.update_comment(
-                key, parameter_text(old.specs[key], before), new.specs[key].text(after)
-            )
-        elif place in new.calibrations and place is not None:
-            calibrations = old.calibrations[place], new.calibrations[place]
+            wire = new.parameters[key]
+            document.set_number(entry.value, wire)
+            before = parameter_text(old.specs[key], old.parameters[key])
+            document.update_comment(key, before, new.specs[key].text(wire))
+        elif calibration_key is not None and calibration_key in new.calibrations:
+            calibrations = [both.calibrations[calibration_key] for both in (old, new)]
             for part, node in entry.value.value:
                 document.set_number(node, getattr(calibrations[1], str(part.value)))
-            texts = [calibration_text(place[0], calibration) for calibration in calibrations]
-            document.update_comment(key, *texts)
+            before, after = (calibration_text(calibration_key.source, c) for c in calibrations)
+            document.update_comment(key, before, after)
         else:
             document.remove(key)
 
@@ -266,9 +266,9 @@ def _missing_lines(document: _Document, settings: Settings) -> Iterator[str]:
         if spec.key in settings.parameters
     ]
     lines += [
-        (key, calibration_line(key, settings.calibrations[place]))
-        for key, place in CALIBRATION_KEYS.items()
-        if place in settings.calibrations
+        (key, calibration_line(key, settings.calibrations[key]))
+        for key in CalibrationKey
+        if key in settings.calibrations
     ]
     present = {line.strip() for line in document.body.splitlines()}
     for key, line in lines:

@@ -10,16 +10,16 @@ from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.errors import Finding, SettingsError, Severity
 from trex_gui.core.files.text_files import decode
-from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
-from trex_gui.devices.trex.protocol.device_table import Model, device_table, version_key
-from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec, parameters_of
-from trex_gui.devices.trex.settings.document import (
+from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     CALIBRATION_KEYS,
-    Settings,
-    specs_for,
+    HIGHEST_CODED,
+    Calibration,
+    CalibrationKey,
 )
+from trex_gui.devices.trex.protocol.device_table import Model, device_table, version_key
+from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec, parameters_of
+from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
 MOST_FINDINGS = 100
@@ -75,7 +75,7 @@ class _Reader:
     findings: list[Finding] = field(default_factory=list)
     left_out: int = 0
     parameters: dict[str, int] = field(default_factory=dict)
-    calibrations: dict[tuple[InputSource, int], Calibration] = field(default_factory=dict)
+    calibrations: dict[CalibrationKey, Calibration] = field(default_factory=dict)
 
     def error(self, line: int | None, key: str | None, message: str) -> None:
         if len(self.findings) < MOST_FINDINGS:

@@ -9,12 +9,12 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
-from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.document import Settings
 
 _MOTORS = (1, 2)
 _MOTOR_CHANNELS = (1, 2, 3)
@@ -260,37 +260,39 @@ def _required_but_ignored(case: _Case) -> Iterator[_Match]:
     )
 
 
-def _motor_calibrations(case: _Case) -> Iterator[tuple[str, str, InputSource, Calibration]]:
-    """Yield key, name, source and calibration of the channels that drive motors."""
-    for key, (source, channel) in CALIBRATION_KEYS.items():
-        found = case.settings.calibrations.get((source, channel))
-        if channel in _MOTOR_CHANNELS and found is not None and found.problem() is None:
-            yield key, f"{source.value} channel {channel}", source, found
+def _motor_calibrations(case: _Case) -> Iterator[tuple[CalibrationKey, Calibration]]:
+    """Yield the calibrations of the channels that drive motors."""
+    for key in CalibrationKey:
+        found = case.settings.calibrations.get(key)
+        if key.channel in _MOTOR_CHANNELS and found is not None and found.problem() is None:
+            yield key, found
 
 
 def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
-    for key, name, _, found in _motor_calibrations(case):
+    for key, found in _motor_calibrations(case):
         ends = {"minimum": found.neutral - found.minimum, "maximum": found.maximum - found.neutral}
         # An end that coincides with neutral is meant so: a channel that goes one way.
         if lost := [end for end, travel in ends.items() if 0 < travel <= found.deadband]:
             where = "on that side there is" if len(lost) == 1 else "there is"
             yield _Match(
-                f"The deadband of {name} reaches from its neutral to its {_joined(lost)}: {where} "
-                "only standstill or full speed.",
+                f"The deadband of {key.label} reaches from its neutral to its {_joined(lost)}: "
+                f"{where} only standstill or full speed.",
                 (key,),
                 {},
             )
 
 
 def _end_out_of_reach(case: _Case) -> Iterator[_Match]:
-    for key, name, source, found in _motor_calibrations(case):
-        lowest = _SHORTEST_PULSE if source is InputSource.RC else 0
-        highest = source.highest_count
+    for key, found in _motor_calibrations(case):
+        lowest = _SHORTEST_PULSE if key.source is InputSource.RC else 0
+        highest = key.source.highest_count
         odd = []
         if found.minimum < min(lowest, found.neutral):
-            odd.append(f"minimum of {name}, {found.minimum}, lies below {lowest}, the lowest")
+            odd.append(f"minimum of {key.label}, {found.minimum}, lies below {lowest}, the lowest")
         if found.maximum > max(highest, found.neutral):
-            odd.append(f"maximum of {name}, {found.maximum}, lies above {highest}, the highest")
+            odd.append(
+                f"maximum of {key.label}, {found.maximum}, lies above {highest}, the highest"
+            )
         for end in odd:
             yield _Match(
                 f"The {end} count that the board measures: full speed on that side is never "

@@ -4,11 +4,15 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_FIELDS,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
-from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.document import Settings
 
 _CALIBRATION_TITLES = {
     InputSource.RC: "Calibrations for RC pulses, in counts of 0.4 µs",
@@ -46,12 +50,6 @@ def check_keys(settings: Settings) -> None:
     """
     known = {spec.key for spec in settings.specs.readable}
     strangers = [key for key in settings.parameters if key not in known]
-    places = set(CALIBRATION_KEYS.values())
-    strangers += [
-        f"calibration of {source.value} channel {channel}"
-        for source, channel in settings.calibrations
-        if (source, channel) not in places
-    ]
     if strangers:
         board = f"{settings.product.name} {settings.firmware or ''}".strip()
         raise BadRequest(f"a {board} has no {', '.join(strangers)}")
@@ -85,28 +83,27 @@ def parameter_text(spec: ParameterSpec, wire: int) -> str:
 
 def _calibration_blocks(settings: Settings) -> Iterator[list[str]]:
     for source in InputSource:
-        found = {
-            key: settings.calibrations[place]
-            for key, place in CALIBRATION_KEYS.items()
-            if place[0] is source and place in settings.calibrations
-        }
+        found = [
+            (key, settings.calibrations[key])
+            for key in CalibrationKey
+            if key.source is source and key in settings.calibrations
+        ]
         if not found:
             continue
-        width = max(len(_flow_setting(key, calibration)) for key, calibration in found.items())
-        lines = [calibration_line(key, calibration, width) for key, calibration in found.items()]
+        width = max(len(_flow_setting(key, calibration)) for key, calibration in found)
+        lines = [calibration_line(key, calibration, width) for key, calibration in found]
         yield [f"# {_CALIBRATION_TITLES[source]}", *lines]
 
 
-def calibration_line(key: str, calibration: Calibration, width: int = 0) -> str:
+def calibration_line(key: CalibrationKey, calibration: Calibration, width: int = 0) -> str:
     """Return a calibration's line: a setting, or a comment where the board would refuse it."""
     setting = _flow_setting(key, calibration)
     if problem := calibration.problem():
         return _refused(setting, problem)
-    source, _ = CALIBRATION_KEYS[key]
-    return f"{setting:{width}}  # {calibration_text(source, calibration)}"
+    return f"{setting:{width}}  # {calibration_text(key.source, calibration)}"
 
 
-def _flow_setting(key: str, calibration: Calibration) -> str:
+def _flow_setting(key: CalibrationKey, calibration: Calibration) -> str:
     parts = (f"{name}: {getattr(calibration, name)}" for name in CALIBRATION_FIELDS)
     return f"{key}: {{{', '.join(parts)}}}"
 

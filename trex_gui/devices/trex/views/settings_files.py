@@ -268,15 +268,15 @@ class SettingsFiles(QObject):
         if old.product.key != settings.product.key:
             why = self.tr("holds settings of a {0}.").format(old.product.name)
             return (fresh if file_questions.may_replace(self._window, path.name, why) else None), ""
-        shown = {source for source, _ in settings.calibrations}
-        hidden = {p: c for p, c in old.calibrations.items() if p[0] not in shown}
+        shown = {key.source for key in settings.calibrations}
+        hidden = {key: c for key, c in old.calibrations.items() if key.source not in shown}
         whole = replace(settings, calibrations={**settings.calibrations, **hidden})
         try:
             text = amend(before, whole, path.name)
         except SettingsError as error:
             trouble = error.findings[0].message
             return (fresh if file_questions.may_write_fresh(self._window, trouble) else None), ""
-        names = " and ".join(sorted({source.value for source, _ in hidden}))
+        names = " and ".join(sorted({key.source.value for key in hidden}))
         kept = self.tr("Its {0} calibrations, which the board does not show now, were kept.")
         return text, kept.format(names) if hidden else ""
 

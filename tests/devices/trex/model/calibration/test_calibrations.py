@@ -7,7 +7,11 @@ from pytestqt.qtbot import QtBot
 from trex_gui.core.errors import BadRequest, NoReply
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.calibration.calibrations import Calibrations
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    DEFAULT_CALIBRATION,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 
 LEARNED = Calibration(2400, 3700, 5100, 80)
@@ -33,7 +37,6 @@ def test_calibrations_are_empty_before_a_board_is_read(qtbot: QtBot) -> None:
 def test_loaded_calibrations_are_stored(model: Calibrations) -> None:
     assert model.source is InputSource.RC
     assert model.stored(3) == DEFAULT_CALIBRATION[InputSource.RC]
-    assert model.stored(6) is None
 
 
 def test_edit_is_pending_and_emits_signals(model: Calibrations, qtbot: QtBot) -> None:
@@ -103,7 +106,7 @@ def test_edit_is_kept_while_the_other_source_is_active(model: Calibrations) -> N
     assert model.all_shown == model.all_stored
     model.load("trex", InputSource.RC, stored(InputSource.RC))
     seen.append((model.pending, model.out_of_reach))
-    assert seen == [((), ((InputSource.RC, 1),)), (((1, LEARNED),), ())]
+    assert seen == [((), (CalibrationKey.RC_CHANNEL_1,)), (((1, LEARNED),), ())]
 
 
 def test_edit_is_dropped_for_another_model(model: Calibrations) -> None:
@@ -116,22 +119,22 @@ def test_edit_is_dropped_for_another_model(model: Calibrations) -> None:
 def file(qtbot: QtBot) -> Calibrations:
     """What a file gives: one calibration of each source, and room for others."""
     model = Calibrations()
-    given = {(InputSource.RC, 2): LEARNED, (InputSource.ANALOG, 3): OTHER}
+    given = {CalibrationKey.RC_CHANNEL_2: LEARNED, CalibrationKey.ANALOG_CHANNEL_3: OTHER}
     model.load_all("trex", InputSource.RC, given, open_ended=True)
     return model
 
 
 def test_file_accepts_calibrations_of_both_sources(file: Calibrations) -> None:
-    file.edit(1, LEARNED, InputSource.ANALOG)
-    assert file.all_shown[InputSource.ANALOG, 1] == LEARNED
-    assert (InputSource.ANALOG, 1) not in file.all_stored
+    file.edit(CalibrationKey.ANALOG_CHANNEL_1, LEARNED)
+    assert file.all_shown[CalibrationKey.ANALOG_CHANNEL_1] == LEARNED
+    assert CalibrationKey.ANALOG_CHANNEL_1 not in file.all_stored
 
 
 def test_calibration_is_left_out_of_a_file_and_restored(file: Calibrations) -> None:
     file.leave_out(2)
     assert file.shown(2) is None
-    assert file.left_out == {(InputSource.RC, 2)}
-    assert file.all_shown == {(InputSource.ANALOG, 3): OTHER}
+    assert file.left_out == {CalibrationKey.RC_CHANNEL_2}
+    assert file.all_shown == {CalibrationKey.ANALOG_CHANNEL_3: OTHER}
     file.edit(2, LEARNED)
     assert not file.left_out
     assert not file.edited
@@ -157,10 +160,10 @@ def test_calibration_of_a_board_cannot_be_left_out(model: Calibrations) -> None:
 def test_last_seen_keeps_values_of_the_other_source(model: Calibrations) -> None:
     model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
     rc = InputSource.RC
-    assert model.stored(2, rc) is None
+    assert model.stored(CalibrationKey.RC_CHANNEL_2) is None
     assert model.last_seen(2, rc) == DEFAULT_CALIBRATION[rc]
     assert model.last_seen(2, InputSource.ANALOG) == OTHER
-    assert not model.knows(2, rc)
+    assert not model.knows(CalibrationKey.RC_CHANNEL_2)
 
 
 def test_last_seen_keeps_a_written_value(model: Calibrations) -> None:

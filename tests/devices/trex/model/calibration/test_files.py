@@ -8,11 +8,14 @@ import pytest
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.calibration.files import put_calibrations, take_calibrations
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    DEFAULT_CALIBRATION,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.factory import factory_settings
+from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
@@ -23,7 +26,7 @@ OTHER = Calibration(2400, 3700, 5100, 60)
 @pytest.fixture
 def factory() -> Settings:
     settings = factory_settings(_model("trex"), "1.2")
-    shown = {(RC, channel): DEFAULT_CALIBRATION[RC] for channel in CHANNELS}
+    shown = {CalibrationKey.of(RC, channel): DEFAULT_CALIBRATION[RC] for channel in CHANNELS}
     return replace(settings, calibrations=shown)
 
 
@@ -45,7 +48,11 @@ def test_import_takes_only_calibrations_of_the_input_source(
 ) -> None:
     path = tmp_path / "other.txt"
     parameters = {**factory.parameters, "serial_timeout": 15}
-    calibrations = {(RC, 2): OTHER, (RC, 3): DEFAULT_CALIBRATION[RC], (ANALOG, 1): OTHER}
+    calibrations = {
+        CalibrationKey.RC_CHANNEL_2: OTHER,
+        CalibrationKey.RC_CHANNEL_3: DEFAULT_CALIBRATION[RC],
+        CalibrationKey.ANALOG_CHANNEL_1: OTHER,
+    }
     there = replace(factory, parameters=parameters, calibrations=calibrations)
     path.write_text(write_settings(there), encoding="utf-8")
     count, left_out = take_calibrations(draft, path, "a file")
@@ -59,7 +66,7 @@ def test_import_takes_only_calibrations_of_the_input_source(
 
 def test_import_rejects_file_of_another_model(draft: SettingsDraft, tmp_path: Path) -> None:
     path = tmp_path / "junior.txt"
-    junior = Settings(_model("trexjr"), None, {}, {(RC, 1): OTHER})
+    junior = Settings(_model("trexjr"), None, {}, {CalibrationKey.RC_CHANNEL_1: OTHER})
     path.write_text(write_settings(junior), encoding="utf-8")
     with pytest.raises(BadRequest, match="TReX Jr"):
         take_calibrations(draft, path, "a file")

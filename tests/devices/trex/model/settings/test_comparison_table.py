@@ -13,8 +13,7 @@ from trex_gui.devices.trex.model.settings.comparison_table import (
     ComparisonRole,
     ComparisonTable,
 )
-from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
 
@@ -159,7 +158,7 @@ def test_freezing_keeps_only_checked_rows(table: ComparisonTable) -> None:
 
 
 def test_calibration_row_shows_only_differing_fields(table: ComparisonTable) -> None:
-    place = (InputSource.RC, 2)
+    place = CalibrationKey.RC_CHANNEL_2
     old = BEFORE.calibrations[place]
     new = Calibration(old.minimum, old.neutral, old.maximum, old.deadband + 10)
     after = replace(BEFORE, calibrations={**BEFORE.calibrations, place: new})

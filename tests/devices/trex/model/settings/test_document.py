@@ -16,8 +16,7 @@ from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.files.text_files import load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.document import Settings
 
 pytestmark = pytest.mark.usefixtures("qapp")
@@ -67,8 +66,8 @@ def test_undoing_all_edits_after_a_save_restores_all_bytes(rover: Path) -> None:
     document.draft.parameters.edit("motor_mode", 1)
     document.draft.parameters.edit("aux_acceleration", 7)
     document.draft.parameters.leave_out("serial_timeout")
-    document.draft.calibrations.leave_out(2, InputSource.RC)
-    document.draft.calibrations.edit(1, Calibration(1, 2, 3, 0), InputSource.ANALOG)
+    document.draft.calibrations.leave_out(CalibrationKey.RC_CHANNEL_2)
+    document.draft.calibrations.edit(CalibrationKey.ANALOG_CHANNEL_1, Calibration(1, 2, 3, 0))
     document.save()
     assert "aux_acceleration: 7" in rover.read_text(encoding="utf-8")
     assert "# rc_channel_2" in rover.read_text(encoding="utf-8")
@@ -238,8 +237,8 @@ def test_edited_document_text_parses_to_its_settings(
     for key, wire in after.parameters.items():
         if document.draft.knows(key):
             document.draft.parameters.edit(key, wire)
-    for (source, channel), calibration in after.calibrations.items():
-        document.draft.calibrations.edit(channel, calibration, source)
+    for key, calibration in after.calibrations.items():
+        document.draft.calibrations.edit(key, calibration)
     assert not document.trouble
     again = SettingsDocument(document.text, "again.txt")
     assert again.settings == document.settings

@@ -7,18 +7,18 @@ from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.undo import Edit
 
-Place = tuple[InputSource, int]
-"""An input source and a channel, 1-5: what one calibration is for."""
+Channel = int | CalibrationKey
+"""A channel, 1-5, of the input source in force; or a key."""
 
 
 class Calibrations(QObject):
     """Stored beside edited; a board shows one of its two sets at a time, a file may hold both.
 
-    Where no input source is named, the one in force is meant. Every edit goes over the undo
+    Every edit goes over the undo
     stack that it is given (or has one of its own).
 
     Signals:
@@ -34,10 +34,10 @@ class Calibrations(QObject):
         self._undo = undo or QUndoStack(self)
         self._model_key = ""
         self._source = InputSource.RC
-        self._stored: dict[Place, Calibration] = {}
-        self._seen: dict[Place, Calibration] = {}
-        self._edited: dict[Place, Calibration] = {}
-        self._left_out: set[Place] = set()
+        self._stored: dict[CalibrationKey, Calibration] = {}
+        self._seen: dict[CalibrationKey, Calibration] = {}
+        self._edited: dict[CalibrationKey, Calibration] = {}
+        self._left_out: set[CalibrationKey] = set()
         self._open_ended = False
 
     @property
@@ -48,77 +48,80 @@ class Calibrations(QObject):
     @property
     def pending(self) -> tuple[tuple[int, Calibration], ...]:
         """What Apply would write: channel and calibration, of the input source in force."""
-        edits = sorted(self._edited.items(), key=lambda item: item[0][1])
-        return tuple((channel, c) for (source, channel), c in edits if source is self._source)
+        edits = sorted(self._edited.items(), key=lambda item: item[0].channel)
+        return tuple((key.channel, c) for key, c in edits if key.source is self._source)
 
     @property
-    def edited(self) -> dict[Place, Calibration]:
+    def edited(self) -> dict[CalibrationKey, Calibration]:
         """Every edit, whatever input source it is for."""
         return dict(self._edited)
 
     @property
-    def left_out(self) -> frozenset[Place]:
+    def left_out(self) -> frozenset[CalibrationKey]:
         """What is stored and would be left out; only a file can do that."""
         return frozenset(self._left_out)
 
     @property
-    def all_stored(self) -> dict[Place, Calibration]:
+    def all_stored(self) -> dict[CalibrationKey, Calibration]:
         """What is stored, as far as it is known."""
         return dict(self._stored)
 
     @property
-    def all_shown(self) -> dict[Place, Calibration]:
+    def all_shown(self) -> dict[CalibrationKey, Calibration]:
         """What would be stored after Apply."""
         edits = {p: e for p, e in self._edited.items() if self._open_ended or p in self._stored}
         given = {**self._stored, **edits}
-        return {place: given[place] for place in given if place not in self._left_out}
+        return {key: given[key] for key in given if key not in self._left_out}
 
     @property
-    def out_of_reach(self) -> tuple[Place, ...]:
+    def out_of_reach(self) -> tuple[CalibrationKey, ...]:
         """Edits for the input source that the board does not show now; they are kept."""
         if self._open_ended:
             return ()
-        return tuple(sorted((p for p in self._edited if p not in self._stored), key=_channel))
+        return tuple(
+            sorted((p for p in self._edited if p not in self._stored), key=lambda key: key.channel)
+        )
 
-    def stored(self, channel: int, source: InputSource | None = None) -> Calibration | None:
+    def stored(self, channel: Channel) -> Calibration | None:
         """What is stored for a channel; `None` when it is not known."""
-        return self._stored.get((source or self._source, channel))
+        return self._stored.get(self._key(channel))
 
     def last_seen(self, channel: int, source: InputSource) -> Calibration | None:
         """What a board of this kind was last seen to store, also for the source not in force."""
-        return self._seen.get((source, channel))
+        return self._seen.get(CalibrationKey.of(source, channel))
 
-    def shown(self, channel: int, source: InputSource | None = None) -> Calibration | None:
+    def shown(self, channel: Channel) -> Calibration | None:
         """What would be stored for a channel after Apply; `None` when it is not known."""
-        return self._shown((source or self._source, channel))
+        return self._shown(self._key(channel))
 
-    def _shown(self, place: Place) -> Calibration | None:
-        if place in self._left_out:
+    def _shown(self, key: CalibrationKey) -> Calibration | None:
+        if key in self._left_out:
             return None
-        return self._edited.get(place, self._held(place))
+        return self._edited.get(key, self._held(key))
 
-    def _held(self, place: Place) -> Calibration | None:
+    def _held(self, key: CalibrationKey) -> Calibration | None:
         """What is stored, or was when the board showed it last."""
         if self._open_ended:
-            return self._stored.get(place)
-        return self._stored.get(place, self._seen.get(place))
+            return self._stored.get(key)
+        return self._stored.get(key, self._seen.get(key))
 
-    def knows(self, channel: int, source: InputSource | None = None) -> bool:
+    def knows(self, channel: Channel) -> bool:
         """Whether there is a calibration, or could be one."""
-        return self._open_ended or (source or self._source, channel) in self._stored
+        return self._open_ended or self._key(channel) in self._stored
 
     def load(self, model_key: str, source: InputSource, stored: Mapping[int, Calibration]) -> None:
         """Take what was read of a board; edits stay while it is the same model.
 
         Those for the other input source wait until the board shows that again.
         """
-        self.load_all(model_key, source, {(source, c): found for c, found in stored.items()})
+        keyed = {CalibrationKey.of(source, c): found for c, found in stored.items()}
+        self.load_all(model_key, source, keyed)
 
     def load_all(
         self,
         model_key: str,
         source: InputSource,
-        stored: Mapping[Place, Calibration],
+        stored: Mapping[CalibrationKey, Calibration],
         *,
         open_ended: bool = False,
     ) -> None:
@@ -141,9 +144,8 @@ class Calibrations(QObject):
 
     def edit(
         self,
-        channel: int,
+        channel: Channel,
         wanted: Calibration,
-        source: InputSource | None = None,
         *,
         run: object = None,
     ) -> None:
@@ -154,68 +156,68 @@ class Calibrations(QObject):
         Raises:
             BadRequest: the board would refuse the values.
         """
+        key = self._key(channel)
         if problem := wanted.problem():
-            raise BadRequest(f"calibration of channel {channel}: {problem}")
-        place = (source or self._source, channel)
-        before = self._shown(place)
+            raise BadRequest(f"calibration of channel {key.channel}: {problem}")
+        before = self._shown(key)
         if wanted != before:
-            text = self._text(channel)
-            self._undo.push(Edit(text, self._put, place, before, wanted, run=run))
+            self._undo.push(Edit(self._text(key), self._put, key, before, wanted, run=run))
 
     def restore(self, channel: int) -> None:
         """Go back to what is stored for a channel, for the input source in force; an edit."""
-        place = (self._source, channel)
-        before, stored = self._shown(place), self._stored.get(place)
+        key = self._key(channel)
+        before, stored = self._shown(key), self._stored.get(key)
         if before != stored:
-            self._undo.push(Edit(self._text(channel), self._put, place, before, stored))
+            self._undo.push(Edit(self._text(key), self._put, key, before, stored))
 
-    def leave_out(self, channel: int, source: InputSource | None = None) -> None:
+    def leave_out(self, channel: Channel) -> None:
         """Give no calibration for a channel, where that is possible; this can be undone."""
-        place = (source or self._source, channel)
-        before = self._shown(place)
+        key = self._key(channel)
+        before = self._shown(key)
         if self._open_ended and before is not None:
-            self._undo.push(Edit(self._text(channel), self._put, place, before, None))
+            self._undo.push(Edit(self._text(key), self._put, key, before, None))
 
     def discard_edits(self) -> None:
         """Go back to what is stored; this can be undone."""
         if not self._edited and not self._left_out:
             return
         self._undo.beginMacro(self.tr("Discard edits"))
-        for place in sorted({*self._edited, *self._left_out}, key=_channel):
-            shown, stored = self._shown(place), self._held(place)
-            self._undo.push(Edit(self._text(place[1]), self._put, place, shown, stored))
+        for key in sorted({*self._edited, *self._left_out}, key=lambda key: key.channel):
+            shown, stored = self._shown(key), self._held(key)
+            self._undo.push(Edit(self._text(key), self._put, key, shown, stored))
         self._undo.endMacro()
 
-    def _text(self, channel: int) -> str:
-        return self.tr("Calibration of channel {0}").format(channel)
+    def _key(self, channel: Channel) -> CalibrationKey:
+        if isinstance(channel, CalibrationKey):
+            return channel
+        return CalibrationKey.of(self._source, channel)
 
-    def _put(self, place: Place, wanted: Calibration | None) -> None:
-        """Put a calibration in its place; one that was never seen is left alone."""
-        if not self._open_ended and place[0] is not self._source and self._held(place) is None:
+    def _text(self, key: CalibrationKey) -> str:
+        return self.tr("Calibration of channel {0}").format(key.channel)
+
+    def _put(self, key: CalibrationKey, wanted: Calibration | None) -> None:
+        """Put a calibration in its key; one that was never seen is left alone."""
+        if not self._open_ended and key.source is not self._source and self._held(key) is None:
             return
-        self._left_out.discard(place)
-        if wanted is None or self._held(place) == wanted:
-            self._edited.pop(place, None)
+        self._left_out.discard(key)
+        if wanted is None or self._held(key) == wanted:
+            self._edited.pop(key, None)
         else:
-            self._edited[place] = wanted
-        if self._open_ended and wanted is None and place in self._stored:
-            self._left_out.add(place)
+            self._edited[key] = wanted
+        if self._open_ended and wanted is None and key in self._stored:
+            self._left_out.add(key)
         self._announce()
 
     def take_results(self, results: Sequence[WriteResult]) -> None:
         """Take what was read back after a write."""
         for result in results:
             if isinstance(result.stored, Calibration) and result.channel is not None:
-                place = (self._source, result.channel)
-                self._stored[place] = self._seen[place] = result.stored
-                if self._edited.get(place) == result.stored:
-                    del self._edited[place]
+                key = self._key(result.channel)
+                self._stored[key] = self._seen[key] = result.stored
+                if self._edited.get(key) == result.stored:
+                    del self._edited[key]
         self._announce()
 
     def _announce(self) -> None:
         self.changed.emit()
         self.pending_changed.emit(len(self._edited) + len(self._left_out))
-
-
-def _channel(place: Place) -> int:
-    return place[1]

@@ -16,19 +16,21 @@ from PySide6.QtCore import (
 )
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.model.calibration.calibrations import Place
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
-from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_FIELDS,
+    DEFAULT_CALIBRATION,
+    CalibrationKey,
+)
 
 Index = QModelIndex | QPersistentModelIndex
-PLACES: tuple[Place, ...] = tuple(CALIBRATION_KEYS.values())
+KEYS = tuple(CalibrationKey)
 
 
 class CalibrationRole(IntEnum):
     """What a cell tells besides its text."""
 
-    PLACE = Qt.ItemDataRole.UserRole
+    KEY = Qt.ItemDataRole.UserRole
     DIRTY = Qt.ItemDataRole.UserRole + 1
 
 
@@ -49,29 +51,28 @@ class CalibrationTable(QAbstractTableModel):
 
     # --- What a person does -------------------------------------------------------------
 
-    def add(self, places: Collection[Place]) -> None:
+    def add(self, keys: Collection[CalibrationKey]) -> None:
         """Give the channels that have no calibration the usual one; one step to undo."""
-        missing = [place for place in places if not self.is_given(place)]
+        missing = [key for key in keys if not self.is_given(key)]
         if missing:
             with self._draft.one_edit(self.tr("Add calibrations")):
-                for source, channel in missing:
-                    self._calibrations.edit(channel, DEFAULT_CALIBRATION[source], source)
+                for key in missing:
+                    self._calibrations.edit(key, DEFAULT_CALIBRATION[key.source])
 
-    def leave_out(self, places: Collection[Place]) -> None:
+    def leave_out(self, keys: Collection[CalibrationKey]) -> None:
         """Give no calibration for these channels; one step to undo."""
         with self._draft.one_edit(self.tr("Leave out calibrations")):
-            for source, channel in places:
-                self._calibrations.leave_out(channel, source)
+            for key in keys:
+                self._calibrations.leave_out(key)
 
-    def is_given(self, place: Place) -> bool:
+    def is_given(self, key: CalibrationKey) -> bool:
         """Whether there is a calibration for this channel."""
-        source, channel = place
-        return self._calibrations.shown(channel, source) is not None
+        return self._calibrations.shown(key) is not None
 
     # --- Qt -----------------------------------------------------------------------------
 
     def rowCount(self, parent: Index | None = None) -> int:
-        return 0 if parent is not None and parent.isValid() else len(PLACES)
+        return 0 if parent is not None and parent.isValid() else len(KEYS)
 
     def columnCount(self, parent: Index | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else 1 + len(CALIBRATION_FIELDS)
@@ -101,39 +102,39 @@ class CalibrationTable(QAbstractTableModel):
             | Qt.ItemFlag.ItemIsSelectable
             | Qt.ItemFlag.ItemNeverHasChildren
         )
-        if index.column() > 0 and self.is_given(PLACES[index.row()]):
+        if index.column() > 0 and self.is_given(KEYS[index.row()]):
             flags |= Qt.ItemFlag.ItemIsEditable
         return flags
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         if not index.isValid():
             return None
-        place = PLACES[index.row()]
+        key = KEYS[index.row()]
         match role:
             case Qt.ItemDataRole.DisplayRole:
-                return self._text(place, index.column())
+                return self._text(key, index.column())
             case Qt.ItemDataRole.EditRole:
-                return self._count(place, index.column())
-            case CalibrationRole.PLACE:
-                return place
+                return self._count(key, index.column())
+            case CalibrationRole.KEY:
+                return key
             case CalibrationRole.DIRTY:
-                return self._is_dirty(place, index.column())
+                return self._is_dirty(key, index.column())
         return None
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
         if role != Qt.ItemDataRole.EditRole or not index.isValid() or index.column() == 0:
             return False
-        source, channel = PLACES[index.row()]
-        before = self._calibrations.shown(channel, source)
+        key = KEYS[index.row()]
+        before = self._calibrations.shown(key)
         if before is None:
             return False
         wanted = replace(before, **{CALIBRATION_FIELDS[index.column() - 1]: int(value)})
         try:
-            self._calibrations.edit(channel, wanted, source)
+            self._calibrations.edit(key, wanted)
         except BadRequest:
             problem = wanted.problem() or ""
             words = self.tr("{0} channel {1}: {2}. The order is minimum, neutral, maximum.")
-            self.refused.emit(words.format(source.value, channel, problem))
+            self.refused.emit(words.format(key.source.value, key.channel, problem))
             return False
         return True
 
@@ -144,28 +145,25 @@ class CalibrationTable(QAbstractTableModel):
 
     # --- Text ---------------------------------------------------------------------------
 
-    def _text(self, place: Place, column: int) -> str:
-        source, channel = place
+    def _text(self, key: CalibrationKey, column: int) -> str:
         if column == 0:
-            name = source.value
-            return self.tr("{0} channel {1}").format(name[0].upper() + name[1:], channel)
-        count = self._count(place, column)
+            name = key.source.value
+            return self.tr("{0} channel {1}").format(name[0].upper() + name[1:], key.channel)
+        count = self._count(key, column)
         if count is None:
             return self.tr("not given")
-        return self.tr("{0} ({1})").format(source.text(count), count)
+        return self.tr("{0} ({1})").format(key.source.text(count), count)
 
-    def _count(self, place: Place, column: int) -> int | None:
-        source, channel = place
-        shown = self._calibrations.shown(channel, source)
+    def _count(self, key: CalibrationKey, column: int) -> int | None:
+        shown = self._calibrations.shown(key)
         if shown is None or column == 0:
             return None
         count: int = getattr(shown, CALIBRATION_FIELDS[column - 1])
         return count
 
-    def _is_dirty(self, place: Place, column: int) -> bool:
-        source, channel = place
-        shown = self._calibrations.shown(channel, source)
-        stored = self._calibrations.stored(channel, source)
+    def _is_dirty(self, key: CalibrationKey, column: int) -> bool:
+        shown = self._calibrations.shown(key)
+        stored = self._calibrations.stored(key)
         if column == 0 or shown is None or stored is None:
             return shown != stored
         field = CALIBRATION_FIELDS[column - 1]

@@ -8,6 +8,7 @@ from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channel import LearnedChannel
 from trex_gui.devices.trex.model.learning.measured_inputs import Counts
+from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
@@ -102,7 +103,8 @@ class LearnedChannels:
 
 
 def _channel(device: Device, number: int, source: InputSource) -> LearnedChannel:
-    parameters, stored = device.parameters, device.calibrations.stored(number, source)
+    parameters = device.parameters
+    stored = device.calibrations.stored(CalibrationKey.of(source, number))
 
     def has(mask: int | None) -> bool:
         return number in channels_in(mask or 0)

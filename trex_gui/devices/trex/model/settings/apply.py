@@ -11,12 +11,11 @@ from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import Write
-from trex_gui.devices.trex.settings.document import calibration_key
-from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
 Ask = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None]
@@ -72,7 +71,7 @@ class Apply(QObject):
         calibrations = tuple(
             (channel, wanted)
             for channel, wanted in self._draft.calibrations.pending
-            if only is None or calibration_key(state.source, channel) in only
+            if only is None or CalibrationKey.of(state.source, channel) in only
         )
         count = len(parameters) + len(calibrations)
         reason = self.tr("Apply of 1 setting")

@@ -14,9 +14,12 @@ from PySide6.QtCore import (
 )
 
 from trex_gui.devices.trex.model.settings.rows import renew_rows
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_FIELDS,
+    CALIBRATION_KEYS,
+    Calibration,
+)
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
-from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -270,7 +273,7 @@ class ComparisonTable(QAbstractTableModel):
         differing = _differing(value, other)
         if not isinstance(value, Calibration) or not differing:
             return text
-        source, _ = CALIBRATION_KEYS[row.key]
+        source = CALIBRATION_KEYS[row.key].source
         return "\n".join(f"{name} {source.text(getattr(value, name))}" for name in differing)
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
-from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.document import Settings
 
 
 def diff_against_draft(draft: SettingsDraft, settings: Settings) -> Comparison:
@@ -26,25 +26,21 @@ def diff_against_draft(draft: SettingsDraft, settings: Settings) -> Comparison:
         raise BadRequest(message)
     known = {spec.key for spec in shown.specs.readable}
     unread = [key for key in settings.parameters if key in known and not draft.knows(key)]
-    hidden = [
-        key
-        for key, place in CALIBRATION_KEYS.items()
-        if place in settings.calibrations and not draft.knows(key)
-    ]
+    hidden = [key for key in settings.calibrations if not draft.knows(key)]
     fitted = replace(
         settings,
         parameters={k: w for k, w in settings.parameters.items() if k not in unread},
         calibrations={
-            place: calibration
-            for place, calibration in settings.calibrations.items()
-            if place not in {CALIBRATION_KEYS[key] for key in hidden}
+            key: calibration
+            for key, calibration in settings.calibrations.items()
+            if key not in hidden
         },
     )
     notes = [f"{key} is left out: it could not be read from the board." for key in unread]
     notes += [
         f"The {name} calibrations are left out: the board takes them only while its inputs are "
         f"read as {name}."
-        for name in sorted({CALIBRATION_KEYS[key][0].value for key in hidden})
+        for name in sorted({key.source.value for key in hidden})
     ]
     result = compare(shown, fitted)
     return replace(result, left_out=(*result.left_out, *notes))

@@ -9,12 +9,12 @@ from PySide6.QtGui import QUndoStack
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.calibration.calibrations import Calibrations
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
-from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings, specs_for
+from trex_gui.devices.trex.settings.document import Settings, specs_for
 
 
 class SettingsDraft(QObject):
@@ -121,16 +121,14 @@ class SettingsDraft(QObject):
         with self.one_edit(text):
             for row in wanted:
                 if isinstance(row.after, Calibration):
-                    source, channel = CALIBRATION_KEYS[row.key]
-                    self.calibrations.edit(channel, row.after, source)
+                    self.calibrations.edit(CALIBRATION_KEYS[row.key], row.after)
                 elif row.after is not None:
                     self.parameters.edit(row.key, row.after, alone=True)
 
     def knows(self, key: str) -> bool:
         """Whether a setting can be edited: the board takes it now, or the file holds it."""
         if key in CALIBRATION_KEYS:
-            source, channel = CALIBRATION_KEYS[key]
-            return self.calibrations.knows(channel, source)
+            return self.calibrations.knows(CALIBRATION_KEYS[key])
         return self.parameters.knows(key)
 
     def _check(self, row: ComparisonRow) -> None:

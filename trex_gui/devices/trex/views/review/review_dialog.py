@@ -296,8 +296,8 @@ class ReviewDialog(QDialog):
                 "are written last, and each value counts only when it was read back."
             )
         ]
-        if places := self._device.calibrations.out_of_reach:
-            names = ", ".join(f"{source.value} channel {channel}" for source, channel in places)
+        if keys := self._device.calibrations.out_of_reach:
+            names = ", ".join(key.label for key in keys)
             parts.append(
                 self.tr(
                     "These calibrations wait until the board reads such inputs again: {0}."

@@ -25,9 +25,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.calibration.calibrations import Place
 from trex_gui.devices.trex.model.calibration.table import CalibrationRole, CalibrationTable
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.ui.theme.icons import icon, set_icon
 from trex_gui.ui.theme.theme import theme
@@ -45,8 +45,8 @@ class _Delegate(QStyledItemDelegate):
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
         del option
-        source, _ = cast("Place", index.data(CalibrationRole.PLACE))
-        editor = CountEditor(source, parent)
+        key = CalibrationKey(index.data(CalibrationRole.KEY))
+        editor = CountEditor(key.source, parent)
         editor.setObjectName("countEditor")
         editor.refused.connect(self._page.say)
         return editor
@@ -156,9 +156,9 @@ class CalibrationEditor(QWidget):
         """Say why an edit was not taken."""
         self._note.show_note(words, alarming=True)
 
-    def _selected(self) -> tuple[Place, ...]:
+    def _selected(self) -> tuple[CalibrationKey, ...]:
         rows = {index.row(): index for index in self._view.selectionModel().selectedIndexes()}
-        return tuple(rows[row].data(CalibrationRole.PLACE) for row in sorted(rows))
+        return tuple(CalibrationKey(rows[row].data(CalibrationRole.KEY)) for row in sorted(rows))
 
     @Slot()
     def _on_changed(self) -> None:
@@ -169,6 +169,6 @@ class CalibrationEditor(QWidget):
 
     @Slot()
     def _on_selected(self) -> None:
-        given = [self._table.is_given(place) for place in self._selected()]
+        given = [self._table.is_given(key) for key in self._selected()]
         self._add.setEnabled(not all(given))
         self._leave_out.setEnabled(any(given))

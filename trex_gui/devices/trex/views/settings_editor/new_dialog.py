@@ -20,7 +20,7 @@ from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.settings.factory import factory_settings
+from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.ui.widgets.note import Note
 
 

@@ -22,7 +22,8 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QDialog, QWidget
 
 from trex_gui.core.files.errors import Finding, SettingsError
-from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS, CalibrationKey
+from trex_gui.devices.trex.settings.document import Settings
 
 _DOTS_PER_INCH = 300
 _MARGINS = QMarginsF(18, 15, 15, 12)
@@ -87,10 +88,10 @@ class PrintedSettings(QObject):
 
     def _calibrations(self) -> str:
         rows = []
-        for key, place in CALIBRATION_KEYS.items():
-            found = self._settings.calibrations.get(place)
+        for key in CalibrationKey:
+            found = self._settings.calibrations.get(key)
             if found is not None:
-                source, channel = place
+                source, channel = key.source, key.channel
                 counts = [getattr(found, field) for field in CALIBRATION_FIELDS]
                 cells = [self.tr("{0} channel {1}").format(source.value, channel), key]
                 cells += [f"{source.text(count)} ({count})" for count in counts]

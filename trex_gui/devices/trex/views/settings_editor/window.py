@@ -12,8 +12,7 @@ from trex_gui.core.files.text_files import load
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.model.settings.linter import SettingsLinter
-from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.factory import factory_settings
+from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
