@@ -13,7 +13,7 @@ from tests.support.simulator import StartSimulator
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 
 _TRANSACTIONS = 30_000
 _WANTED_RATE = 20_000
@@ -24,7 +24,7 @@ _NULL = b"\xff"
 
 
 def test_unpaced_simulator_reaches_required_rate(capsys: pytest.CaptureFixture[str]) -> None:
-    line = SimulatedLine([Board()], paced=False)
+    line = TrexLine([Board()], paced=False)
     requests = [(bytes.fromhex(packet), size) for packet, size in _TELEMETRY]
     begun = time.perf_counter()
     for _ in range(_TRANSACTIONS // len(requests)):

@@ -372,7 +372,7 @@ class TestEnd:
             sim = start("--tcp", "127.0.0.1:0", stdin=file)
         answers = [sim.line() for _ in range(3)]
         assert answers[0] == "ok channel 1 gets 1600us"
-        assert answers[1].startswith("error 'bogus' is unknown")
+        assert answers[1].startswith("error 'bogus' is not a command")
         assert answers[2] == "ok channel 2 gets 1600.4us"
         assert becomes(lambda: ask(sim.url, "86 03", 4), bytes.fromhex("A0 0F A1 0F"))
         assert sim.process.poll() is None

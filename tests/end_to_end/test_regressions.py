@@ -60,7 +60,7 @@ def test_stop_just_before_closing_is_sent(stage: Stage) -> None:
 @pytest.mark.parametrize("lost", [8, 10])
 def test_lost_stop_is_not_taken_as_confirmed(stage: Stage, lost: int) -> None:
     def lose() -> None:
-        stage.line.to_drop_sent = lost
+        stage.line.faults.to_drop_sent = lost
 
     stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, lose)
     closed = run_for(stage, 1.5)[-1]
@@ -125,7 +125,7 @@ def test_status_read_before_line_loss_is_reported(stage: Stage) -> None:
 
 def test_new_device_number_is_used_despite_lost_reply(stage: Stage) -> None:
     client = stage.client(ConnectionSettings("virtual", device_number=7))
-    stage.line.to_drop = 1
+    stage.line.faults.to_drop = 1
     assert write_parameter(client.request, SPECS["device_number"], 42) == 42
 
 

@@ -71,7 +71,7 @@ def test_arbitrary_text_is_rejected_as_profile(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "spoilt",
+    "corrupted",
     ['"dead_zone": 0.9', '"dead_zone": NaN', '"expo": -1', '"hold": true', '"hold": -2',
      '"first": [1]', '"first": [true, false]', '"style": "crab"'],
 )  # fmt: skip

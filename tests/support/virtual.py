@@ -10,7 +10,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.session.messages import Report, Request
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 
 
 class VirtualTransport:
@@ -19,7 +19,7 @@ class VirtualTransport:
     latency = 0.005
     is_configurable = True
 
-    def __init__(self, line: SimulatedLine) -> None:
+    def __init__(self, line: TrexLine) -> None:
         self.line = line
         self.sent = bytearray()
         self.closed = False
@@ -64,7 +64,7 @@ class Script:
     A step may also be a function, called at its time: to turn a knob of the board.
     """
 
-    def __init__(self, line: SimulatedLine) -> None:
+    def __init__(self, line: TrexLine) -> None:
         self._line = line
         self._done = False
         self._steps: deque[tuple[float, Request | Callable[[], object]]] = deque()
@@ -98,7 +98,7 @@ class Stage:
 
     def __init__(self, board: Board, *, echo: bool = False) -> None:
         self.board = board
-        self.line = SimulatedLine([board], echo=echo)
+        self.line = TrexLine([board], echo=echo)
         self.transport = VirtualTransport(self.line)
         self.script = Script(self.line)
         self.reports: list[Report] = []

@@ -13,7 +13,8 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.cli import simulator
 from trex_gui.core.errors import PortUnavailable
-from trex_gui.core.simulator.server import GOODBYE
+from trex_gui.core.simulator.control_lines import GOODBYE
+from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.transport.serial_port import Transport, why_not_open
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
@@ -42,8 +43,6 @@ class VirtualSimulator(SimulatedDevice):
         self.rates: frozenset[int] | None = None
         self._began = runtime.now() - self.line.now
         runtime.ports[url] = self
-        if self.simulation.demos:
-            self._move_sticks()
 
     def end(self) -> None:
         self.line.unplug()
@@ -51,11 +50,11 @@ class VirtualSimulator(SimulatedDevice):
 
     def obey(self, line: str) -> str:
         self.catch_up()
-        was_plugged = self.line.plugged
+        was_plugged = self.line.faults.plugged
         answer = self.simulation.control(line)
-        if was_plugged and not self.line.plugged:
+        if was_plugged and not self.line.faults.plugged:
             self.line.drop_unsent()
-        elif self.line.plugged and not was_plugged:
+        elif self.line.faults.plugged and not was_plugged:
             answer = f"{answer} {self.url}"
         return answer
 
@@ -76,34 +75,24 @@ class VirtualSimulator(SimulatedDevice):
         deadline = self.runtime.now() + _HANDING_OVER
         while self.host is not None and self.runtime.now() < deadline:
             self.runtime.sleep(_SLICE)
-        if self.host is not None or not self.line.plugged:
+        if self.host is not None or not self.line.faults.plugged:
             number = errno.EBUSY if self.host is not None else errno.ENOENT
             raise PortUnavailable(why_not_open(settings.url, settings.line, OSError(number, "")))
         self.host = VirtualTransport(self, settings)
         return self.host
-
-    def _move_sticks(self) -> None:
-        self.catch_up()
-        for demo in self.simulation.demos:
-            demo.update()
-        self.runtime.at(self.runtime.now() + _SLICE, self._move_sticks)
 
 
 def _do_nothing(*_: object) -> None:
     pass
 
 
-def _simulation(arguments: Sequence[str]) -> simulator.Simulation:
+def _simulation(arguments: Sequence[str]) -> Simulation:
     command = simulator.main
     assert isinstance(command, click.Command)
-    options = command.make_context("trex-sim", list(arguments)).params
+    context = command.make_context("trex-sim", list(arguments))
     for name in ("link", "tcp", "rfc2217"):
-        assert options.pop(name) is None, f"{name} has no meaning in virtual time"
-    paced = not options.pop("unpaced")
-    motors = options.pop("motors")
-    if options.pop("aracna"):
-        return simulator.simulate_aracna(motors, paced=paced, seed=options["seed"])
-    return simulator.simulate_trex(paced=paced, **options)
+        assert context.params[name] is None, f"{name} has no meaning in virtual time"
+    return simulator.simulate(context)
 
 
 class VirtualTransport:
@@ -167,7 +156,7 @@ class VirtualTransport:
 
     def _catch_up(self) -> None:
         self._simulator.catch_up()
-        if not self._line.plugged or not self._is_open:
+        if not self._line.faults.plugged or not self._is_open:
             raise PortUnavailable(
                 f"The line to {self._name} is gone. Plug it in, then connect again."
             )

@@ -79,7 +79,7 @@ def test_search_follows_order_and_opens_port_once() -> None:
     noted: list[str] = []
     opened: list[PortSettings] = []
     wire = wire_of(a_board())
-    wire.line.mute = True
+    wire.line.faults.mute = True
 
     def open_wire(settings: PortSettings) -> Wire:
         opened.append(settings)

@@ -1,55 +1,63 @@
-"""What control lines have in common, whatever is simulated: words, numbers, faults of a wire."""
+"""Control lines that all simulated devices share: dispatch, numbers, faults of the wire."""
 
 import math
-from collections.abc import Callable, Sequence
-from typing import Protocol
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.simulator.server import GOODBYE
+from trex_gui.core.simulator.line import SimulatedLine
 
 SWITCH = {"on": True, "off": False}
-_MANY = 999_999_999
-_MOST_GARBAGE = 10_000
+GOODBYE = "ok bye"
+"""Answer to `quit`; the server ends after it."""
+
+_MAX_COUNT = 999_999_999
+_MAX_GARBAGE = 10_000
 
 
 class ControlError(Exception):
-    """The control line cannot be obeyed; the sentence says why."""
+    """A control line cannot be executed; the text says why."""
 
 
-def answer(obey: Callable[[list[str]], str], text: str) -> str:
-    """Obey the words of one control line and return the answer, without a line end."""
+Command = Callable[[list[str]], str]
+"""Executes the words after a command's name and returns the answer; raises `ControlError`."""
+
+
+def execute(text: str, commands: Mapping[str, Command]) -> str:
+    """Execute a control line; return `ok …` or `error …`, without a line end."""
     try:
-        done = obey(text.split())
+        done = _execute(text.split(), {**commands, "quit": _quit})
     except (ControlError, StudioError) as error:
         return "error " + " ".join(str(error).split())
     return f"ok {done}".rstrip()
 
 
-def require_no_more(name: str, words: Sequence[str]) -> None:
-    """Refuse words behind a command that takes none.
+def _execute(words: Sequence[str], commands: Mapping[str, Command]) -> str:
+    usage = f"commands are {', '.join(commands)}"
+    if not words:
+        raise ControlError(f"no command; {usage}")
+    command = commands.get(words[0].lower())
+    if command is None:
+        raise ControlError(f"{words[0]!r} is not a command; {usage}")
+    return command(list(words[1:]))
 
-    Raises:
-        ControlError: there are some.
-    """
-    if words:
-        raise ControlError(f"{name} takes nothing more")
 
-
-def goodbye(words: Sequence[str]) -> str:
-    """Return the answer to `quit`.
-
-    Raises:
-        ControlError: there are words behind it.
-    """
+def _quit(words: Sequence[str]) -> str:
     require_no_more("quit", words)
     return GOODBYE.removeprefix("ok ")
 
 
+def require_no_more(name: str, words: Sequence[str]) -> None:
+    """Raise a `ControlError` if a command without arguments got some."""
+    if words:
+        raise ControlError(f"{name} takes no argument")
+
+
 def number_of(text: str, allowed: Sequence[int], what: str) -> int:
-    """Return which of the allowed numbers, one after the other, a word is.
+    """Return one of the allowed consecutive numbers.
 
     Raises:
-        ControlError: none of them; `what` says of what.
+        ControlError: it is none of them; `what` names it.
     """
     for number in allowed:
         if text == str(number):
@@ -58,10 +66,10 @@ def number_of(text: str, allowed: Sequence[int], what: str) -> int:
 
 
 def real(text: str, what: str, highest: float) -> float:
-    """Return the number that a word is, 0 to `highest`.
+    """Return a number from 0 to `highest`.
 
     Raises:
-        ControlError: it is none, or out of range; `what` says of what.
+        ControlError: it is not a number, or out of range; `what` names it.
     """
     try:
         value = float(text)
@@ -72,80 +80,62 @@ def real(text: str, what: str, highest: float) -> float:
     return value
 
 
-def amount(text: str, what: str = "a number of bytes", highest: int = _MANY) -> int:
-    """Return the whole number that a word of digits is, 0 to `highest`.
+def amount(text: str, what: str = "a number of bytes", highest: int = _MAX_COUNT) -> int:
+    """Return a whole number from 0 to `highest`.
 
     Raises:
-        ControlError: it is none, or out of range; `what` says of what.
+        ControlError: it is not one; `what` names it.
     """
     if not (text.isascii() and text.isdigit() and len(text) <= 9) or int(text) > highest:
         raise ControlError(f"{what} is 0 to {highest}, not {text!r}")
     return int(text)
 
 
-class WireFaults(Protocol):
-    """What goes wrong with the bytes on a wire."""
-
-    mute: bool
-    to_drop: int
-    to_drop_sent: int
-    noise: float
-
-
-class Cable(Protocol):
-    """A wire that can be pulled, and told to carry what nobody sent."""
-
-    def inject(self, data: bytes) -> None:
-        """Put bytes on the wire to the host."""
-        ...
-
-    def unplug(self) -> None:
-        """Pull it."""
-        ...
-
-    def plug(self) -> None:
-        """Put it back in."""
-        ...
-
-
-def wire(cable: Cable, faults: WireFaults, words: Sequence[str], *more: str) -> str:
-    """Do to a wire what the words behind `line` say; `more` is what it knows beside these.
+def wire(line: SimulatedLine, words: Sequence[str], *more: str) -> str:
+    """Execute what follows `line`; `more` is the usage of commands that the device adds.
 
     Raises:
-        ControlError: the words are none of these.
+        ControlError: the words are no command.
     """
+    faults = line.faults
     match [word.lower() for word in words]:
         case ["mute", ("on" | "off") as state]:
             faults.mute = SWITCH[state]
             return f"line mute {state}"
         case ["drop", number]:
             faults.to_drop = amount(number)
-            return f"the next {faults.to_drop} bytes to the host get lost"
+            return f"the next {faults.to_drop} bytes to the host are lost"
         case ["drop", number, "sent"]:
             faults.to_drop_sent = amount(number)
-            return f"the next {faults.to_drop_sent} bytes from the host get lost"
+            return f"the next {faults.to_drop_sent} bytes from the host are lost"
         case ["garbage", *digits] if digits:
             data = _garbage("".join(digits))
-            cable.inject(data)
+            line.inject(data)
             return f"{len(data)} bytes on their way to the host"
         case ["noise", probability]:
             faults.noise = real(probability, "a probability", 1)
             return f"noise {faults.noise:g}"
         case ["unplug"]:
-            cable.unplug()
+            line.unplug()
             return "unplugged"
         case ["plug"]:
-            cable.plug()
+            line.plug()
             return "plugged"
-    known = ("line mute on|off", "line drop N [sent]", *more, "line garbage HEX", "line noise P")
-    raise ControlError(", ".join((*known, "line unplug or line plug")))
+    usage = ("line mute on|off", "line drop N [sent]", *more, "line garbage HEX", "line noise P")
+    raise ControlError(", ".join((*usage, "line unplug or line plug")))
+
+
+def show_wire(line: SimulatedLine) -> dict[str, Any]:
+    """Return the state of the wire for `show`."""
+    faults = line.faults
+    return {"plugged": faults.plugged, "mute": faults.mute, "noise": faults.noise}
 
 
 def _garbage(text: str) -> bytes:
     try:
         data = bytes.fromhex(text)
     except ValueError:
-        raise ControlError(f"{text!r} is not a row of bytes such as FF80") from None
-    if len(data) > _MOST_GARBAGE:
-        raise ControlError(f"garbage is at most {_MOST_GARBAGE} bytes, not {len(data)}")
+        raise ControlError(f"{text!r} is not hexadecimal bytes such as FF80") from None
+    if len(data) > _MAX_GARBAGE:
+        raise ControlError(f"garbage is at most {_MAX_GARBAGE} bytes, not {len(data)}")
     return data

@@ -1,4 +1,4 @@
-"""Where a host plugs in: what every kind of connection offers, and the plain TCP one."""
+"""Connections that a host can open: their common interface, and raw TCP."""
 
 import contextlib
 import socket
@@ -8,62 +8,67 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.transport.settings import Parity
 
 CHUNK = 256
-"""Bytes taken at a time, so that a host that changes its baud rate is noticed soon."""
+"""Bytes read at a time, so that a changed baud rate of the host is noticed soon."""
 
 
 class EndpointError(StudioError):
-    """The place where a host would plug in cannot be made; says which and why."""
+    """An endpoint cannot be opened; the text says which and why."""
 
 
 @dataclass(frozen=True, slots=True)
 class HostSettings:
-    """What the host has set its port to; `parity` (none, even, odd) is `None` if invisible."""
+    """How the host has set its port; `parity` is `None` if it cannot be seen."""
 
     baud: int
     stop_bits: int
-    parity: str | None = None
+    parity: Parity | None = None
 
 
 Arrival = tuple[HostSettings | None, bytes]
-"""Bytes from the host, and how its port was set then, where that can be seen."""
+"""Bytes from the host, and how its port was set, where that can be seen."""
 
 
 class Endpoint(Protocol):
-    """A connection that a host can open, and open again after it has left.
+    """A connection that a host can open and reopen.
 
     Attributes:
-        hosts_left: how many hosts have left, where that can be seen.
+        hosts_left: number of hosts that have disconnected, where that can be seen.
     """
 
     hosts_left: int
 
     @property
     def url(self) -> str:
-        """What pyserial opens."""
+        """URL or path that pyserial opens."""
 
     def waiting_for(self) -> list[int]:
-        """Return the file descriptors that become readable when there is something to do."""
+        """Return the file descriptors to wait for."""
 
     def take(self, ready: Collection[int]) -> Iterable[Arrival]:
-        """Do what there is to do at these descriptors."""
+        """Serve descriptors that are readable; return what the host has sent."""
 
     def write(self, data: bytes) -> None:
-        """Give bytes to the host; they are lost when there is none, or when it does not read."""
+        """Send bytes to the host; they are lost when it is absent or does not read."""
 
     def unplug(self) -> None:
         """Break the connection so that the host notices."""
 
     def plug(self) -> None:
-        """Offer a connection again; an `EndpointError` when that fails."""
+        """Offer a connection again.
+
+        Raises:
+            EndpointError: that fails.
+        """
 
     def close(self) -> None:
-        """End, and leave nothing behind."""
+        """Release everything."""
 
 
 class TcpEndpoint:
-    """Raw bytes over TCP; serves one host at a time, the next one when it has left."""
+    """Raw bytes over TCP, for one host at a time."""
 
     scheme = "socket"
 
@@ -77,17 +82,14 @@ class TcpEndpoint:
 
     @property
     def url(self) -> str:
-        """What pyserial opens."""
         host = f"[{self._host}]" if ":" in self._host else self._host
         return f"{self.scheme}://{host}:{self._port}"
 
     def waiting_for(self) -> list[int]:
-        """Wait for the host, or for one to come."""
         end = self._client or self._listener
         return [end.fileno()] if end is not None else []
 
     def take(self, ready: Collection[int]) -> Iterable[Arrival]:
-        """Let a host in, or take what it sends."""
         if self._client is None:
             if self._listener is not None and self._listener.fileno() in ready:
                 self._accept(self._listener)
@@ -99,25 +101,22 @@ class TcpEndpoint:
         return ()
 
     def write(self, data: bytes) -> None:
-        """Give bytes to the host, if there is one."""
         if self._client is None:
             return
         try:
             self._client.sendall(data)
         except BlockingIOError:
-            return  # it does not read: lost, as in a UART
+            return  # the host does not read: lost, as in a UART
         except OSError:
             self.drop_client()
 
     def unplug(self) -> None:
-        """Hang up and refuse new calls."""
         self.drop_client()
         if self._listener is not None:
             self._listener.close()
             self._listener = None
 
     def plug(self) -> None:
-        """Listen again, on the same port."""
         if self._listener is not None:
             return
         try:
@@ -130,18 +129,17 @@ class TcpEndpoint:
         self._port = self._listener.getsockname()[1]
 
     def close(self) -> None:
-        """Hang up for good."""
         self.unplug()
 
     def welcome(self) -> None:
-        """Greet a host that has just come."""
+        """Start a connection with a new host."""
 
     def arrivals(self, data: bytes) -> Iterable[Arrival]:
-        """Return what received bytes mean; here, just that."""
+        """Return the data in received bytes."""
         return [(None, data)]
 
     def drop_client(self) -> None:
-        """Hang up on the host, if there is one."""
+        """Disconnect the host, if there is one."""
         if self._client is not None:
             self._client.close()
             self._client = None

@@ -27,10 +27,10 @@ _RATES = {
 
 
 class PtyEndpoint:
-    """A pseudo-terminal and, if wanted, a link to it with a name that lasts.
+    """A pseudo-terminal and optionally a symbolic link to it with a fixed name.
 
-    The slave end stays open here, so hosts may come and go. Baud rate and stop bits that the
-    host sets are seen; parity is not, the system drops it on pseudo-terminals.
+    The slave end stays open, so that hosts can connect again. The host's baud rate and stop bits
+    are visible; parity is not, since the system drops it on pseudo-terminals.
     """
 
     def __init__(self, link: Path | None, baud: int) -> None:
@@ -44,15 +44,12 @@ class PtyEndpoint:
 
     @property
     def url(self) -> str:
-        """The path of the link, or of the terminal."""
         return str(self._link) if self._link is not None else self._path
 
     def waiting_for(self) -> list[int]:
-        """Wait for bytes from the host."""
         return [self._master] if self._master is not None else []
 
     def take(self, ready: Collection[int]) -> Iterable[Arrival]:
-        """Take what the host has sent, with the settings that it has now."""
         if self._master is None or self._slave is None or self._master not in ready:
             return
         try:
@@ -62,13 +59,11 @@ class PtyEndpoint:
         yield _settings(self._slave), data
 
     def write(self, data: bytes) -> None:
-        """Give bytes to the host; what it does not read is lost in the end, as in a UART."""
         if self._master is not None:
             with contextlib.suppress(BlockingIOError):
                 os.write(self._master, data)
 
     def unplug(self) -> None:
-        """Hang up: the host gets an input/output error."""
         for end in (self._slave, self._master):
             if end is not None:
                 os.close(end)
@@ -77,13 +72,12 @@ class PtyEndpoint:
         self._remove_link()
 
     def plug(self) -> None:
-        """Make a new terminal, behind the same link if there is one."""
         if self._master is not None:
             return
         try:
             self._master, self._slave = os.openpty()
         except OSError as error:
-            raise EndpointError(f"there is no pseudo-terminal to be had: {error}") from error
+            raise EndpointError(f"no pseudo-terminal is available: {error}") from error
         os.set_blocking(self._master, False)
         tty.setraw(self._slave)
         _set_speed(self._slave, self._baud)
@@ -96,18 +90,17 @@ class PtyEndpoint:
             raise EndpointError(f"cannot make the link {link}: {error.strerror}") from error
 
     def close(self) -> None:
-        """Hang up for good and remove the link."""
         self.unplug()
 
     def _make_link(self) -> None:
         if self._link is None:
             return
         if self._link.exists() and not self._link.is_symlink():
-            raise FileExistsError(errno.EEXIST, "there is something else of this name")
+            raise FileExistsError(errno.EEXIST, "a file of this name exists")
         fresh = self._link.with_name(f".{self._link.name}.{os.getpid()}")
         fresh.unlink(missing_ok=True)
         fresh.symlink_to(self._path)
-        fresh.replace(self._link)  # never a moment without a link
+        fresh.replace(self._link)  # atomic
 
     def _remove_link(self) -> None:
         if self._link is None:
@@ -118,7 +111,7 @@ class PtyEndpoint:
 
 
 def _set_speed(terminal: int, baud: int) -> None:
-    """Let a host that sets nothing (`cat`, `printf`) fit; impossible for unusual rates."""
+    """Let a host fit that sets nothing (`cat`, `printf`), except at unusual rates."""
     codes = {rate: code for code, rate in _RATES.items()}
     if baud in codes:
         settings = termios.tcgetattr(terminal)
@@ -127,10 +120,10 @@ def _set_speed(terminal: int, baud: int) -> None:
 
 
 def _settings(terminal: int) -> HostSettings | None:
-    """Return how the host has set the terminal; `None` where that cannot be seen."""
+    """Return how the host has set the terminal; `None` if that cannot be seen."""
     try:
         if sys.platform == "linux":
-            with contextlib.suppress(OSError):  # some processors number the request otherwise
+            with contextlib.suppress(OSError):  # other request number on some processors
                 words = _TERMIOS2.unpack(fcntl.ioctl(terminal, _TCGETS2, bytes(_TERMIOS2.size)))
                 return _host_settings(words[_OSPEED], words[_CFLAG])
         attributes = termios.tcgetattr(terminal)

@@ -1,4 +1,4 @@
-"""A serial port over TCP with its settings (RFC 2217): the only way to see the host's parity."""
+"""A serial port over TCP (RFC 2217): the only endpoint that sees the host's parity."""
 
 import struct
 from collections.abc import Iterable
@@ -7,14 +7,15 @@ import serial
 from serial.rfc2217 import PortManager
 
 from trex_gui.core.simulator.endpoint import Arrival, HostSettings, TcpEndpoint
+from trex_gui.core.transport.settings import Parity
 
-_PARITIES = {serial.PARITY_NONE: "none", serial.PARITY_EVEN: "even", serial.PARITY_ODD: "odd"}
+_PARITIES = {parity.value: parity for parity in Parity}
 
 
 class _Port:
-    """Stands in for the serial port that pyserial's server would set.
+    """The serial port that pyserial's server configures.
 
-    Settings that no TReX has are refused; the modem lines are always on.
+    It supports 8 data bits, no, even or odd parity, 1 or 2 stop bits; modem lines are always on.
     """
 
     cts = dsr = cd = True
@@ -28,7 +29,6 @@ class _Port:
 
     @property
     def bytesize(self) -> int:
-        """8."""
         return serial.EIGHTBITS
 
     @bytesize.setter
@@ -38,7 +38,6 @@ class _Port:
 
     @property
     def parity(self) -> str:
-        """One of pyserial's letters."""
         return self._parity
 
     @parity.setter
@@ -49,7 +48,6 @@ class _Port:
 
     @property
     def stopbits(self) -> float:
-        """1 or 2."""
         return self._stopbits
 
     @stopbits.setter
@@ -59,18 +57,18 @@ class _Port:
         self._stopbits = int(stopbits)
 
     def reset_input_buffer(self) -> None:
-        """Nothing waits here."""
+        """Do nothing: there is no buffer."""
 
     def reset_output_buffer(self) -> None:
-        """Nothing waits here."""
+        """Do nothing: there is no buffer."""
 
     def settings(self) -> HostSettings:
-        """Return what the host has set."""
+        """Return how the host has set the port."""
         return HostSettings(self.baudrate, int(self._stopbits), _PARITIES[self._parity])
 
 
 class _Connection:
-    """What pyserial's server writes its own messages to."""
+    """Where pyserial's server writes its own messages."""
 
     def __init__(self, endpoint: "Rfc2217Endpoint") -> None:
         self._endpoint = endpoint
@@ -80,7 +78,7 @@ class _Connection:
 
 
 class Rfc2217Endpoint(TcpEndpoint):
-    """A serial port over TCP; baud rate, parity and stop bits are seen."""
+    """A serial port over TCP with visible baud rate, parity and stop bits."""
 
     scheme = "rfc2217"
 
@@ -91,7 +89,6 @@ class Rfc2217Endpoint(TcpEndpoint):
         super().__init__(host, port)
 
     def welcome(self) -> None:
-        """Begin the negotiation."""
         self._port_settings = _Port(self._baud)
         self._manager = PortManager(
             self._port_settings,  # type: ignore[arg-type] # the stubs want a real port here
@@ -99,25 +96,22 @@ class Rfc2217Endpoint(TcpEndpoint):
         )
 
     def arrivals(self, data: bytes) -> Iterable[Arrival]:
-        """Tell data from negotiation; settings count from where they came in between."""
         if self._manager is None:
             return
         try:
             for byte in self._manager.filter(data):
                 yield self._port_settings.settings(), byte
         except (struct.error, KeyError, TypeError):
-            self.drop_client()  # what it speaks is not RFC 2217
+            self.drop_client()  # not RFC 2217
 
     def write(self, data: bytes) -> None:
-        """Give bytes to the host, escaped."""
         if self._manager is not None:
             self.write_raw(b"".join(self._manager.escape(data)))
 
     def write_raw(self, data: bytes) -> None:
-        """Give bytes to the host as they are."""
+        """Send bytes to the host unescaped."""
         super().write(data)
 
     def drop_client(self) -> None:
-        """Hang up on the host and forget what it had set."""
         self._manager = None
         super().drop_client()

@@ -1,101 +1,118 @@
-"""Bytes as levels on a wire, and a receiver that samples them at a rate of its own.
+"""Bytes as levels on a wire, and a receiver that samples them at its own bit rate.
 
-This is what two UARTs at different rates make of each other: other bytes, framing errors,
-several bytes for one or one for several. Between UARTs that are set alike nobody needs it.
+Two UARTs at different rates receive other bytes than were sent, framing errors, several bytes
+for one or one for several. UARTs at the same rate do not need this.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from enum import Enum
+from functools import partial
+from math import inf, nextafter
 
+from trex_gui.core.simulator.timeline import Timeline
 from trex_gui.core.transport.settings import Parity, SerialFormat
-from trex_gui.devices.trex.protocol.flags import UartError
 
 _HIGH = 1
 _DATA_BITS = 8
 _SAMPLE_AT = 0.55
-"""Where in a bit it is read. UARTs take the majority of three samples around the middle; a
-little behind it, no sample falls on the edge of a bit between any two of the board's rates, so
-what is heard does not hang on the rounding of times."""
+"""Sampling point within a bit. UARTs take the majority of three samples around the middle;
+slightly later, no sample falls on a bit edge for any two rates of a TReX, so that rounding does
+not decide the value."""
+
+_RATE_TOLERANCE = 0.03
+"""Relative difference of two UARTs' rates: half a bit in the ten of a byte, for both together."""
 
 _PARITIES = {Parity.EVEN: 0, Parity.ODD: 1}
 
 
+class ReceiveError(Enum):
+    """Error that a UART detects in a byte."""
+
+    FRAMING = "framing"
+    PARITY = "parity"
+    OVERRUN = "overrun"
+
+
 @dataclass(frozen=True, slots=True)
 class SampledByte:
-    """What a receiver makes of the levels.
+    """A byte as received.
 
     Attributes:
-        begun, at: when it saw the start bit and when it had the last bit, in seconds.
-        value: the byte.
-        error: what it noticed to be wrong with it.
+        begun, at: seconds at which the start bit began and the last bit was sampled.
     """
 
     begun: float
     at: float
     value: int
-    error: UartError | None = None
+    error: ReceiveError | None = None
 
 
-def levels(byte: int, settings: SerialFormat) -> list[int]:
-    """Return the bits of a byte in their order on the wire: start, data, parity, stop."""
+def is_other_rate(baud: float, other: float) -> bool:
+    """Whether two UARTs at these rates cannot understand each other."""
+    return abs(baud / other - 1) > _RATE_TOLERANCE
+
+
+def levels(byte: int, sender: SerialFormat) -> list[int]:
+    """Return the bits of a byte in the order of transmission: start, data, parity, stop."""
     data = [byte >> index & 1 for index in range(_DATA_BITS)]
     parity = []
-    if settings.parity in _PARITIES:
-        parity = [sum(data) % 2 ^ _PARITIES[settings.parity]]
-    return [0, *data, *parity, *[_HIGH] * settings.stop_bits]
+    if sender.parity in _PARITIES:
+        parity = [sum(data) % 2 ^ _PARITIES[sender.parity]]
+    return [0, *data, *parity, *[_HIGH] * sender.stop_bits]
 
 
 class Receiver:
-    """The receiving half of a UART: a falling edge begins a byte, then each bit is read once.
+    """The receiving half of a UART: a falling edge begins a byte, then each bit is sampled once.
 
-    As in real ones, the first stop bit is looked at and a second is not waited for. Between
-    the bytes that it is told about the wire rests high.
+    As in real UARTs, only the first stop bit is checked. The wire is high between bytes.
 
     Attributes:
-        baud: its rate.
-        known_until: until when, in seconds, it has been told.
+        baud: bit rate.
+        known_until: seconds up to which the level of the wire is known.
     """
 
-    def __init__(self, settings: SerialFormat, baud: int, now: float = 0.0) -> None:
+    def __init__(self, line: SerialFormat, baud: float, now: float = 0.0) -> None:
         self.known_until = now
         self.baud = baud
         self._bit = 1 / baud
-        self._parity = settings.parity
-        self._bits_wanted = 1 + _DATA_BITS + (self._parity in _PARITIES) + 1
+        self._parity = line.parity
+        self._bits_per_byte = 1 + _DATA_BITS + (line.parity in _PARITIES) + 1
         self._level = _HIGH
         self._begun: float | None = None
         self._bits: list[int] = []
 
     @property
     def due(self) -> float | None:
-        """When the byte that has begun will be complete; `None` when none has."""
+        """Moment at which the current byte is complete; `None` between bytes."""
         if self._begun is None:
             return None
-        return self._begun + (self._bits_wanted - 1 + _SAMPLE_AT) * self._bit
+        return self._begun + (self._bits_per_byte - 1 + _SAMPLE_AT) * self._bit
 
-    def hear(
-        self, begin: float, byte: int, settings: SerialFormat, baud: int
+    def receive(
+        self, begin: float, byte: int, sender: SerialFormat, baud: float
     ) -> Iterator[SampledByte]:
-        """Take a byte that a sender with these settings begins now; yield what is complete.
+        """Sample a byte sent at `baud`; yield the bytes that are complete at its end.
 
-        `begin` is in seconds and not before the end of the byte before it.
+        `begin` is in seconds and not before the end of the previous byte.
         """
-        yield from self.rest(begin)
-        bits = levels(byte, settings)
-        for index, level in enumerate(bits):
-            yield from self.take(level, begin + (index + 1) / baud)
+        yield from self.idle(begin)
+        for index, level in enumerate(levels(byte, sender)):
+            yield from self.sample(level, begin + (index + 1) / baud)
 
-    def hear_alone(self, byte: int, settings: SerialFormat, baud: int) -> Iterator[SampledByte]:
-        """Take a byte after which the wire rests; yield all that is made of it."""
-        yield from self.hear(self.known_until, byte, settings, baud)
-        yield from self.rest(self.known_until + self._bits_wanted * self._bit)
+    def receive_isolated(
+        self, byte: int, sender: SerialFormat, baud: float
+    ) -> Iterator[SampledByte]:
+        """Sample a byte followed by silence; yield every byte received."""
+        yield from self.receive(self.known_until, byte, sender, baud)
+        yield from self.idle(self.known_until + self._bits_per_byte * self._bit)
 
-    def rest(self, until: float) -> Iterator[SampledByte]:
-        """Let the wire rest high until a moment; yield what is complete by then."""
-        yield from self.take(_HIGH, until)
+    def idle(self, until: float) -> Iterator[SampledByte]:
+        """Keep the wire high until a moment; yield the bytes that are complete by then."""
+        yield from self.sample(_HIGH, until)
 
-    def take(self, level: int, until: float) -> Iterator[SampledByte]:
-        """Let the wire keep a level until a moment; yield what is complete by then."""
+    def sample(self, level: int, until: float) -> Iterator[SampledByte]:
+        """Keep the wire at a level until a moment; yield the bytes that are complete by then."""
         if until <= self.known_until:
             return
         falls = level < self._level
@@ -109,7 +126,7 @@ class Receiver:
             self._bits.append(level)
             if self._bits[0]:  # too short for a start bit
                 self._begun, self._bits = None, []
-            elif len(self._bits) == self._bits_wanted:
+            elif len(self._bits) == self._bits_per_byte:
                 yield self._complete(at)
         self.known_until = until
 
@@ -120,9 +137,47 @@ class Receiver:
         value = sum(bit << index for index, bit in enumerate(data))
         error = None
         if not bits[-1]:
-            error = UartError.FRAMING
+            error = ReceiveError.FRAMING
         elif self._parity in _PARITIES:
-            wanted = sum(data) % 2 ^ _PARITIES[self._parity]
-            if bits[1 + _DATA_BITS] != wanted:
-                error = UartError.PARITY
+            expected = sum(data) % 2 ^ _PARITIES[self._parity]
+            if bits[1 + _DATA_BITS] != expected:
+                error = ReceiveError.PARITY
         return SampledByte(begun, at, value, error)
+
+
+class RateConverter:
+    """A receiver of bytes that arrive at another rate, in virtual time.
+
+    Attributes:
+        line: how the receiver is set.
+    """
+
+    def __init__(
+        self,
+        timeline: Timeline,
+        line: SerialFormat,
+        baud: float,
+        deliver: Callable[[int, ReceiveError | None, float], None],
+    ) -> None:
+        """Deliver each byte with its error and the moment at which it began, when complete."""
+        self.line = line
+        self._timeline = timeline
+        self._deliver = deliver
+        self._receiver = Receiver(line, baud, timeline.now)
+
+    def receive(self, byte: int, sender: SerialFormat, baud: float, *, paced: bool) -> None:
+        """Sample a byte that a sender at `baud` begins now; unpaced, silence follows each."""
+        receiver, timeline = self._receiver, self._timeline
+        if not paced:
+            for each in receiver.receive_isolated(byte, sender, baud):
+                self._deliver(each.value, each.error, timeline.now)
+            return
+        for each in receiver.receive(timeline.now, byte, sender, baud):
+            timeline.at(each.at, partial(self._deliver, each.value, each.error, each.begun))
+        if (due := receiver.due) is not None:
+            timeline.at(due, partial(self._end, due))
+
+    def _end(self, due: float) -> None:
+        """Complete a byte that is followed by silence."""
+        for each in self._receiver.idle(nextafter(due, inf)):
+            self._deliver(each.value, each.error, each.begun)

@@ -1,7 +1,7 @@
-"""Real time: a line in virtual time is kept up with the clock, the host and the control lines.
+"""Serving a simulated line in real time.
 
-Deadlines come from the line's own events, so that a wait that took too long is not added to
-the next one.
+Virtual time follows the clock, and deadlines come from the line's own events, so that waiting too
+long once does not delay what follows.
 """
 
 import contextlib
@@ -14,130 +14,60 @@ import sys
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Iterable, Sequence
 from types import FrameType
-from typing import Protocol
 
+from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.core.simulator.endpoint import Endpoint, EndpointError, HostSettings
-from trex_gui.core.transport.settings import Parity, SerialFormat
-from trex_gui.devices.trex.simulator.demo import Demo
+from trex_gui.core.simulator.plugin import Simulation
+from trex_gui.core.transport.settings import SerialFormat
 
-_IDLE = 0.1  # seconds; motors and timeouts go on though nothing is on the wire
-_DEMO_IDLE = 0.02
+_IDLE = 0.1
+"""Seconds between two updates without events: devices change without bytes on the wire."""
+
 _SUSPENDED = 2.0
-"""A gap of so many seconds is time in which the process did not run; it is not made up for."""
+"""A gap of this many seconds is not made up for: the process was suspended."""
 
-_FULL_ENOUGH = 0.02
-"""Seconds of bytes that are given to the wire ahead; the rest waits here, where it can be dropped
-when the host leaves or sets its port anew."""
+_MAX_AHEAD = 0.02
+"""Seconds of bytes queued on the line; the rest is kept here, where it is discarded when the host
+disconnects or reconfigures its port."""
 
-_MOST_WAITING = 65_536
-"""Bytes of a host that may wait; what a slow line cannot carry is lost then."""
+_MAX_UNSENT = 65_536
+"""Bytes of the host that are kept; more are lost."""
 
-_SLICE = 16
-"""Bytes that are given to the wire at a time."""
+_CHUNK = 16
+"""Bytes queued on the line at a time."""
 
-_IN_LUMPS = 0.001
-"""Seconds for which the bytes of a host that streams are dealt with together. Waking for each
-of them alone takes a whole core at 115200 baud."""
-
-GOODBYE = "ok bye"
-"""The answer to `quit`; whoever runs the line ends after it."""
-
-
-class Wire(Protocol):
-    """A line in virtual time, with whatever is at its other end."""
-
-    host: SerialFormat | None
-    """What the host has set its port to; `None` assumes that it fits."""
-
-    @property
-    def now(self) -> float:
-        """Seconds since the line was made."""
-        ...
-
-    @property
-    def plugged(self) -> bool:
-        """Whether the cable is in."""
-        ...
-
-    @property
-    def backlog(self) -> float:
-        """Seconds that the bytes which the host has queued still need to get onto the wire."""
-        ...
-
-    @property
-    def next_event(self) -> float | None:
-        """When something happens next; `None` while nothing is to."""
-        ...
-
-    @property
-    def own_settings(self) -> SerialFormat:
-        """What a host that fits has set its port to."""
-        ...
-
-    @property
-    def unsaved(self) -> Iterable[str]:
-        """Why something that should be in a file is not; a sentence each."""
-        ...
-
-    def send(self, data: bytes) -> None:
-        """Queue bytes that the host sends now."""
-        ...
-
-    def receive(self) -> bytes:
-        """Take what has reached the host so far."""
-        ...
-
-    def drop_unsent(self) -> None:
-        """Forget what the host has queued."""
-        ...
-
-    def advance_to(self, moment: float) -> None:
-        """Let time pass."""
-        ...
-
-    def unplug(self) -> None:
-        """Pull the cable."""
-        ...
+_BATCH = 0.001
+"""Seconds of a host's stream that are processed together: waking up for each byte takes a whole
+core at 115200 baud."""
 
 
 class Server:
-    """Runs one line for one endpoint until it is told to end.
+    """Runs one line behind one endpoint until it ends."""
 
-    `control` obeys a control line and returns the answer, without a line end.
-    """
-
-    def __init__(
-        self,
-        line: Wire,
-        endpoint: Endpoint,
-        control: Callable[[str], str],
-        demos: Sequence[Demo] = (),
-    ) -> None:
-        self._line = line
-        self._control = control
+    def __init__(self, simulation: Simulation, endpoint: Endpoint) -> None:
+        self._line = simulation.line
+        self._control = simulation.control
         self._endpoint = endpoint
-        self._demos = demos
         self._origin = time.monotonic()
         self._ended = False
-        self._waiting = bytearray()
+        self._unsent = bytearray()
         self._hosts_left = 0
-        self._told: set[str] = set()
+        self._reported: set[str] = set()
         self._control_lines: deque[str | None] = deque()
         self._waker, self._wake = socket.socketpair()
         self._waker.setblocking(False)
         self._wake.setblocking(False)
 
     def run(self) -> None:
-        """Serve; returns after `quit`, a signal, or the end of a pipe on standard input.
+        """Serve until `quit`, a signal, or the end of a pipe on standard input.
 
         Raises:
-            TrexError: the EEPROM file or the endpoint failed.
+            StudioError: the endpoint failed.
         """
         previous = self._catch_signals()
         try:
-            self._say(f"ready {self._endpoint.url}")
+            self._print(f"ready {self._endpoint.url}")
             self._read_control_lines()
             while not self._ended:
                 self._turn()
@@ -149,63 +79,58 @@ class Server:
             self._waker.close()
 
     def _turn(self) -> None:
-        """Do what is due, then wait for what comes next."""
+        """Process what is due, then wait for what comes next."""
         self._catch_up()
-        if answer := self._line.receive():
-            self._endpoint.write(answer)
+        if data := self._line.receive():
+            self._endpoint.write(data)
         sources = [self._waker.fileno(), *self._endpoint.waiting_for()]
-        ready, _, _ = select.select(sources, [], [], self._patience())
+        ready, _, _ = select.select(sources, [], [], self._timeout())
         self._catch_up()
-        self._note_departure()  # before anything of the next host is taken
+        self._check_departure()  # before anything of the next host is taken
         for settings, data in self._endpoint.take(ready):
             self._receive(settings, data)
-        self._note_departure()
-        self._send_ahead()
-        self._tell_of_unsaved()
+        self._check_departure()
+        while self._unsent and self._line.backlog < _MAX_AHEAD:
+            self._line.send(bytes(self._unsent[:_CHUNK]))
+            del self._unsent[:_CHUNK]
+        self._report_unsaved()
         if self._waker.fileno() in ready:
             self._drain()
-            self._obey()
+            self._execute()
 
-    def _receive(self, seen: HostSettings | None, data: bytes) -> None:
-        """Take bytes of the host; what it sent before it set its port anew is gone."""
-        settings = self._host_settings(seen)
-        if settings != self._line.host:
-            self._drop_waiting()
-            self._line.host = settings
-        self._waiting += data[: _MOST_WAITING - len(self._waiting)]
+    def _receive(self, settings: HostSettings | None, data: bytes) -> None:
+        """Take bytes of the host; reconfiguring its port discards what it sent before."""
+        host = self._host_format(settings)
+        if host != self._line.host:
+            self._drop_unsent()
+            self._line.host = host
+        self._unsent += data[: _MAX_UNSENT - len(self._unsent)]
 
-    def _send_ahead(self) -> None:
-        """Give the wire what it can carry in the next moments."""
-        while self._waiting and self._line.backlog < _FULL_ENOUGH:
-            self._line.send(bytes(self._waiting[:_SLICE]))
-            del self._waiting[:_SLICE]
-
-    def _tell_of_unsaved(self) -> None:
-        """Say once for each reason that a board's memory is not in its file."""
+    def _report_unsaved(self) -> None:
+        """Report each reason once why a device's memory is not in its file."""
         for reason in self._line.unsaved:
-            if reason not in self._told:
-                self._told.add(reason)
-                sys.stderr.write(f"{reason}; the board goes on without it\n")
+            if reason not in self._reported:
+                self._reported.add(reason)
+                sys.stderr.write(f"{reason}; the board continues without it\n")
 
-    def _note_departure(self) -> None:
+    def _check_departure(self) -> None:
         if self._endpoint.hosts_left != self._hosts_left:
             self._hosts_left = self._endpoint.hosts_left
-            self._drop_waiting()
+            self._drop_unsent()
 
-    def _drop_waiting(self) -> None:
-        self._waiting.clear()
+    def _drop_unsent(self) -> None:
+        self._unsent.clear()
         self._line.drop_unsent()
 
-    def _patience(self) -> float:
+    def _timeout(self) -> float:
         """Return the seconds until something is due."""
-        idle = _DEMO_IDLE if self._demos else _IDLE
         event = self._line.next_event
         if event is None:
-            return 0.0 if self._waiting else idle
+            return 0.0 if self._unsent else _IDLE
         wait = self._origin + event - time.monotonic()
-        if self._line.backlog > _IN_LUMPS:
-            wait = max(wait, _IN_LUMPS)
-        return min(idle, max(0.0, wait))
+        if self._line.backlog > _BATCH:
+            wait = max(wait, _BATCH)
+        return min(_IDLE, max(0.0, wait))
 
     def _catch_up(self) -> None:
         now = time.monotonic() - self._origin
@@ -213,20 +138,17 @@ class Server:
             self._origin += now - self._line.now
             now = self._line.now
         self._line.advance_to(now)
-        for demo in self._demos:
-            demo.update()
 
-    def _host_settings(self, seen: HostSettings | None) -> SerialFormat | None:
-        """Complete what was seen of the host's port; what cannot be seen fits the board."""
-        if seen is None:
+    def _host_format(self, settings: HostSettings | None) -> SerialFormat | None:
+        """Complete the settings of the host's port; what cannot be seen fits the device."""
+        if settings is None:
             return None
-        own = self._line.own_settings
-        parity = own.parity if seen.parity is None else Parity[seen.parity.upper()]
-        return SerialFormat(seen.baud, parity, seen.stop_bits)
+        parity = settings.parity or self._line.host_format.parity
+        return SerialFormat(settings.baud, parity, settings.stop_bits)
 
-    # Control lines
+    # --- Control lines ------------------------------------------------------------------
 
-    def _obey(self) -> None:
+    def _execute(self) -> None:
         while self._control_lines and not self._ended:
             text = self._control_lines.popleft()
             if text is None:
@@ -235,14 +157,15 @@ class Server:
                 self._answer(text)
 
     def _answer(self, text: str) -> None:
-        was_plugged = self._line.plugged
+        faults = self._line.faults
+        was_plugged = faults.plugged
         answer = self._control(text)
-        if was_plugged and not self._line.plugged:
+        if was_plugged and not faults.plugged:
             self._endpoint.unplug()
-        elif self._line.plugged and not was_plugged:
+        elif faults.plugged and not was_plugged:
             answer = self._plug(answer)
         self._ended = answer == GOODBYE
-        self._say(answer)
+        self._print(answer)
 
     def _plug(self, answer: str) -> str:
         try:
@@ -252,21 +175,21 @@ class Server:
             return f"error {error}"
         return f"{answer} {self._endpoint.url}"
 
-    def _say(self, text: str) -> None:
+    def _print(self, text: str) -> None:
         try:
             sys.stdout.write(text + "\n")
             sys.stdout.flush()
         except (OSError, ValueError):
-            self._ended = True  # nobody listens any more
+            self._ended = True  # standard output is closed
 
     def _read_control_lines(self) -> None:
-        """Read standard input in a thread: not every system can wait for it with `select`."""
+        """Read standard input in a thread: `select` cannot wait for it on every system."""
         try:
             kind = os.fstat(0).st_mode
         except OSError:
-            return  # started without
+            return  # started without standard input
         ends_with_input = stat.S_ISFIFO(kind) or stat.S_ISSOCK(kind)
-        if not ends_with_input and _is_nothing(kind):
+        if not ends_with_input and _is_null_device(kind):
             return
         threading.Thread(
             target=self._read_input, args=(ends_with_input,), daemon=True, name="control lines"
@@ -283,18 +206,18 @@ class Server:
                 break
             *lines, rest = (rest + data).split(b"\n")
             self._control_lines.extend(line.decode("utf-8", "replace") for line in lines)
-            self._call()
+            self._wake_up()
         if rest:
             self._control_lines.append(rest.decode("utf-8", "replace"))
         if ends_with_input:
             self._control_lines.append(None)
-        self._call()
+        self._wake_up()
 
-    # Waking up
+    # --- Waking up ----------------------------------------------------------------------
 
-    def _call(self) -> None:
-        """Make the loop look round; from a thread or a signal handler."""
-        with contextlib.suppress(OSError):  # full, so it is called already; or at its end
+    def _wake_up(self) -> None:
+        """Wake the loop, from a thread or a signal handler."""
+        with contextlib.suppress(OSError):  # full, so it wakes up already; or closed
             self._wake.send(b"!")
 
     def _drain(self) -> None:
@@ -303,7 +226,7 @@ class Server:
                 pass
 
     def _catch_signals(self) -> dict[int, "signal._HANDLER"]:
-        """Let signals end the loop; return what handled them before."""
+        """Let signals end the loop; return the previous handlers."""
         names = ("SIGINT", "SIGTERM", "SIGHUP")
         numbers = [getattr(signal, name) for name in names if hasattr(signal, name)]
         previous = {
@@ -312,15 +235,15 @@ class Server:
             if signal.getsignal(number) is not signal.SIG_IGN  # as behind nohup
         }
         if hasattr(signal, "SIGTTIN"):
-            # In the background of a terminal reading it is refused rather than stops all.
+            # In the background of a terminal, reading fails instead of stopping the process.
             previous[signal.SIGTTIN] = signal.signal(signal.SIGTTIN, signal.SIG_IGN)
         return previous
 
     def _end(self, _number: int, _frame: FrameType | None) -> None:
         self._ended = True
-        self._call()
+        self._wake_up()
 
 
-def _is_nothing(kind: int) -> bool:
-    """Whether standard input is a device that is no terminal, such as /dev/null."""
+def _is_null_device(kind: int) -> bool:
+    """Whether standard input is a device but no terminal, such as /dev/null."""
     return stat.S_ISCHR(kind) and not os.isatty(0)

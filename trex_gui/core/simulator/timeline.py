@@ -1,48 +1,54 @@
-"""Virtual time: what is to happen when, in order."""
+"""Virtual time: a queue of actions, each with the moment at which it is due."""
 
 import heapq
 import math
 from collections.abc import Callable
 from itertools import count
 
-EPSILON = 1e-9  # seconds; swallows the rounding of summed times
+EPSILON = 1e-9  # seconds; absorbs the rounding of summed times
 
 
 class Timeline:
-    """Runs what is due, moment by moment.
+    """Runs actions in the order of their moments.
 
     Attributes:
-        now: seconds since it was made.
+        now: seconds since it was created.
     """
 
-    def __init__(self, passes: Callable[[float], None]) -> None:
-        """Begin at 0; `passes` is told of each stretch of time, in seconds."""
+    def __init__(self, advance: Callable[[float], None]) -> None:
+        """Start at 0; `advance` is called with each span of time that passes, in seconds."""
         self.now = 0.0
-        self._passes = passes
-        self._events: list[tuple[float, int, Callable[[], None]]] = []
+        self._advance = advance
+        self._events: list[tuple[float, int, Callable[[], object], Callable[[], bool] | None]] = []
         self._order = count()
 
-    def at(self, moment: float, action: Callable[[], None]) -> None:
-        """Do something when a moment has come; never, if that is infinite."""
+    def at(
+        self,
+        moment: float,
+        action: Callable[[], object],
+        only_if: Callable[[], bool] | None = None,
+    ) -> None:
+        """Run an action at a moment if `only_if` is true then; an infinite moment never comes."""
         if moment < math.inf:
-            heapq.heappush(self._events, (moment, next(self._order), action))
+            heapq.heappush(self._events, (moment, next(self._order), action, only_if))
 
     @property
     def next_event(self) -> float | None:
-        """When something happens next; `None` while nothing is to."""
+        """Moment of the next action; `None` when the queue is empty."""
         return self._events[0][0] if self._events else None
 
     def step(self, end: float) -> bool:
-        """Do the next thing that is due by `end`; return whether there was one."""
+        """Run the next action that is due by `end`; return whether there was one."""
         if not self._events or self._events[0][0] > end + EPSILON:
             return False
-        moment, _, action = heapq.heappop(self._events)
+        moment, _, action, only_if = heapq.heappop(self._events)
         self.move_to(moment)
-        action()
+        if only_if is None or only_if():
+            action()
         return True
 
     def move_to(self, moment: float) -> None:
-        """Let time pass in which nothing is due; a moment that is over changes nothing."""
+        """Let time pass without running actions; a moment in the past changes nothing."""
         if moment > self.now:
             seconds, self.now = moment - self.now, moment
-            self._passes(seconds)
+            self._advance(seconds)

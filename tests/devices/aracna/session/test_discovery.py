@@ -17,7 +17,7 @@ from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.trex.discovery.prober import ScanProgress, find
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 
 VIRTUAL = ConnectionSettings("virtual", LineSettings(9600, Detection.ODD), device_number=9)
 
@@ -119,7 +119,7 @@ def test_robot_that_boots_but_never_answers_is_reported() -> None:
 def test_echo_is_reported() -> None:
     board = a_board()
     board.power_off()
-    line = SimulatedLine([board], echo=True)
+    line = TrexLine([board], echo=True)
     wire = Wire(line)
     result = find_aracna(VIRTUAL, open_wire=lambda _settings: wire)
     assert "comes back" in result.diagnosis().text
@@ -175,7 +175,7 @@ def test_search_sends_no_command_that_trex_obeys(settings: LineSettings, orders:
     """Searches twice, for every rate, parity, number of stop bits, and with CRC."""
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
     for _ in range(2):
-        wire = Wire(SimulatedLine([board]))
+        wire = Wire(TrexLine([board]))
         assert not find_aracna(VIRTUAL, open_wire=lambda _settings, wire=wire: wire).found  # type: ignore[misc]
     assert not orders
     assert not board.memory.writes

@@ -17,7 +17,7 @@ from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.trex.discovery.prober import TREX_PROBER, attempts
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 
 VIRTUAL = ConnectionSettings("virtual")
 SEEKS = {"trex": TREX_PROBER, "aracna": ARACNA_PROBER}
@@ -34,7 +34,7 @@ def search(wire: Transport, first: str | None = None) -> PortScan:
 
 @pytest.mark.parametrize("baud", [19200, 115200, 9600, 38400, 57600])
 def test_trex_at_likely_rate_is_found_before_aracna_probe(baud: int) -> None:
-    wire = Wire(SimulatedLine([a_board(settings=LineSettings(baud).to_wire())]))
+    wire = Wire(TrexLine([a_board(settings=LineSettings(baud).to_wire())]))
     result = search(wire)
     assert (result.device, result.found[0].name) == ("trex", "TReX 1.2")
     assert PROBE not in bytes(wire.sent)
@@ -42,7 +42,7 @@ def test_trex_at_likely_rate_is_found_before_aracna_probe(baud: int) -> None:
 
 
 def test_trex_at_unlikely_rate_is_found() -> None:
-    wire = Wire(SimulatedLine([a_board(settings=LineSettings(4800, Detection.CRC7).to_wire())]))
+    wire = Wire(TrexLine([a_board(settings=LineSettings(4800, Detection.CRC7).to_wire())]))
     result = search(wire)
     assert result.found[0].settings.line == LineSettings(4800, Detection.CRC7)
 
@@ -65,7 +65,7 @@ def test_port_of_earlier_aracna_is_probed_for_aracna_first() -> None:
 
 
 def test_trex_is_found_on_port_of_earlier_aracna() -> None:
-    wire = Wire(SimulatedLine([a_board()]))
+    wire = Wire(TrexLine([a_board()]))
     assert search(wire, "aracna").device == "trex"
 
 
@@ -116,7 +116,7 @@ def test_silent_port_is_reported_for_both_devices() -> None:
 def test_echo_is_reported_for_both_devices() -> None:
     board = a_board()
     board.power_off()
-    trex, aracna = search(Wire(SimulatedLine([board], echo=True))).lines
+    trex, aracna = search(Wire(TrexLine([board], echo=True))).lines
     assert trex.startswith("No TReX answers on virtual: everything sent comes back")
     assert "RS-232 side" in trex
     assert aracna.startswith("No Aracna answers on virtual at 38400 baud")
@@ -193,7 +193,7 @@ def test_search_sends_no_command_that_trex_obeys(
     settings: LineSettings, first: str, orders: list[str]
 ) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
-    wire = Wire(SimulatedLine([board]))
+    wire = Wire(TrexLine([board]))
     assert search(wire, first).device == "trex"
     assert not orders
     assert not board.memory.writes

@@ -136,7 +136,7 @@ def test_next_move_is_sent_only_after_reply() -> None:
     starts, ends = session.when(Moving), session.when(Moved)
     assert len(starts) == len(ends) == 5
     assert all(end <= start for end, start in zip(ends, starts[1:], strict=False))
-    assert session.line.station.holding.lost == 0
+    assert session.line.station.bytes_missed == 0
 
 
 @pytest.mark.parametrize("request_", [Move(1, (5,)), Move(1, (1024,) * 8), SetSpeeds(1, (-1,) * 8)])

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.aracna import AracnaStage
-from trex_gui.core.simulator.server import GOODBYE
+from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.devices.aracna.simulator.control import control, state
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 
@@ -15,8 +15,8 @@ def stage() -> AracnaStage:
     return AracnaStage()
 
 
-OBEYED = [
-    ("reset", "the board starts anew; the servos go on"),
+ACCEPTED = [
+    ("reset", "the board restarts; the servos continue"),
     ("power on", "power on"),
     ("power off", "power off"),
     ("power cycle", "power on"),
@@ -26,15 +26,15 @@ OBEYED = [
     ("servo 1 block", "servo 1 blocked"),
     ("servo 1 free", "servo 1 free"),
     ("servo 1 load 0.25", "servo 1 loses 0.25 of its speed"),
-    ("servo 1 lose position", "servo 1 does not answer the next 1 readings of position"),
-    ("servo 1 lose speed 3", "servo 1 does not answer the next 3 readings of speed"),
+    ("servo 1 lose position", "servo 1 does not answer the next 1 reads of position"),
+    ("servo 1 lose speed 3", "servo 1 does not answer the next 3 reads of speed"),
     ("servo power off", "servo power off"),
     ("servo power on", "servo power on"),
     ("line mute on", "line mute on"),
-    ("line drop 3", "the next 3 bytes to the host get lost"),
-    ("line drop 3 sent", "the next 3 bytes from the host get lost"),
-    ("line cut 4", "of what comes after the next 4 bytes the rest of a line gets lost"),
-    ("line cut off", "no answer is cut"),
+    ("line drop 3", "the next 3 bytes to the host are lost"),
+    ("line drop 3 sent", "the next 3 bytes from the host are lost"),
+    ("line cut 4", "after 4 bytes the rest of a line is lost"),
+    ("line cut off", "no reply is cut"),
     ("line garbage FF 80", "2 bytes on their way to the host"),
     ("line garbage ff80", "2 bytes on their way to the host"),
     ("line noise 0.5", "noise 0.5"),
@@ -44,21 +44,21 @@ OBEYED = [
 ]
 
 
-@pytest.mark.parametrize(("text", "answer"), OBEYED, ids=[text for text, _ in OBEYED])
+@pytest.mark.parametrize(("text", "answer"), ACCEPTED, ids=[text for text, _ in ACCEPTED])
 def test_valid_control_line_is_confirmed(stage: AracnaStage, text: str, answer: str) -> None:
     assert control(stage.line, text) == f"ok {answer}"
 
 
-KNOWN = "known are reset, power, servo, line, show, quit"
+COMMANDS = "commands are reset, power, servo, line, show, quit"
 SERVO = "servo N dead|alive|block|free, servo N load F"
 LINE = "line mute on|off, line drop N [sent]"
 
-REFUSED = [
-    ("", f"nothing to do; {KNOWN}"),
-    ("warp 9", f"'warp' is unknown; {KNOWN}"),
-    ("reset now", "reset takes nothing more"),
-    ("show all", "show takes nothing more"),
-    ("quit now", "quit takes nothing more"),
+REJECTED = [
+    ("", f"no command; {COMMANDS}"),
+    ("warp 9", f"'warp' is not a command; {COMMANDS}"),
+    ("reset now", "reset takes no argument"),
+    ("show all", "show takes no argument"),
+    ("quit now", "quit takes no argument"),
     ("power", "power on, power off or power cycle"),
     ("power maybe", "power on, power off or power cycle"),
     ("servo", SERVO),
@@ -72,12 +72,12 @@ REFUSED = [
     ("servo x dead", "a servo is 0 to 7, not 'x'"),
     ("servo 3 load 2", "a load is 0 to 1, not '2'"),
     ("servo 3 load nan", "a load is 0 to 1, not 'nan'"),
-    ("servo 3 lose speed -1", "a number of readings is 0 to 999999999, not '-1'"),
+    ("servo 3 lose speed -1", "a number of reads is 0 to 999999999, not '-1'"),
     ("line", LINE),
     ("line warp", LINE),
     ("line mute", LINE),
     ("line garbage", LINE),
-    ("line garbage xy", "'xy' is not a row of bytes such as FF80"),
+    ("line garbage xy", "'xy' is not hexadecimal bytes such as FF80"),
     (f"line garbage {'00' * 10_001}", "garbage is at most 10000 bytes, not 10001"),
     ("line noise 1.1", "a probability is 0 to 1, not '1.1'"),
     ("line drop many", "a number of bytes is 0 to 999999999, not 'many'"),
@@ -87,7 +87,7 @@ REFUSED = [
 ]
 
 
-@pytest.mark.parametrize(("text", "why"), REFUSED, ids=[text[:30] for text, _ in REFUSED])
+@pytest.mark.parametrize(("text", "why"), REJECTED, ids=[text[:30] for text, _ in REJECTED])
 def test_invalid_control_line_is_explained_and_ignored(
     stage: AracnaStage, text: str, why: str
 ) -> None:

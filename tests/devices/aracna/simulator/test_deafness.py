@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.aracna import BOOT, AracnaStage
 from trex_gui.devices.aracna.simulator.firmware import State
-from trex_gui.devices.aracna.simulator.uart import HOLDS
+from trex_gui.devices.aracna.simulator.line import HOLDS
 
 VERSION = b".q1,8\r\n"
 SPEEDS = b".v100,100,100,100,100,100,100,100\n"
@@ -120,8 +120,8 @@ def test_busy_board_keeps_three_bytes_of_longer_command(
     busy(stage)
     stage.line.send(GOALS)
     stage.line.advance(0.0095)
-    assert len(stage.line.station.holding) == HOLDS
-    assert stage.line.station.holding.lost == len(GOALS) - HOLDS
+    assert len(stage.line.station.held) == HOLDS
+    assert stage.line.station.bytes_missed == len(GOALS) - HOLDS
 
 
 @named(LONG_BUSY)

@@ -159,10 +159,10 @@ def test_bytes_before_request_are_discarded_as_stale(stage: Stage) -> None:
 
 def test_late_reply_before_next_request_is_discarded(stage: Stage) -> None:
     client = stage.client()
-    stage.line.mute = True
+    stage.line.faults.mute = True
     with pytest.raises(NoReply):
         client.request(GetParameter(0x7E))
-    stage.line.mute = False
+    stage.line.faults.mute = False
     stage.line.inject(b"\x05")  # the adapter held it back
     stage.line.advance(0.1)
     assert client.request(GetParameter(0)) == 7
@@ -173,11 +173,11 @@ def test_late_reply_during_next_request_is_discarded(
 ) -> None:
     stage.transport.latency = REAL_TIME
     client = stage.client()
-    stage.line.mute = True
+    stage.line.faults.mute = True
     with pytest.raises(NoReply):
         client.request(GetParameter(0x7E))
-    stage.line.mute = False
-    stage.line.at(stage.line.now + 0.03, lambda: stage.line.inject(b"\x05"))
+    stage.line.faults.mute = False
+    stage.line.timeline.at(stage.line.now + 0.03, lambda: stage.line.inject(b"\x05"))
     assert client.request(GetParameter(0)) == 7
     assert client.counters.stale == 1
 
@@ -186,11 +186,11 @@ def silenced(stage: Stage, questions: int) -> TrexClient:
     """A client that has asked so many questions in vain."""
     stage.transport.latency = REAL_TIME
     client = stage.client()
-    stage.line.mute = True
+    stage.line.faults.mute = True
     for _ in range(questions):
         with pytest.raises(NoReply):
             client.request(GetParameter(0x7E))
-    stage.line.mute = False
+    stage.line.faults.mute = False
     return client
 
 
@@ -199,7 +199,9 @@ def test_burst_of_late_replies_is_rejected(
 ) -> None:
     client = silenced(stage, 3)
     # An adapter that stood still gives all of it back while the next question waits.
-    stage.line.at(stage.line.now + REAL_TIME + 0.0005, lambda: stage.line.inject(b"\x05\x05\x05"))
+    stage.line.timeline.at(
+        stage.line.now + REAL_TIME + 0.0005, lambda: stage.line.inject(b"\x05\x05\x05")
+    )
     with pytest.raises(BadReply, match="held up"):
         client.request(GetParameter(0))
     assert client.request(GetParameter(0)) == 7
@@ -217,7 +219,7 @@ def test_reply_after_lost_replies_is_accepted(stage: Stage) -> None:
 def test_motor_command_does_not_wait_for_late_reply(stage: Stage) -> None:
     stage.transport.latency = REAL_TIME
     client = stage.client()
-    stage.line.mute = True
+    stage.line.faults.mute = True
     with pytest.raises(NoReply):
         client.request(GetMode())
     begun = stage.line.now
@@ -226,7 +228,7 @@ def test_motor_command_does_not_wait_for_late_reply(stage: Stage) -> None:
 
 
 def test_incomplete_reply_is_reported_with_its_bytes(stage: Stage) -> None:
-    stage.line.to_drop = 3
+    stage.line.faults.to_drop = 3
     with pytest.raises(NoReply, match=r"Only 58 31 2E 32 came in answer to 81\."):
         stage.client().request(GetSignature())
 
@@ -326,7 +328,7 @@ def test_echo_of_motor_command_is_consumed(board: Board) -> None:
 
 def test_corrupted_echo_raises_bad_reply(board: Board) -> None:
     stage = Stage(board, echo=True)
-    stage.line.to_drop = 1
+    stage.line.faults.to_drop = 1
     with pytest.raises(BadReply, match="echo should be 9F 07"):
         stage.client().request(GetParameter(7))
 
@@ -442,18 +444,18 @@ def test_crc_rejects_replies_with_few_corrupted_bytes(
 
     stage, _ = staged(detection=Detection.CRC7, echo=echo)
     stage.line.advance(0.1)
-    stage.line._random.seed(seed)
-    stage.line.noise = noise
+    stage.line.faults._random.seed(seed)
+    stage.line.faults.noise = noise
     client = stage.client(ConnectionSettings("virtual", settings.line, device_number=number))
     for question, right, drop, miss in zip(questions, expected, drops, lost, strict=False):
-        stage.line.to_drop, stage.line.to_drop_sent = drop, miss
-        spoilt = stage.line.counters["spoilt"]
+        stage.line.faults.to_drop, stage.line.faults.to_drop_sent = drop, miss
+        spoilt = stage.line.faults.counters["corrupted"]
         try:
             answer = client.request(question)
         except (NoReply, BadReply):
             continue
         # Seven bits tell of every one or two wrong bits; of more, of all but one in 128.
-        assert answer == right or stage.line.counters["spoilt"] - spoilt > 2
+        assert answer == right or stage.line.faults.counters["corrupted"] - spoilt > 2
 
 
 @modest

@@ -216,7 +216,7 @@ class Attempt:
         return self
 
     def at(self, moment: float, action: Callable[[], None]) -> "Attempt":
-        self.stage.line.at(moment, action)
+        self.stage.line.timeline.at(moment, action)
         return self
 
     @property
@@ -251,14 +251,14 @@ def moments(name: str) -> tuple[float, ...]:
 
     def probe() -> None:
         nonlocal seen
-        passed = line.counters["sent"] + line.counters["received"]
+        passed = line.faults.counters["sent"] + line.faults.counters["received"]
         is_writing = bool(memory.busy_for)
         if passed != seen or (is_writing and line.now - found[-1] > _WITHIN_A_WRITE):
             found.append(line.now)
         seen = passed
 
     for number in range(int(2 / _PROBE)):
-        line.at(number * _PROBE, probe)
+        line.timeline.at(number * _PROBE, probe)
     attempt.run()
     assert [result.error for result in attempt.results] == [None] * len(attempt.results)
     assert line.now < 2

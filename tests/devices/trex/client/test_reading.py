@@ -57,7 +57,7 @@ def test_progress_increases_to_total(stage: Stage) -> None:
 
 
 def test_lost_reply_costs_one_retry(stage: Stage) -> None:
-    stage.line.to_drop = 1
+    stage.line.faults.to_drop = 1
     client = stage.client()
     state = read_everything(client.request)
     assert state.parameters == stage.board.memory.stored()
@@ -67,8 +67,8 @@ def test_lost_reply_costs_one_retry(stage: Stage) -> None:
 def test_noisy_line_with_crc_yields_no_wrong_value() -> None:
     for seed in range(10):
         stage, settings = staged(detection=Detection.CRC7)
-        stage.line._random.seed(seed)
-        stage.line.noise = 0.01
+        stage.line.faults._random.seed(seed)
+        stage.line.faults.noise = 0.01
         try:
             state = read_everything(stage.client(settings).request)
         except NoReply:
@@ -81,7 +81,7 @@ def test_unreadable_parameter_does_not_block_remaining_ones(stage: Stage) -> Non
     client = stage.client()
 
     def deaf_to_one(command: Command[ReplyT_co]) -> ReplyT_co:
-        stage.line.mute = command == GetParameter(0x07)
+        stage.line.faults.mute = command == GetParameter(0x07)
         return client.request(command)
 
     state = read_everything(deaf_to_one)

@@ -72,7 +72,7 @@ def test_factory_reset_is_not_read_back(stage: Stage) -> None:
 
 
 def test_unanswered_factory_reset_fails(stage: Stage) -> None:
-    stage.line.mute = True
+    stage.line.faults.mute = True
     with pytest.raises(NoReply):
         write_parameter(stage.client().request, SPECS["factory_reset"], 0x7F)
 
@@ -117,20 +117,20 @@ def test_rejected_write_is_not_retried() -> None:
 
 
 def test_write_with_lost_reply_succeeds(stage: Stage) -> None:
-    stage.line.to_drop = 1
+    stage.line.faults.to_drop = 1
     assert write_parameter(stage.client().request, TIMEOUT, 33) == 33
     assert stage.board.eeprom["serial_timeout"] == 33
 
 
 def test_write_without_replies_is_confirmed_by_read_back(stage: Stage) -> None:
-    stage.line.to_drop = 3
+    stage.line.faults.to_drop = 3
     client = stage.client()
     assert write_parameter(client.request, TIMEOUT, 33) == 33
     assert client.counters.silences == 3
 
 
 def test_lost_write_is_resent(stage: Stage) -> None:
-    stage.line.to_drop_sent = 5
+    stage.line.faults.to_drop_sent = 5
     assert write_parameter(stage.client().request, TIMEOUT, 33) == 33
     assert stage.board.memory.writes == 1
 
@@ -177,13 +177,19 @@ def test_successful_write_with_crc_is_stored(
     *, seed: int, noise: float, drop: int, lost: int, wire: int
 ) -> None:
     stage, settings = staged(detection=Detection.CRC7)
-    stage.line._random.seed(seed)
-    stage.line.noise, stage.line.to_drop, stage.line.to_drop_sent = noise, drop, lost
+    stage.line.faults._random.seed(seed)
+    stage.line.faults.noise, stage.line.faults.to_drop, stage.line.faults.to_drop_sent = (
+        noise,
+        drop,
+        lost,
+    )
     try:
         assert write_parameter(stage.client(settings).request, TIMEOUT, wire) == wire
     except (NoReply, BadReply, Rejected):
         return
-    assert stage.board.eeprom["serial_timeout"] == wire or stage.line.counters["spoilt"] > 2
+    assert (
+        stage.board.eeprom["serial_timeout"] == wire or stage.line.faults.counters["corrupted"] > 2
+    )
 
 
 # --- Calibrations -----------------------------------------------------------------------
@@ -202,7 +208,7 @@ def test_invalid_calibration_is_not_sent(stage: Stage) -> None:
 
 
 def test_calibration_write_with_lost_reply_succeeds(stage: Stage) -> None:
-    stage.line.to_drop = 1
+    stage.line.faults.to_drop = 1
     assert write_calibration(stage.client().request, 1, LEARNED) == LEARNED
 
 

@@ -4,10 +4,10 @@ import math
 from dataclasses import replace
 from typing import Any, Protocol
 
-from trex_gui.cli.simulator import simulate_trex
+from trex_gui.devices.trex.simulator.command import simulate
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 PATIENCE = 15.0
@@ -59,7 +59,7 @@ class ParserEnd:
 
     def __init__(self, model: str, firmware: str) -> None:
         self._board = Board(model, firmware)
-        self._line = SimulatedLine([self._board])
+        self._line = TrexLine([self._board])
         self._port = SerialPort(self._board)
         self._resumes_at = math.inf
         self._come = bytearray()
@@ -75,8 +75,8 @@ class ParserEnd:
 
     def write(self, data: bytes) -> None:
         for byte in data:
-            if self._line.to_spoil:
-                self._port.feed_error(self._line.to_spoil.popleft())
+            if self._line.faults.errors:
+                self._port.feed_error(self._line.faults.errors.popleft())
             else:
                 self._port.feed(byte)
             self._look()
@@ -129,13 +129,13 @@ class WireEnd:
     """The whole simulator behind its wire, at the pace of the wire, in virtual time.
 
     The host's parity and stop bits are always those of the board. `options` are those of
-    `simulate_trex`.
+    `simulate`.
     """
 
     def __init__(self, **options: Any) -> None:
-        self._simulation = simulate_trex(**options)
+        self._simulation = simulate(**options)
         self._line = self._simulation.line
-        self._line.host = self._line.own_settings
+        self._line.host = self._line.host_format
 
     def now(self) -> float:
         return self._line.now
@@ -150,7 +150,7 @@ class WireEnd:
         self.wait(self._line.backlog)
 
     def read(self, size: int, seconds: float) -> bytes:
-        assert isinstance(self._line, SimulatedLine)
+        assert isinstance(self._line, TrexLine)
         return self._line.read(size, seconds)
 
     def come(self) -> bytes:
@@ -163,7 +163,7 @@ class WireEnd:
         return self._simulation.control(text)
 
     def run_at(self, baud: int) -> None:
-        self._line.host = replace(self._line.own_settings, baud=baud)
+        self._line.host = replace(self._line.host_format, baud=baud)
         self._line.receive()
 
     def on_the_wire(self, size: int) -> float:

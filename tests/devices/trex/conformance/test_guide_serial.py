@@ -8,7 +8,7 @@ import pytest
 
 from tests.devices.trex.conformance.ends import PATIENCE, WireEnd
 from tests.devices.trex.conformance.trex import RATES, Trex, Variant, only
-from trex_gui.cli.simulator import DeviceOption
+from trex_gui.devices.trex.simulator.command import DeviceOption
 
 
 def on_the_wire(variant: Variant) -> bool:

@@ -32,7 +32,7 @@ from trex_gui.devices.trex.protocol.commands import COMMANDS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.serial_control import SerialControl
 
 VIRTUAL = ConnectionSettings("virtual")
@@ -50,7 +50,7 @@ class Wire(VirtualTransport):
 
     unable: frozenset[int] = frozenset()
 
-    def __init__(self, line: SimulatedLine) -> None:
+    def __init__(self, line: TrexLine) -> None:
         super().__init__(line)
         self.tuned: list[SerialFormat] = []
 
@@ -62,7 +62,7 @@ class Wire(VirtualTransport):
 
 
 def wire_of(*boards: Board, echo: bool = False) -> Wire:
-    line = SimulatedLine(boards, echo=echo)
+    line = TrexLine(boards, echo=echo)
     line.host = FLUSH_LINE
     return Wire(line)
 
@@ -120,7 +120,7 @@ def test_search_without_replies_commands_no_motor(
 ) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
     wire = wire_of(board)
-    wire.line.mute = True
+    wire.line.faults.mute = True
     assert not search(wire).found
     assert not orders
     assert not board.memory.writes
@@ -129,7 +129,7 @@ def test_search_without_replies_commands_no_motor(
 def a_full_search_moves_nothing(settings: LineSettings, orders: list[str]) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
     wire = wire_of(board)
-    wire.line.mute = True
+    wire.line.faults.mute = True
     search(wire, full=True)
     assert not orders
     assert not board.memory.writes
@@ -187,9 +187,9 @@ def words(packet: bytes, host: SerialFormat, own: LineSettings) -> frozenset[Wor
         each = [
             heard_byte
             for index, byte in enumerate(packet)
-            for heard_byte in receiver.hear(index * host.seconds(1), byte, host, host.baud)
+            for heard_byte in receiver.receive(index * host.seconds(1), byte, host, host.baud)
         ]
-        each += receiver.rest(1.0)
+        each += receiver.idle(1.0)
         word = tuple(BAD if it.error else it.value for it in each)
         heard.add(word)
         for index, value in enumerate(word):
@@ -330,7 +330,7 @@ def test_search_requests_only_signatures() -> None:
 
 def test_flush_byte_precedes_each_probe() -> None:
     wire = wire_of(a_board())
-    wire.line.mute = True
+    wire.line.faults.mute = True
     search(wire)
     assert bytes(wire.sent).startswith(FLUSH_BYTE + b"\x81" + FLUSH_BYTE + b"\x81")
     assert wire.sent.count(FLUSH_BYTE) == len(BOARDS)
@@ -339,7 +339,7 @@ def test_flush_byte_precedes_each_probe() -> None:
 
 def test_search_leaves_port_at_default_line_settings() -> None:
     wire = wire_of(a_board())
-    wire.line.mute = True
+    wire.line.faults.mute = True
     search(wire)
     assert wire.tuned[-1] == LineSettings()
 
@@ -358,7 +358,7 @@ def test_progress_names_next_probe() -> None:
 def test_search_can_be_cancelled() -> None:
     steps: list[ScanProgress] = []
     wire = wire_of(a_board())
-    wire.line.mute = True
+    wire.line.faults.mute = True
     result = find(VIRTUAL, lambda _settings: wire, steps.append, lambda: len(steps) == 4)
     assert result.cancelled
     assert len(steps) == 4
@@ -490,5 +490,5 @@ def test_port_loss_ends_search() -> None:
 
 def test_search_finds_board_on_noisy_line() -> None:
     wire = wire_of(a_board(settings=LineSettings(1200).to_wire()))
-    wire.line.noise = 0.02
+    wire.line.faults.noise = 0.02
     assert only(search(wire)).settings.line.baud == 1200

@@ -14,11 +14,11 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 
 
 class _Recorder(VirtualTransport):
-    def __init__(self, line: SimulatedLine) -> None:
+    def __init__(self, line: TrexLine) -> None:
         super().__init__(line)
         self.packets: list[bytes] = []
 
@@ -30,13 +30,13 @@ class _Recorder(VirtualTransport):
 def _sent_to_nobody(settings: ConnectionSettings) -> list[bytes]:
     """Return what a session sends while nothing answers."""
     stage = Stage(Board())
-    stage.line.mute = True
+    stage.line.faults.mute = True
     stage.transport = recorder = _Recorder(stage.line)
     stage.run(settings)
     return recorder.packets
 
 
-def _moves(line: SimulatedLine, board: Board, packets: list[bytes]) -> list[str]:
+def _moves(line: TrexLine, board: Board, packets: list[bytes]) -> list[str]:
     """Send packets with gaps; return those on which a motor is told to run, however briefly."""
     moving = []
     for packet in packets:
@@ -69,7 +69,7 @@ def test_connection_probes_start_no_motor_at_any_rate(
     for own_detection in Detection:
         for own, host in itertools.permutations(baud_rates(), 2):
             board = _board(LineSettings(own, own_detection))
-            line = SimulatedLine([board])
+            line = TrexLine([board])
             line.host = LineSettings(host, detection)
             moving = _moves(line, board, packets)
             assert not moving, f"{host} to {own} baud, {own_detection.name}: {moving}"
@@ -79,7 +79,7 @@ def test_connection_probes_start_no_motor_at_any_rate(
 def test_misread_packets_can_start_a_motor() -> None:
     """The danger is real: else the test above would say nothing."""
     board = _board(LineSettings(19200))
-    line = SimulatedLine([board])
+    line = TrexLine([board])
     line.host = LineSettings(38400)
     queries = [bytes.fromhex("80 07 04 50"), bytes.fromhex("80 07 05 59")]
     assert _moves(line, board, queries) == ["80 07 05 59"]

@@ -137,7 +137,7 @@ def test_stop_is_repeated_until_confirmed(stage: Stage) -> None:
     """A line that spoils what it carries to the board, but not what it brings back."""
 
     def spoil(number: int) -> None:
-        stage.line.to_drop_sent = number
+        stage.line.faults.to_drop_sent = number
 
     stage.script.at(1.0, SetMotor(1, Drive.at(80)))
     for step in range(100):  # a byte of each packet is lost, for two seconds
@@ -150,12 +150,12 @@ def test_stop_is_repeated_until_confirmed(stage: Stage) -> None:
 
 def test_late_confirmation_of_failed_stop_is_reported(stage: Stage) -> None:
     def lose_our_ears() -> None:
-        stage.line.mute = True
+        stage.line.faults.mute = True
 
     def hear_again_when_it_was_given_up(report: Report) -> None:
         stage.reports.append(report)
         if isinstance(report, Outcome):
-            stage.line.mute = False
+            stage.line.faults.mute = False
 
     stage.script.at(1.0, SetMotor(1, Drive.at(80))).at(1.5, lose_our_ears).at(1.5, Stop(1))
     stage.script.at(5.0, Close())

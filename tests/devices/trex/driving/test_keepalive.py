@@ -100,7 +100,7 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
     stage.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
 
     def lose_an_answer() -> None:
-        stage.line.to_drop = 1
+        stage.line.faults.to_drop = 1
 
     for number in range(80):
         stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())

@@ -53,9 +53,9 @@ def is_braked(stage: Stage) -> bool:
 @pytest.mark.parametrize("seed", [13, 19, 40, 74, 93, 117])
 def test_released_motor_does_not_keep_running_on_noisy_line(noise: float, seed: int) -> None:
     stage, _ = staged()
-    stage.line._random.seed(seed)
+    stage.line.faults._random.seed(seed)
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.5, lambda: setattr(stage.line, "noise", noise)).at(1.6, FULL_BRAKE)
+    stage.script.at(1.5, lambda: setattr(stage.line.faults, "noise", noise)).at(1.6, FULL_BRAKE)
     seen: list[bool] = []
     for step in range(60):
         if step % 10 == 0:
@@ -94,7 +94,7 @@ def test_request_corrupted_into_command_is_undone_at_once() -> None:
 
 def test_line_error_before_driving_sends_no_motor_command() -> None:
     stage, _ = staged()
-    stage.script.at(1.0, lambda: setattr(stage.line, "to_drop", 1))
+    stage.script.at(1.0, lambda: setattr(stage.line.faults, "to_drop", 1))
     run_for(stage, 2.0)
     assert not moving(stage.transport.sent)
 
@@ -113,7 +113,7 @@ def test_brake_is_repeated_until_line_is_quiet() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.4, FULL_BRAKE)
     pulses(stage, 1.5, 2.8)
-    stage.script.at(3.0, lambda: setattr(stage.line, "to_drop", 1))
+    stage.script.at(3.0, lambda: setattr(stage.line.faults, "to_drop", 1))
     pulses(stage, 3.0, 8.5)
     marks = [0, 0, 0]
 
@@ -133,7 +133,7 @@ def test_brake_is_repeated_until_line_is_quiet() -> None:
 def test_idle_refresh_skips_running_motor() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(2, Drive.at(50)))
-    stage.script.at(1.2, lambda: setattr(stage.line, "to_drop", 1))
+    stage.script.at(1.2, lambda: setattr(stage.line.faults, "to_drop", 1))
     pulses(stage, 1.3, 3.8)
     speeds = seen_at(stage, 3.9, lambda: stage.board.motors[1].speed)
     mark = seen_at(stage, 3.9, lambda: len(stage.transport.sent))
@@ -146,7 +146,7 @@ def test_idle_refresh_skips_running_motor() -> None:
 
 def test_risky_polls_are_omitted_while_motors_may_move() -> None:
     stage, _ = staged()
-    stage.script.at(1.0, Arm()).at(1.2, lambda: setattr(stage.line, "to_drop", 1))
+    stage.script.at(1.0, Arm()).at(1.2, lambda: setattr(stage.line.faults, "to_drop", 1))
     before = seen_at(stage, 1.3, lambda: len(stage.transport.sent))
     after = seen_at(stage, 1.9, lambda: len(stage.transport.sent))
     run_for(stage, 2.0)
@@ -162,10 +162,10 @@ def test_risky_polls_are_omitted_while_motors_may_move() -> None:
 @pytest.mark.parametrize("noise", [0.01, 0.05])
 def test_stop_holds_on_noisy_line(noise: float, seed: int) -> None:
     stage, _ = staged()
-    stage.line._random.seed(seed)
+    stage.line.faults._random.seed(seed)
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.5, lambda: setattr(stage.line, "noise", noise)).at(1.6, Stop(1))
-    stage.script.at(3.0, lambda: setattr(stage.line, "noise", 0.0))
+    stage.script.at(1.5, lambda: setattr(stage.line.faults, "noise", noise)).at(1.6, Stop(1))
+    stage.script.at(3.0, lambda: setattr(stage.line.faults, "noise", 0.0))
     stopped = seen_at(stage, 5.5, lambda: is_stopped(stage.board))
     run_for(stage, 5.6)
     assert stopped == [True]
@@ -175,7 +175,7 @@ def test_stop_holds_on_noisy_line(noise: float, seed: int) -> None:
 def test_stop_after_line_error_is_confirmed_on_quiet_line() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.4, lambda: setattr(stage.line, "to_drop", 1)).at(1.5, Stop(1))
+    stage.script.at(1.4, lambda: setattr(stage.line.faults, "to_drop", 1)).at(1.5, Stop(1))
     early = seen_at(stage, 2.0, lambda: outcomes(stage.reports))
     late = seen_at(stage, 1.5 + Timeouts().stop_confirmation, lambda: outcomes(stage.reports))
     run_for(stage, 5.0)
@@ -191,7 +191,7 @@ def test_unconfirmed_stop_on_bad_line_is_reported() -> None:
     for step in range(60):
         if step == 2:
             stage.script.at(1.5, Stop(1))
-        stage.script.at(1.4 + step * 0.1, lambda: setattr(stage.line, "to_drop", 1))
+        stage.script.at(1.4 + step * 0.1, lambda: setattr(stage.line.faults, "to_drop", 1))
     run_for(stage, 7.5)
     error = outcomes(stage.reports)[1].error
     assert isinstance(error, NoReply)
@@ -200,7 +200,7 @@ def test_unconfirmed_stop_on_bad_line_is_reported() -> None:
 
 def test_unconfirmed_stop_is_reported_when_driving_again() -> None:
     stage, _ = staged()
-    stage.script.at(1.4, lambda: setattr(stage.line, "to_drop", 1)).at(1.5, Stop(1))
+    stage.script.at(1.4, lambda: setattr(stage.line.faults, "to_drop", 1)).at(1.5, Stop(1))
     stage.script.at(1.7, Arm()).at(1.7, SetMotor(1, Drive.at(30)))
     seen = seen_at(stage, 1.9, lambda: outcomes(stage.reports))
     speeds = seen_at(stage, 1.9, lambda: stage.board.motors[0].speed)
@@ -212,13 +212,13 @@ def test_unconfirmed_stop_is_reported_when_driving_again() -> None:
 def test_stop_is_confirmed_when_board_responds_again() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.5, lambda: setattr(stage.line, "mute", True)).at(1.5, Stop(1))
+    stage.script.at(1.5, lambda: setattr(stage.line.faults, "mute", True)).at(1.5, Stop(1))
     mark = seen_at(stage, 1.5, lambda: len(stage.transport.sent))
 
     def hear_again_when_given_up() -> None:
         """Three questions later it would count as silent."""
         if 1 in outcomes(stage.reports):
-            stage.line.mute = False
+            stage.line.faults.mute = False
 
     for hundredths in range(150, 250):
         stage.script.at(hundredths / 100, hear_again_when_given_up)

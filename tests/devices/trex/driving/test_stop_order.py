@@ -68,7 +68,7 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(
     stage: Stage,
 ) -> None:
     def mute() -> Request:
-        stage.line.mute = True
+        stage.line.faults.mute = True
         return Stop(7, 0.0)
 
     def pull() -> Request:

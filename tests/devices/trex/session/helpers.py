@@ -14,7 +14,7 @@ from trex_gui.devices.trex.session.messages import Report
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 KindT = TypeVar("KindT")
@@ -123,7 +123,7 @@ def timed_run(stage: Stage, settings: ConnectionSettings) -> list[tuple[float, R
 class FailingTransport(VirtualTransport):
     """A line that works for some calls and is gone from then on."""
 
-    def __init__(self, line: SimulatedLine, calls: int, failure: Exception) -> None:
+    def __init__(self, line: TrexLine, calls: int, failure: Exception) -> None:
         super().__init__(line)
         self._left = calls
         self._failure = failure

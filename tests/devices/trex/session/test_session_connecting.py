@@ -87,10 +87,10 @@ def test_reading_reports_progress(stage: Stage) -> None:
 
 def test_board_is_read_over_noisy_line() -> None:
     stage, settings = staged(detection=Detection.CRC7)
-    stage.line.noise = 0.005
+    stage.line.faults.noise = 0.005
     run_for(stage, 1.0, settings)
     assert among(stage.reports, Connected)[0].state.parameters == stage.board.memory.stored()
-    assert stage.line.counters["spoilt"] > 0
+    assert stage.line.faults.counters["corrupted"] > 0
 
 
 def test_connecting_sends_no_motor_command(stage: Stage) -> None:
@@ -113,7 +113,7 @@ def test_echo_is_detected_with_device_number(board: Board) -> None:
 
 def test_echo_is_detected_despite_lost_byte(board: Board) -> None:
     stage = Stage(board, echo=True)
-    stage.line.to_drop = 1
+    stage.line.faults.to_drop = 1
     run_for(stage, 1.0)
     assert connected(stage).echo
 

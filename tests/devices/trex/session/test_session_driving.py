@@ -238,7 +238,7 @@ def test_stop_in_rc_mode_is_confirmed() -> None:
 @pytest.mark.parametrize("lost", [1, 3, 5, 7, 12])
 def test_stop_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
     def lose() -> None:
-        stage.line.to_drop_sent = lost
+        stage.line.faults.to_drop_sent = lost
 
     stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, lose).at(1.5, Stop(1))
     stopped = seen_at(stage, 1.7, lambda: stage.board.motors[0].speed == 127)
@@ -255,10 +255,10 @@ def test_stop_succeeds_on_noisy_line(seed: int, detection: Detection) -> None:
     `link/calm.py` says how often; nobody has driven here, so nothing is repeated against that.
     """
     stage, settings = staged(detection=detection)
-    stage.line._random.seed(seed)
+    stage.line.faults._random.seed(seed)
 
     def spoil() -> None:
-        stage.line.noise = 0.05
+        stage.line.faults.noise = 0.05
 
     def look() -> None:
         seen.append(is_stopped(stage.board))
@@ -277,7 +277,7 @@ def test_stop_succeeds_on_noisy_line(seed: int, detection: Detection) -> None:
 
 def test_unanswered_stop_is_repeated_and_then_reported(stage: Stage) -> None:
     def silence() -> None:
-        stage.line.mute = True
+        stage.line.faults.mute = True
 
     stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, silence).at(1.5, Stop(1))
     run_for(stage, 3.0)
@@ -292,7 +292,7 @@ def test_stop_on_rs232_side_survives_corrupted_echo(board: Board) -> None:
     stage = Stage(board, echo=True)
 
     def lose() -> None:
-        stage.line.to_drop = 2
+        stage.line.faults.to_drop = 2
 
     stage.script.at(1.0, lose).at(1.0, Stop(1))
     run_for(stage, 2.0)
@@ -325,7 +325,7 @@ def test_unresponsive_board_with_running_motors_is_stopped(
     stage: Stage,
 ) -> None:
     def cut_our_ears() -> None:
-        stage.line.mute = True
+        stage.line.faults.mute = True
 
     stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, cut_our_ears)
     stopped = seen_at(stage, 2.0, lambda: is_stopped(stage.board))
@@ -337,7 +337,7 @@ def test_returning_board_with_running_motors_is_stopped(
     stage: Stage,
 ) -> None:
     def ears(*, mute: bool) -> None:
-        stage.line.mute = mute
+        stage.line.faults.mute = mute
 
     stage.script.at(1.0, SetMotor(1, Drive.at(100)))
     stage.script.at(1.5, lambda: ears(mute=True)).at(3.0, lambda: ears(mute=False))
@@ -357,7 +357,7 @@ def test_confirmed_stop_is_not_repeated_on_close(stage: Stage) -> None:
 
 def test_unconfirmed_stop_on_close_is_reported(stage: Stage) -> None:
     def silence() -> None:
-        stage.line.mute = True
+        stage.line.faults.mute = True
 
     stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, silence)
     assert run_for(stage, 1.5)[-1] == Closed(None, may_move=True)
@@ -367,7 +367,7 @@ def test_unconfirmed_stop_on_close_is_reported(stage: Stage) -> None:
 @pytest.mark.parametrize("lost", [1, 3, 5, 7, 9, 11])
 def test_stop_on_close_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
     def lose() -> None:
-        stage.line.to_drop_sent = lost
+        stage.line.faults.to_drop_sent = lost
 
     stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, lose)
     assert run_for(stage, 1.5)[-1] == Closed(None, may_move=False)
@@ -378,7 +378,7 @@ def test_setpoint_with_corrupted_echo_is_resent(board: Board) -> None:
     stage = Stage(board, echo=True)
 
     def lose() -> None:
-        stage.line.to_drop = 1
+        stage.line.faults.to_drop = 1
 
     stage.script.at(1.0, lose).at(1.0, SetMotor(1, Drive.at(50))).at(2.0, RunCommand(1, GetMode()))
     reports = run_for(stage, 3.0)

@@ -106,7 +106,7 @@ def test_unanswered_stop_delays_close_by_less_than_a_second(
     stage.transport.latency = latency_of("/dev/ttyUSB0")
     if drives:
         stage.script.at(0.9, SetMotor(1, Drive.at(60)))
-    stage.script.at(1.0, lambda: setattr(stage.line, "mute", True)).at(1.1, Stop(1))
+    stage.script.at(1.0, lambda: setattr(stage.line.faults, "mute", True)).at(1.1, Stop(1))
     stage.script.at(1.1 + after, Close())
     reports = stage.run()
     assert stage.line.now < 1.1 + after + 0.9

@@ -75,7 +75,7 @@ def test_samples_before_power_loss_are_delivered(stage: Stage) -> None:
 
 def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
     def lose() -> None:
-        stage.line.to_drop = 1
+        stage.line.faults.to_drop = 1
 
     for moment in (1.0, 1.5, 2.0, 2.5):
         stage.script.at(moment, lose)
@@ -248,7 +248,9 @@ def test_silence_while_reading_new_mode_is_reported(stage: Stage) -> None:
 
     def die_at_the_second_signature(data: bytes) -> None:
         send(data)
-        stage.line.mute = stage.line.mute or (data == b"\x81" and stage.line.now > 1.0)
+        stage.line.faults.mute = stage.line.faults.mute or (
+            data == b"\x81" and stage.line.now > 1.0
+        )
 
     stage.transport.write = die_at_the_second_signature  # type: ignore[method-assign] # a knob
     stage.script.at(1.0, rearrange)

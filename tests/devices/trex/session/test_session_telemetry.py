@@ -79,13 +79,13 @@ def test_slow_line_starves_no_topic(baud: int) -> None:
 def test_slow_line_is_kept_busy() -> None:
     stage, settings = staged(9600)
     run_for(stage, 5.0, settings)
-    assert len(stage.transport.sent) + stage.line.counters["received"] > 0.95 * 5 * 960
+    assert len(stage.transport.sent) + stage.line.faults.counters["received"] > 0.95 * 5 * 960
 
 
 def test_fast_line_is_idle_between_polls() -> None:
     stage, settings = staged(115200)
     run_for(stage, 5.0, settings)
-    assert len(stage.transport.sent) + stage.line.counters["received"] < 5 * 1300
+    assert len(stage.transport.sent) + stage.line.faults.counters["received"] < 5 * 1300
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
@@ -193,7 +193,7 @@ def test_status_bits_survive_lost_uart_error_byte(stage: Stage) -> None:
     seen = stage.transport.write
 
     def lose_uart_errors(data: bytes) -> None:
-        stage.line.mute = data == b"\x85"
+        stage.line.faults.mute = data == b"\x85"
         seen(data)
 
     stage.transport.write = lose_uart_errors  # type: ignore[method-assign] # one byte is lost
@@ -209,7 +209,7 @@ def test_lost_uart_error_request_is_repeated(stage: Stage) -> None:
     def lose_the_first_question(data: bytes) -> None:
         if data == b"\x85":
             asked.append(data)
-            stage.line.to_drop_sent = int(len(asked) == 1)
+            stage.line.faults.to_drop_sent = int(len(asked) == 1)
         send(data)
 
     stage.transport.write = lose_the_first_question  # type: ignore[method-assign] # a knob
@@ -228,7 +228,7 @@ def test_uart_error_is_read_after_lost_status_reply(stage: Stage) -> None:
     def lose_the_first_answer(data: bytes) -> None:
         if data == b"\x84" and stage.line.now > 1.0:
             asked.append(data)
-            stage.line.to_drop = int(len(asked) == 1)
+            stage.line.faults.to_drop = int(len(asked) == 1)
         send(data)
 
     stage.transport.write = lose_the_first_answer  # type: ignore[method-assign] # a knob

@@ -5,13 +5,13 @@ from collections.abc import Callable
 import pytest
 
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 Ask = Callable[[str], str]
 
 
-def make_ask(line: SimulatedLine) -> Ask:
+def make_ask(line: TrexLine) -> Ask:
     def ask(packet: str) -> str:
         """Send a packet, wait until the wire is quiet, return what came."""
         line.send(bytes.fromhex(packet))
@@ -33,15 +33,15 @@ def port(board: Board) -> SerialPort:
 
 
 @pytest.fixture
-def line(board: Board) -> SimulatedLine:
-    return SimulatedLine([board])
+def line(board: Board) -> TrexLine:
+    return TrexLine([board])
 
 
 @pytest.fixture
-def asking() -> Callable[[SimulatedLine], Ask]:
+def asking() -> Callable[[TrexLine], Ask]:
     return make_ask
 
 
 @pytest.fixture
-def ask(line: SimulatedLine) -> Ask:
+def ask(line: TrexLine) -> Ask:
     return make_ask(line)

@@ -13,8 +13,9 @@ from tests.devices.trex.simulator.ports import (
     feed,
     pass_pause,
 )
+from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import UartError
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.uart import RECEIVE_BUFFER, SEND_BUFFER, SerialPort
 
@@ -111,7 +112,7 @@ def test_send_overrun_stops_motor(port: SerialPort) -> None:
 
 def test_bad_byte_during_write_discards_its_packet(port: SerialPort) -> None:
     feed(port, WRITE + "C2")
-    port.feed_error(UartError.FRAMING)
+    port.feed_error(ReceiveError.FRAMING)
     feed(port, "40")
     pass_pause(port)
     assert port.board.motors[0].target_direction is MotorDirection.BRAKE
@@ -138,14 +139,14 @@ def test_power_cut_empties_buffers(port: SerialPort) -> None:
 
 
 def test_requests_buffered_during_write_are_answered_in_turn() -> None:
-    line = SimulatedLine([a_board()])
+    line = TrexLine([a_board()])
     line.send(bytes.fromhex(WRITE + "82 83 82"))
     assert line.read(9, 1) == b"\x00r\x01r"
     assert line.boards[0].counters["bytes_missed"] == 0
 
 
 def test_board_receives_again_after_delayed_replies() -> None:
-    line = SimulatedLine([a_board(uart_response_delay=1)])
+    line = TrexLine([a_board(uart_response_delay=1)])
     line.send(b"\x82\x83")
     assert line.read(2, 1) == b"r\x01"
     line.send(b"\x82")

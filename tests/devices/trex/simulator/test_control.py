@@ -5,19 +5,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.core.simulator.server import GOODBYE
-from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.core.simulator.control_lines import GOODBYE
+from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.physics import CONSTANTS
 
 PULSES = 0.025
 """Seconds in which every input is renewed."""
 
 
-def show(line: SimulatedLine, name: str = "") -> dict[str, Any]:
+def show(line: TrexLine, name: str = "") -> dict[str, Any]:
     answer = control(line, f"{name} show")
     assert answer.startswith("ok ")
     shown: dict[str, Any] = json.loads(answer.removeprefix("ok "))
@@ -25,13 +25,13 @@ def show(line: SimulatedLine, name: str = "") -> dict[str, Any]:
 
 
 @pytest.fixture
-def two() -> SimulatedLine:
+def two() -> TrexLine:
     boards = []
     for number, model in ((7, "trex"), (9, "trexjr")):
         eeprom = Eeprom(model)
         eeprom.write("device_number", number)
         boards.append(Board(eeprom=eeprom))
-    return SimulatedLine(boards)
+    return TrexLine(boards)
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def two() -> SimulatedLine:
         ("  CHANNEL   2   INVALID  ", None),
     ],
 )
-def test_channel_command_sets_signal(line: SimulatedLine, text: str, raw: int | None) -> None:
+def test_channel_command_sets_signal(line: TrexLine, text: str, raw: int | None) -> None:
     line.advance(PULSES)
     assert control(line, text).startswith("ok channel 2 gets ")
     assert show(line)["channels"][1]["raw"] == 3750
@@ -64,13 +64,13 @@ def test_channel_command_sets_signal(line: SimulatedLine, text: str, raw: int | 
         ("2.5v noise 20mv", "2.5V noise 0.02V"),
     ],
 )
-def test_reply_and_show_state_channel_signal(line: SimulatedLine, text: str, signal: str) -> None:
+def test_reply_and_show_state_channel_signal(line: TrexLine, text: str, signal: str) -> None:
     assert control(line, f"channel 1 {text}") == f"ok channel 1 gets {signal}"
     assert show(line)["channels"][0]["signal"] == signal
     assert control(line, f"channel 1 {signal}") == f"ok channel 1 gets {signal}"
 
 
-def test_channel_command_sets_voltage_of_analog_input(line: SimulatedLine) -> None:
+def test_channel_command_sets_voltage_of_analog_input(line: TrexLine) -> None:
     line.boards[0].eeprom.write("channel_input_source", 1)
     control(line, "power cycle")
     assert control(line, "channel 5 2.5V") == "ok channel 5 gets 2.5V"
@@ -80,7 +80,7 @@ def test_channel_command_sets_voltage_of_analog_input(line: SimulatedLine) -> No
     assert show(line)["mode"] == "a"
 
 
-def test_jumper_commands_set_jumpers(line: SimulatedLine) -> None:
+def test_jumper_commands_set_jumpers(line: TrexLine) -> None:
     assert control(line, "jumper mode rc").startswith("ok")
     assert show(line)["mode"] == "r"
     control(line, "power cycle")
@@ -95,7 +95,7 @@ def test_jumper_commands_set_jumpers(line: SimulatedLine) -> None:
     assert show(line)["jumpers"] == {"mode": "rc", "mix": True, "so_ground": True}
 
 
-def test_power_commands_switch_power(line: SimulatedLine) -> None:
+def test_power_commands_switch_power(line: TrexLine) -> None:
     assert control(line, "power off") == "ok power off"
     assert show(line)["power"] is False
     assert control(line, "power on") == "ok power on"
@@ -104,7 +104,7 @@ def test_power_commands_switch_power(line: SimulatedLine) -> None:
     assert show(line)["counters"]["power_ups"] == 3
 
 
-def test_load_and_current_commands_set_motor_current(line: SimulatedLine) -> None:
+def test_load_and_current_commands_set_motor_current(line: TrexLine) -> None:
     line.send(bytes.fromhex("C2 7F"))
     assert control(line, "load 1 6").startswith("ok")
     line.advance(3)
@@ -116,17 +116,22 @@ def test_load_and_current_commands_set_motor_current(line: SimulatedLine) -> Non
     assert show(line)["motors"][0]["current"] == pytest.approx(6, abs=0.3)
 
 
-def test_fault_command_sets_and_clears_motor_fault(line: SimulatedLine) -> None:
+def test_fault_command_sets_and_clears_motor_fault(line: TrexLine) -> None:
     assert control(line, "fault 2 on").startswith("ok")
     assert show(line)["motors"][1]["fault"] is True
     assert control(line, "fault 2 off").startswith("ok")
     assert show(line)["motors"][1]["fault"] is False
 
 
-def test_line_commands_cause_line_faults(line: SimulatedLine) -> None:
+def test_line_commands_cause_line_faults(line: TrexLine) -> None:
     for text in ("line mute on", "line drop 3", "line drop 2 sent", "line noise 0.25"):
         assert control(line, text).startswith("ok")
-    assert (line.mute, line.to_drop, line.to_drop_sent, line.noise) == (True, 3, 2, 0.25)
+    assert (line.faults.mute, line.faults.to_drop, line.faults.to_drop_sent, line.faults.noise) == (
+        True,
+        3,
+        2,
+        0.25,
+    )
     control(line, "line mute off")
     control(line, "line drop 0")
     control(line, "line noise 0")
@@ -135,12 +140,12 @@ def test_line_commands_cause_line_faults(line: SimulatedLine) -> None:
     line.advance(1)
     assert len(line.receive()) == 4
     assert control(line, "line unplug").startswith("ok")
-    assert not line.plugged
+    assert not line.faults.plugged
     assert control(line, "line plug").startswith("ok")
-    assert line.plugged
+    assert line.faults.plugged
 
 
-def test_battery_command_sets_voltage_and_resistance(line: SimulatedLine) -> None:
+def test_battery_command_sets_voltage_and_resistance(line: TrexLine) -> None:
     ohm = CONSTANTS["trex"].battery_resistance
     assert control(line, "battery 9") == f"ok battery 9 V, {ohm} ohm"
     assert control(line, "battery 7.5V 0.25") == "ok battery 7.5 V, 0.25 ohm"
@@ -149,7 +154,7 @@ def test_battery_command_sets_voltage_and_resistance(line: SimulatedLine) -> Non
     assert show(line)["supply"] == 7.5
 
 
-def test_board_browns_out_until_battery_is_charged(line: SimulatedLine) -> None:
+def test_board_browns_out_until_battery_is_charged(line: TrexLine) -> None:
     control(line, "battery 2")
     line.advance(0.01)
     assert show(line)["power"] is False
@@ -161,7 +166,7 @@ def test_board_browns_out_until_battery_is_charged(line: SimulatedLine) -> None:
     assert (shown["counters"]["brown_outs"], shown["counters"]["power_ups"]) == (1, 2)
 
 
-def test_eeprom_command_takes_effect_after_power_cycle(line: SimulatedLine) -> None:
+def test_eeprom_command_takes_effect_after_power_cycle(line: TrexLine) -> None:
     assert control(line, "eeprom uart_settings 0x0A") == (
         "ok uart_settings is 10; power cycle to use it"
     )
@@ -171,7 +176,7 @@ def test_eeprom_command_takes_effect_after_power_cycle(line: SimulatedLine) -> N
     assert show(line)["active_uart"]["baud"] == 115200
 
 
-def test_factory_command_restores_new_board_state(line: SimulatedLine) -> None:
+def test_factory_command_restores_new_board_state(line: TrexLine) -> None:
     fresh = show(line)
     for text in (
         "eeprom device_number 3", "jumper mode analog", "jumper mix on", "channel 1 2V",
@@ -186,42 +191,42 @@ def test_factory_command_restores_new_board_state(line: SimulatedLine) -> None:
     assert show(line)["supply"] == 12.0
 
 
-def test_factory_command_switches_board_on(line: SimulatedLine) -> None:
+def test_factory_command_switches_board_on(line: TrexLine) -> None:
     control(line, "power off")
     assert control(line, "factory") == "ok as new"
     assert show(line)["power"] is True
 
 
 @pytest.mark.parametrize(
-    ("text", "spoilt"),
+    ("text", "corrupted"),
     [
-        ("line error framing", [UartError.FRAMING]),
-        ("line error overrun 2", [UartError.DATA_OVERRUN] * 2),
-        ("LINE ERROR PARITY 1", [UartError.PARITY]),
+        ("line error framing", [ReceiveError.FRAMING]),
+        ("line error overrun 2", [ReceiveError.OVERRUN] * 2),
+        ("LINE ERROR PARITY 1", [ReceiveError.PARITY]),
         ("line error parity 0", []),
     ],
 )
 def test_line_error_command_queues_uart_errors(
-    line: SimulatedLine, text: str, spoilt: list[UartError]
+    line: TrexLine, text: str, corrupted: list[ReceiveError]
 ) -> None:
     assert control(line, text).startswith("ok the next ")
-    assert list(line.to_spoil) == spoilt
+    assert list(line.faults.errors) == corrupted
 
 
-def test_line_error_commands_add_to_queue(line: SimulatedLine) -> None:
+def test_line_error_commands_add_to_queue(line: TrexLine) -> None:
     for name in ("framing", "overrun"):
         control(line, f"line error {name}")
-    assert list(line.to_spoil) == [UartError.FRAMING, UartError.DATA_OVERRUN]
+    assert list(line.faults.errors) == [ReceiveError.FRAMING, ReceiveError.OVERRUN]
 
 
-def test_show_reports_line_state(line: SimulatedLine) -> None:
+def test_show_reports_line_state(line: TrexLine) -> None:
     assert show(line)["line"] == {"plugged": True, "mute": False, "noise": 0.0}
     for text in ("line unplug", "line mute on", "line noise 0.5"):
         control(line, text)
     assert show(line)["line"] == {"plugged": False, "mute": True, "noise": 0.5}
 
 
-def test_show_reports_line_counters(line: SimulatedLine) -> None:
+def test_show_reports_line_counters(line: TrexLine) -> None:
     line.send(b"\x81")
     line.advance(1)
     counters = show(line)["counters"]
@@ -229,7 +234,7 @@ def test_show_reports_line_counters(line: SimulatedLine) -> None:
     assert counters["line"]["received"] == 7
 
 
-def test_prefix_selects_one_of_several_boards(two: SimulatedLine) -> None:
+def test_prefix_selects_one_of_several_boards(two: TrexLine) -> None:
     assert control(two, "@9 power off") == "ok power off"
     assert show(two, "@7")["power"] is True
     assert show(two, "@9")["power"] is False
@@ -239,7 +244,7 @@ def test_prefix_selects_one_of_several_boards(two: SimulatedLine) -> None:
     assert control(two, "@8 power off") == "error there is no board @8, but @7, @9"
 
 
-def test_board_keeps_its_name_when_its_number_changes(two: SimulatedLine) -> None:
+def test_board_keeps_its_name_when_its_number_changes(two: TrexLine) -> None:
     two.send(bytes.fromhex("80 09 2F 00 0C 55 2A"))
     two.advance(1)
     assert show(two, "@9")["parameters"]["device_number"] == 12
@@ -307,7 +312,7 @@ def test_board_keeps_its_name_when_its_number_changes(two: SimulatedLine) -> Non
         "quit now",
     ],
 )
-def test_invalid_command_gives_one_line_error_and_no_change(line: SimulatedLine, text: str) -> None:
+def test_invalid_command_gives_one_line_error_and_no_change(line: TrexLine, text: str) -> None:
     before = line.boards[0].show()
     answer = control(line, text)
     assert answer.startswith("error ")
@@ -316,7 +321,7 @@ def test_invalid_command_gives_one_line_error_and_no_change(line: SimulatedLine,
     assert line.boards[0].show() == before
 
 
-def test_quit_command_replies_goodbye(line: SimulatedLine) -> None:
+def test_quit_command_replies_goodbye(line: TrexLine) -> None:
     assert control(line, " Quit ") == GOODBYE == "ok bye"
 
 
@@ -329,7 +334,7 @@ words = st.sampled_from(COMMANDS + DETAILS + MORE)
 
 @given(text=st.text(max_size=40) | st.lists(words, max_size=5).map(" ".join))
 def test_control_answers_any_text_with_ok_or_error(text: str) -> None:
-    line = SimulatedLine([Board()])
+    line = TrexLine([Board()])
     answer = control(line, text)
     assert answer.startswith(("ok", "error "))
     assert "\n" not in answer

@@ -7,21 +7,21 @@ from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 BYTE = 10 / 19200
 
 
 @pytest.fixture
-def line() -> SimulatedLine:
-    line = SimulatedLine([Board()])
+def line() -> TrexLine:
+    line = TrexLine([Board()])
     line.advance(1)
     return line
 
 
 @pytest.mark.parametrize("overlap", [0.05, 0.5, 0.95])
-def test_byte_that_begins_during_reply_is_lost(line: SimulatedLine, overlap: float) -> None:
+def test_byte_that_begins_during_reply_is_lost(line: TrexLine, overlap: float) -> None:
     line.send(b"\x81")
     line.advance((8 - overlap) * BYTE)
     line.send(b"\xc2\x40")
@@ -31,7 +31,7 @@ def test_byte_that_begins_during_reply_is_lost(line: SimulatedLine, overlap: flo
     assert line.boards[0].counters["bytes_missed"] == 1
 
 
-def test_byte_that_begins_after_reply_is_received(line: SimulatedLine) -> None:
+def test_byte_that_begins_after_reply_is_received(line: TrexLine) -> None:
     line.send(b"\x81")
     line.advance(8 * BYTE)
     line.send(b"\x82")
@@ -39,7 +39,7 @@ def test_byte_that_begins_after_reply_is_received(line: SimulatedLine) -> None:
     assert line.receive() == b"TReX1.2r"
 
 
-def test_byte_that_spans_power_up_is_lost(line: SimulatedLine) -> None:
+def test_byte_that_spans_power_up_is_lost(line: TrexLine) -> None:
     control(line, "power off")
     line.send(b"\x81")
     line.advance(0.9 * BYTE)
@@ -49,7 +49,7 @@ def test_byte_that_spans_power_up_is_lost(line: SimulatedLine) -> None:
 
 
 @pytest.mark.parametrize("question", ["81", "FF 81"])
-def test_byte_that_spans_plugging_in_is_lost(line: SimulatedLine, question: str) -> None:
+def test_byte_that_spans_plugging_in_is_lost(line: TrexLine, question: str) -> None:
     control(line, "line unplug")
     line.send(bytes.fromhex(question))
     line.advance((len(bytes.fromhex(question)) - 0.1) * BYTE)
@@ -64,7 +64,7 @@ def test_overlapping_replies_are_garbled() -> None:
     late = Eeprom()
     late.write("uart_response_delay", 1)
     late.write("device_number", 8)
-    line = SimulatedLine([Board(), Board(eeprom=late)])
+    line = TrexLine([Board(), Board(eeprom=late)])
     line.advance(0.2)
     line.send(b"\x81")
     begun = line.now + BYTE
@@ -72,14 +72,14 @@ def test_overlapping_replies_are_garbled() -> None:
     got = line.receive()
     assert got[:1] == b"T"  # before the other begins
     assert got != b"TReX1.2"
-    assert line.counters["collisions"]
+    assert line.faults.counters["collisions"]
     longest = (0.001 + 7 * BYTE) / BYTE
     assert len(got) <= longest + 1
     assert line.now > begun
     assert make_ask(line)("80 08 02") == "72"
 
 
-def test_injected_bytes_take_line_time_and_collide_with_reply(line: SimulatedLine) -> None:
+def test_injected_bytes_take_line_time_and_collide_with_reply(line: TrexLine) -> None:
     control(line, "line garbage " + "00" * 100)
     control(line, "line garbage " + "00" * 100)
     line.advance(150 * BYTE)
@@ -91,19 +91,19 @@ def test_injected_bytes_take_line_time_and_collide_with_reply(line: SimulatedLin
     control(line, "line garbage " + "00" * 7)
     line.advance(0.02)
     assert line.receive() != b"TReX1.2"
-    assert line.counters["collisions"]
+    assert line.faults.counters["collisions"]
 
 
 @pytest.mark.parametrize("boards", [1, 2])
 def test_up_to_10000_injected_bytes_are_delivered(boards: int) -> None:
-    line = SimulatedLine([Board() for _ in range(boards)], echo=True)
+    line = TrexLine([Board() for _ in range(boards)], echo=True)
     assert control(line, "line garbage " + "A5" * 10_001).startswith("error")
     assert control(line, "line garbage " + "A5" * 10_000).startswith("ok")
     line.advance(10_000 * BYTE + 0.01)
     assert line.receive() == b"\xa5" * 10_000
 
 
-def test_drop_unsent_discards_queued_bytes(line: SimulatedLine) -> None:
+def test_drop_unsent_discards_queued_bytes(line: TrexLine) -> None:
     line.send(b"\xc2\x40" * 100)
     line.drop_unsent()
     assert line.backlog == 0

@@ -150,7 +150,7 @@ def test_factory_state_is_restored_in_file(tmp_path: Path) -> None:
     eeprom.write_calibration(InputSource.RC, 5, STICK)
     eeprom.write_calibration(InputSource.ANALOG, 1, STICK)
     eeprom.request_reset()
-    eeprom.make_new()
+    eeprom.factory_reset()
     assert path.read_text(encoding="utf-8") == new
     assert eeprom["uart_settings"] == 5
     assert eeprom.learned(InputSource.RC) == eeprom.learned(InputSource.ANALOG) == 0

@@ -8,16 +8,16 @@ from tests.devices.trex.simulator.ports import a_board
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.control import control
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.uart import remainder
 
-Cause = Callable[[SimulatedLine], None]
+Cause = Callable[[TrexLine], None]
 
 SET_CALIBRATION = "A0 28 14 4C 1C 5C 24 2C 02 55 2A"
 """Keeps the board busy for 32 ms, in which 60 bytes can come."""
 
 
-def send(line: SimulatedLine, packet: str) -> bytes:
+def send(line: TrexLine, packet: str) -> bytes:
     """Send bytes, wait until the wire is quiet, return what came."""
     line.send(bytes.fromhex(packet))
     while (event := line.next_event) is not None:
@@ -25,7 +25,7 @@ def send(line: SimulatedLine, packet: str) -> bytes:
     return line.receive()
 
 
-def question(line: SimulatedLine, packet: str) -> bytes:
+def question(line: TrexLine, packet: str) -> bytes:
     """Ask in the way that the board wants, and take a checksum off."""
     polynomial = line.boards[0].memory.crc_polynomial
     if polynomial is None:
@@ -36,14 +36,14 @@ def question(line: SimulatedLine, packet: str) -> bytes:
     return answer[:-1]
 
 
-def fall_silent(line: SimulatedLine) -> None:
+def fall_silent(line: TrexLine) -> None:
     assert send(line, "AF 07 01 55 2A") == b"\x00"
     line.advance(0.2)
     line.boards[0].memory.active["serial_timeout"] = 0  # it would go on
 
 
 def injected(name: str) -> Cause:
-    def cause(line: SimulatedLine) -> None:
+    def cause(line: TrexLine) -> None:
         assert control(line, f"line error {name}").startswith("ok ")
         send(line, "82")
 
@@ -51,14 +51,14 @@ def injected(name: str) -> Cause:
 
 
 def sent(packet: str) -> Cause:
-    def cause(line: SimulatedLine) -> None:
+    def cause(line: TrexLine) -> None:
         send(line, packet)
 
     return cause
 
 
 def set_otherwise(host: LineSettings, packet: str = "00") -> Cause:
-    def cause(line: SimulatedLine) -> None:
+    def cause(line: TrexLine) -> None:
         fitting = line.host
         line.host = host
         assert send(line, packet) == b""
@@ -102,7 +102,7 @@ CAUSES: list[tuple[str, int, Cause, UartError]] = [
 def test_error_sets_its_bit_and_board_still_replies(
     settings: int, cause: Cause, error: UartError
 ) -> None:
-    line = SimulatedLine([a_board(settings=settings)])
+    line = TrexLine([a_board(settings=settings)])
     line.host = LineSettings.from_wire(settings)
     assert question(line, "85") == b"\x00"
     cause(line)
@@ -117,7 +117,7 @@ def test_causes_cover_every_uart_error_bit() -> None:
 
 
 def test_uart_errors_are_latched_together() -> None:
-    line = SimulatedLine([a_board()])
+    line = TrexLine([a_board()])
     for cause in (sent("88"), injected("framing"), injected("overrun")):
         cause(line)
     expected = UartError.FORMAT | UartError.FRAMING | UartError.DATA_OVERRUN
@@ -126,7 +126,7 @@ def test_uart_errors_are_latched_together() -> None:
 
 @pytest.mark.parametrize("name", ["framing", "overrun", "parity"])
 def test_corrupted_byte_discards_its_packet(name: str) -> None:
-    line = SimulatedLine([a_board(settings=EVEN)])
+    line = TrexLine([a_board(settings=EVEN)])
     send(line, "F0")
     control(line, f"line error {name}")
     send(line, "7F 7F")
@@ -134,21 +134,21 @@ def test_corrupted_byte_discards_its_packet(name: str) -> None:
 
 
 def test_requested_number_of_bytes_is_corrupted() -> None:
-    line = SimulatedLine([a_board()])
+    line = TrexLine([a_board()])
     control(line, "line error framing 3")
     assert send(line, "82 82 82") == b""
     assert send(line, "82") == b"r"
 
 
 def test_board_without_parity_ignores_parity_errors() -> None:
-    line = SimulatedLine([a_board()])
+    line = TrexLine([a_board()])
     control(line, "line error parity")
     assert send(line, "82") == b"r"
     assert question(line, "85") == b"\x00"
 
 
 def test_all_boards_on_line_detect_the_same_error() -> None:
-    line = SimulatedLine([a_board(7), a_board(9)])
+    line = TrexLine([a_board(7), a_board(9)])
     control(line, "line error overrun")
     send(line, "82")
     assert [board.serial.uart_errors for board in line.boards] == [UartError.DATA_OVERRUN] * 2

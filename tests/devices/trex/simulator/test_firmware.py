@@ -96,7 +96,7 @@ class TestPower:
         board.machine.battery, board.machine.resistance = 9.0, 0.3
         board.power_cycle()
         board.advance(0.5)
-        board.make_new()
+        board.factory_reset()
         assert board.now == 0.5
         new = Board(mode="rc", mix=True)
         for each in (board, new):

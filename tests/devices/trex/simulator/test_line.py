@@ -9,7 +9,7 @@ from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 
 Ask = Callable[[str], str]
 BYTE = 10 / 19200
@@ -20,45 +20,45 @@ SIGNATURE = SIGNATURE_BYTES.hex(" ")
 
 
 class TestPace:
-    def test_request_and_reply_take_line_time(self, line: SimulatedLine) -> None:
+    def test_request_and_reply_take_line_time(self, line: TrexLine) -> None:
         line.send(b"\x81")
         assert line.read(7, 7.9 * BYTE) == SIGNATURE_BYTES[:6]
         assert line.now == pytest.approx(7.9 * BYTE)
         assert line.read(1, 1) == SIGNATURE_BYTES[6:]
         assert line.now == pytest.approx(8 * BYTE)
 
-    def test_read_returns_at_its_timeout(self, line: SimulatedLine) -> None:
+    def test_read_returns_at_its_timeout(self, line: TrexLine) -> None:
         assert line.read(1, 0.5) == b""
         assert line.now == pytest.approx(0.5)
         assert line.boards[0].now == pytest.approx(0.5)
 
     def test_parity_and_stop_bits_lengthen_each_byte(self) -> None:
-        line = SimulatedLine([a_board(settings=0x55)])
+        line = TrexLine([a_board(settings=0x55)])
         line.send(b"\x82")
         line.read(1, 1)
         assert line.now == pytest.approx(2 * 12 / 19200)
 
     def test_unpaced_bytes_take_no_time(self, board: Board) -> None:
-        line = SimulatedLine([board], paced=False)
+        line = TrexLine([board], paced=False)
         line.send(b"\x81")
         line.advance(0)
         assert line.receive() == SIGNATURE_BYTES
         assert line.now == 0
 
     def test_unpaced_line_still_waits_for_eeprom_write(self, board: Board) -> None:
-        line = SimulatedLine([board], paced=False)
+        line = TrexLine([board], paced=False)
         line.send(bytes.fromhex("AF 07 0F 55 2A"))
         assert line.read(1, 0.0039) == b""
         assert line.read(1, 0.001) == b"\x00"
         assert line.now == pytest.approx(0.004)
 
-    def test_receive_returns_each_byte_once(self, line: SimulatedLine) -> None:
+    def test_receive_returns_each_byte_once(self, line: TrexLine) -> None:
         line.send(b"\x81")
         line.advance(1)
         assert line.receive() == SIGNATURE_BYTES
         assert line.receive() == b""
 
-    def test_backlog_is_line_time_of_queued_bytes(self, line: SimulatedLine) -> None:
+    def test_backlog_is_line_time_of_queued_bytes(self, line: TrexLine) -> None:
         line.send(bytes(19200))
         assert line.backlog == pytest.approx(10)
         line.advance(4)
@@ -68,7 +68,7 @@ class TestPace:
 
     @given(cuts=st.lists(st.floats(0, 0.01), max_size=20))
     def test_line_result_does_not_depend_on_time_steps(self, cuts: list[float]) -> None:
-        line = SimulatedLine([Board()])
+        line = TrexLine([Board()])
         line.send(bytes.fromhex("AF 07 0F 55 2A"))
         received = b""
         for seconds in cuts:
@@ -81,37 +81,37 @@ class TestPace:
 
 
 class TestDeafness:
-    def test_board_misses_bytes_while_it_replies(self, line: SimulatedLine) -> None:
+    def test_board_misses_bytes_while_it_replies(self, line: TrexLine) -> None:
         line.send(bytes.fromhex("81 F0 7F"))
         assert line.read(20, 1) == SIGNATURE_BYTES
         assert line.boards[0].aux.speed == 0
         assert line.boards[0].show()["counters"]["bytes_missed"] == 2
 
-    def test_board_receives_bytes_after_its_reply(self, line: SimulatedLine) -> None:
+    def test_board_receives_bytes_after_its_reply(self, line: TrexLine) -> None:
         line.send(b"\x81")
         line.read(7, 1)
         line.send(b"\x82")
         assert line.read(1, 1) == b"r"
 
-    def test_requests_during_write_are_answered_after_it(self, line: SimulatedLine) -> None:
+    def test_requests_during_write_are_answered_after_it(self, line: TrexLine) -> None:
         line.send(bytes.fromhex("AF 07 0F 55 2A 82 82"))
         assert line.read(9, 1) == b"\x00rr"
 
-    def test_power_cut_cuts_off_reply(self, line: SimulatedLine) -> None:
+    def test_power_cut_cuts_off_reply(self, line: TrexLine) -> None:
         line.send(b"\x81")
         assert line.read(3, 1) == b"TRe"
         line.boards[0].power_cycle()
         line.send(b"\x82")
         assert line.read(9, 1) == b"r"
 
-    def test_power_cut_during_write_prevents_reply(self, line: SimulatedLine) -> None:
+    def test_power_cut_during_write_prevents_reply(self, line: TrexLine) -> None:
         line.send(bytes.fromhex("AF 07 0F 55 2A"))
         line.advance(5 * BYTE + 0.002)
         line.boards[0].power_cycle()
         assert line.read(1, 1) == b""
         assert line.boards[0].memory.get(0x07) == 0
 
-    def test_response_delay_postpones_reply_on_line(self, line: SimulatedLine) -> None:
+    def test_response_delay_postpones_reply_on_line(self, line: TrexLine) -> None:
         line.send(bytes.fromhex("AF 17 01 55 2A"))
         line.read(1, 1)
         before = line.now
@@ -133,7 +133,7 @@ class TestHostSettings:
     def test_wrong_parity_or_stop_bits_give_error_and_no_reply(
         self, board_settings: int, host: LineSettings, error: UartError
     ) -> None:
-        line = SimulatedLine([a_board(settings=board_settings)])
+        line = TrexLine([a_board(settings=board_settings)])
         line.host = host
         line.send(bytes.fromhex("81 F0 7F"))
         line.advance(1)
@@ -151,18 +151,18 @@ class TestHostSettings:
         ],
     )
     def test_matching_settings_give_reply(self, board_settings: int, host: LineSettings) -> None:
-        line = SimulatedLine([a_board(settings=board_settings)])
+        line = TrexLine([a_board(settings=board_settings)])
         line.host = host
         line.send(b"\x81")
         assert line.read(7, 1) == SIGNATURE_BYTES
 
     def test_crc_setting_does_not_affect_byte_format(self) -> None:
-        line = SimulatedLine([a_board(settings=0x25)])
+        line = TrexLine([a_board(settings=0x25)])
         line.host = LineSettings()
         line.send(bytes.fromhex("81 48"))
         assert line.read(8, 1) == SIGNATURE_BYTES + b"\x32"
 
-    def test_reply_is_garbage_after_host_changes_baud_rate(self, line: SimulatedLine) -> None:
+    def test_reply_is_garbage_after_host_changes_baud_rate(self, line: TrexLine) -> None:
         line.host = LineSettings()
         line.send(b"\x81")
         line.advance(1.5 * BYTE)
@@ -177,7 +177,7 @@ class TestHostSettings:
     def test_firmware_1_0_replies_at_half_the_baud_rate(self) -> None:
         eeprom = Eeprom()
         eeprom.write("uart_settings", 0x07)
-        line = SimulatedLine([Board(firmware="1.0", eeprom=eeprom)])
+        line = TrexLine([Board(firmware="1.0", eeprom=eeprom)])
         line.host = LineSettings(38400)
         line.send(b"\x81")
         assert line.read(7, 0.1) == b""
@@ -188,118 +188,112 @@ class TestHostSettings:
 
 class TestEcho:
     def test_echo_comes_before_reply(self, board: Board) -> None:
-        line = SimulatedLine([board], echo=True)
+        line = TrexLine([board], echo=True)
         line.send(bytes.fromhex("80 07 02"))
         assert line.read(9, 1).hex(" ") == "80 07 02 72"
 
     def test_echo_works_without_board_power(self, board: Board) -> None:
         board.power_off()
-        line = SimulatedLine([board], echo=True)
+        line = TrexLine([board], echo=True)
         line.send(b"\xff")
         assert line.read(2, 1) == b"\xff"
 
     def test_byte_sent_during_reply_corrupts_echo_and_reply(self, board: Board) -> None:
-        line = SimulatedLine([board], echo=True)
+        line = TrexLine([board], echo=True)
         line.send(b"\x81\x81")
         assert line.read(9, 1) == b"\x81" + bytes([ord("T") & 0x81]) + b"ReX1.2"
 
 
 class TestSeveralBoards:
-    def test_expanded_packet_reaches_one_board(
-        self, asking: Callable[[SimulatedLine], Ask]
-    ) -> None:
-        ask = asking(SimulatedLine([a_board(7), a_board(9, model="trexjr")]))
+    def test_expanded_packet_reaches_one_board(self, asking: Callable[[TrexLine], Ask]) -> None:
+        ask = asking(TrexLine([a_board(7), a_board(9, model="trexjr")]))
         assert ask("80 07 01") == SIGNATURE
         assert ask("80 09 01") == b"TReXJr1.2".hex(" ")
         assert ask("80 08 01") == ""
 
     @pytest.mark.parametrize("paced", [True, False])
     def test_compact_request_makes_all_boards_reply_at_once(
-        self, asking: Callable[[SimulatedLine], Ask], paced: bool
+        self, asking: Callable[[TrexLine], Ask], paced: bool
     ) -> None:
-        line = SimulatedLine([a_board(7), a_board(9, model="trexjr")], paced=paced)
+        line = TrexLine([a_board(7), a_board(9, model="trexjr")], paced=paced)
         both = bytes(a & b for a, b in zip(b"TReX1.2\xff\xff", b"TReXJr1.2", strict=True))
         assert asking(line)("81") == both.hex(" ")
-        assert line.counters["collisions"] == 7
+        assert line.faults.counters["collisions"] == 7
 
-    def test_identical_replies_are_received_as_one(
-        self, asking: Callable[[SimulatedLine], Ask]
-    ) -> None:
-        assert asking(SimulatedLine([a_board(7), a_board(9)]))("82") == "72"
+    def test_identical_replies_are_received_as_one(self, asking: Callable[[TrexLine], Ask]) -> None:
+        assert asking(TrexLine([a_board(7), a_board(9)]))("82") == "72"
 
     def test_compact_motor_command_reaches_all_boards(
-        self, asking: Callable[[SimulatedLine], Ask]
+        self, asking: Callable[[TrexLine], Ask]
     ) -> None:
-        line = SimulatedLine([a_board(7), a_board(9), a_board(11)])
+        line = TrexLine([a_board(7), a_board(9), a_board(11)])
         asking(line)("F0 7F")
         asking(line)("80 09 70 05")
         assert [board.aux.speed for board in line.boards] == [127, 5, 127]
 
     def test_board_at_other_baud_rate_latches_framing_error(
-        self, asking: Callable[[SimulatedLine], Ask]
+        self, asking: Callable[[TrexLine], Ask]
     ) -> None:
-        line = SimulatedLine([a_board(7), a_board(9, settings=0x0A)])
+        line = TrexLine([a_board(7), a_board(9, settings=0x0A)])
         line.host = LineSettings()
         assert asking(line)("81") == SIGNATURE
         assert line.boards[1].serial.uart_errors == UartError.FRAMING
 
     def test_line_without_board_is_rejected(self) -> None:
         with pytest.raises(ValueError, match="board"):
-            SimulatedLine([])
+            TrexLine([])
 
 
 class TestFaults:
-    def test_muted_line_carries_commands_but_no_replies(
-        self, line: SimulatedLine, ask: Ask
-    ) -> None:
-        line.mute = True
+    def test_muted_line_carries_commands_but_no_replies(self, line: TrexLine, ask: Ask) -> None:
+        line.faults.mute = True
         assert ask("81") == ""
         assert ask("F0 7F") == ""
         assert line.boards[0].aux.speed == 127
-        line.mute = False
+        line.faults.mute = False
         assert ask("82") == "72"
 
-    def test_drop_loses_bytes_of_reply(self, line: SimulatedLine, ask: Ask) -> None:
-        line.to_drop = 3
+    def test_drop_loses_bytes_of_reply(self, line: TrexLine, ask: Ask) -> None:
+        line.faults.to_drop = 3
         assert ask("81") == b"X1.2".hex(" ")
         assert ask("82") == "72"
 
-    def test_drop_sent_loses_bytes_of_request(self, line: SimulatedLine, ask: Ask) -> None:
-        line.to_drop_sent = 1
+    def test_drop_sent_loses_bytes_of_request(self, line: TrexLine, ask: Ask) -> None:
+        line.faults.to_drop_sent = 1
         assert ask("F0 7F") == ""
         assert line.boards[0].aux.speed == 0
         assert ask("85") == "40"
 
-    def test_injected_bytes_arrive_unsolicited(self, line: SimulatedLine) -> None:
+    def test_injected_bytes_arrive_unsolicited(self, line: TrexLine) -> None:
         line.inject(b"\x00\xff\x12")
         assert line.read(9, 2.5 * BYTE) == b"\x00\xff"
         assert line.read(9, BYTE) == b"\x12"
 
-    def test_full_noise_corrupts_every_byte(self, line: SimulatedLine) -> None:
+    def test_full_noise_corrupts_every_byte(self, line: TrexLine) -> None:
         line.inject(bytes(500))
-        line.noise = 1.0
+        line.faults.noise = 1.0
         received = line.read(500, 10)
         assert len(received) == 500
         assert 0 not in received
 
     def test_noise_depends_on_seed(self) -> None:
         def received(seed: int) -> bytes:
-            line = SimulatedLine([Board()], seed=seed)
-            line.noise = 0.1
+            line = TrexLine([Board()], seed=seed)
+            line.faults.noise = 0.1
             line.inject(bytes(200))
             return line.read(200, 10)
 
         assert received(1) == received(1) != received(2)
 
     def test_noise_towards_board_latches_uart_errors(self) -> None:
-        line = SimulatedLine([a_board(settings=0x45)])
-        line.noise = 1.0
+        line = TrexLine([a_board(settings=0x45)])
+        line.faults.noise = 1.0
         line.send(b"\x81" * 100)
         line.advance(10)
         assert line.receive() == b""
         assert line.boards[0].serial.uart_errors == UartError.PARITY | UartError.FRAMING
 
-    def test_unplugged_line_carries_nothing(self, line: SimulatedLine, ask: Ask) -> None:
+    def test_unplugged_line_carries_nothing(self, line: TrexLine, ask: Ask) -> None:
         line.unplug()
         assert ask("81") == ""
         assert ask("F0 7F") == ""
@@ -308,7 +302,7 @@ class TestFaults:
         assert ask("82") == "72"
 
     def test_serial_timeout_stops_aux_motor_on_unplugged_line(
-        self, line: SimulatedLine, ask: Ask
+        self, line: TrexLine, ask: Ask
     ) -> None:
         assert ask("AF 07 05 55 2A") == "00"
         ask("F0 7F")
@@ -319,11 +313,11 @@ class TestFaults:
 
 @given(data=st.binary(max_size=60), echo=st.booleans(), noise=st.sampled_from([0.0, 0.2]))
 def test_line_recovers_after_arbitrary_bytes(data: bytes, echo: bool, noise: float) -> None:
-    line = SimulatedLine([a_board(7), a_board(9)], echo=echo)
-    line.noise = noise
+    line = TrexLine([a_board(7), a_board(9)], echo=echo)
+    line.faults.noise = noise
     line.send(data)
     line.advance(0.5)
-    line.noise = 0.0
+    line.faults.noise = 0.0
     for board, number in zip(line.boards, (7, 9), strict=True):  # junk may have changed it
         board.memory.active["device_number"] = number
     line.receive()

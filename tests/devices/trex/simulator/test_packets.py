@@ -5,6 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.devices.trex.simulator.ports import NO_REPLY, a_board, ask, errors
+from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
@@ -114,7 +115,7 @@ class TestFormat:
 
     def test_bad_byte_discards_its_packet(self, port: SerialPort) -> None:
         port.feed(0xF0)
-        port.feed_error(UartError.PARITY)
+        port.feed_error(ReceiveError.PARITY)
         assert errors(port) == UartError.PARITY
         assert ask(port, "7F") == NO_REPLY
         assert errors(port) == UartError.FORMAT
@@ -123,7 +124,7 @@ class TestFormat:
     def test_unpowered_board_ignores_packets(self, port: SerialPort) -> None:
         port.board.power_off()
         assert ask(port, "81") == NO_REPLY
-        port.feed_error(UartError.FRAMING)
+        port.feed_error(ReceiveError.FRAMING)
         port.board.power_on()
         assert not errors(port)
 

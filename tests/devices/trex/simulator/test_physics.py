@@ -182,7 +182,7 @@ def test_current_reading_is_limited_to_one_byte(physics: MotorPhysics) -> None:
 def test_restored_motor_matches_new_motor(physics: MotorPhysics) -> None:
     physics.load, physics.fault, physics.forced, physics.speed = 9.0, True, 3.0, 100.0
     physics.measure()
-    physics.make_new()
+    physics.factory_reset()
     new = MotorPhysics(TREX, 0.15, seed=0)
     for name in ("load", "fault", "forced", "speed", "reading"):
         assert getattr(physics, name) == getattr(new, name)

@@ -6,8 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from trex_gui.core.simulator.sampling import Receiver, SampledByte, levels
-from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.core.simulator.sampling import ReceiveError, Receiver, SampledByte, levels
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
 PLAIN = LineSettings()
@@ -26,9 +25,9 @@ def heard(
     result: list[SampledByte] = []
     at = 0.0
     for byte in data:
-        result += receiver.hear(at, byte, sender, sender.baud)
+        result += receiver.receive(at, byte, sender, sender.baud)
         at += sender.seconds(1) * (1 + gap)
-    result += receiver.rest(at + 1)
+    result += receiver.idle(at + 1)
     return result
 
 
@@ -131,12 +130,12 @@ def pairs() -> list[tuple[int, int]]:
 @pytest.mark.parametrize(
     ("sender", "own", "error"),
     [
-        (Detection.EVEN, Detection.ODD, UartError.PARITY),
-        (Detection.ODD, Detection.EVEN, UartError.PARITY),
+        (Detection.EVEN, Detection.ODD, ReceiveError.PARITY),
+        (Detection.ODD, Detection.EVEN, ReceiveError.PARITY),
     ],
 )
 def test_opposite_parity_is_detected_in_every_byte(
-    sender: Detection, own: Detection, error: UartError
+    sender: Detection, own: Detection, error: ReceiveError
 ) -> None:
     data = bytes(range(256))
     got = heard(Receiver(LineSettings(detection=own), 19200), data, LineSettings(detection=sender))
@@ -162,7 +161,7 @@ def test_received_bytes_are_valid_and_spaced_in_time(
     got = heard(receiver, data, sender, gap)
     assert receiver.due is None
     assert all(0 <= each.value <= 255 for each in got)
-    assert all(each.error in {None, UartError.FRAMING, UartError.PARITY} for each in got)
+    assert all(each.error in {None, ReceiveError.FRAMING, ReceiveError.PARITY} for each in got)
     length = 9.4 / own.baud  # a byte's bits but half of the stop bit
     assert all(after.at - before.at > length for before, after in pairwise(got))
 
@@ -172,13 +171,13 @@ def test_due_time_of_begun_byte_is_correct(
     sender: LineSettings, own: LineSettings, byte: int
 ) -> None:
     receiver = Receiver(own, own.baud)
-    early = list(receiver.hear(0.0, byte, sender, sender.baud))
+    early = list(receiver.receive(0.0, byte, sender, sender.baud))
     due = receiver.due
     if due is None:
-        assert list(receiver.rest(10.0)) == []
+        assert list(receiver.idle(10.0)) == []
     else:
-        assert list(receiver.rest(due - 1e-9)) == []
-        last = list(receiver.rest(due + 1e-9))
+        assert list(receiver.idle(due - 1e-9)) == []
+        last = list(receiver.idle(due + 1e-9))
         assert [each.at for each in last] in ([], [pytest.approx(due)])  # or a false start
         assert receiver.due is None
     assert all(each.at < receiver.known_until for each in early)
@@ -196,8 +195,8 @@ def test_isolated_byte_is_always_decoded_the_same(
     assume(not samples_an_edge(sender, own))
     receiver = Receiver(own, own.baud)
     for byte in data * 2:
-        alone = receiver.hear_alone(byte, sender, sender.baud)
-        fresh = Receiver(own, own.baud).hear_alone(byte, sender, sender.baud)
+        alone = receiver.receive_isolated(byte, sender, sender.baud)
+        fresh = Receiver(own, own.baud).receive_isolated(byte, sender, sender.baud)
         assert [(each.value, each.error) for each in alone] == [
             (each.value, each.error) for each in fresh
         ]
@@ -212,14 +211,14 @@ def test_isolated_byte_is_always_decoded_the_same(
 def test_decoding_does_not_depend_on_send_time(
     data: bytes, rates: tuple[int, int], begin: float
 ) -> None:
-    def sent_at(moment: float) -> list[tuple[int, UartError | None]]:
+    def sent_at(moment: float) -> list[tuple[int, ReceiveError | None]]:
         sender, own = LineSettings(rates[0]), LineSettings(rates[1])
         receiver = Receiver(own, own.baud)
         got: list[SampledByte] = []
         for byte in data:
-            got += receiver.hear(moment, byte, sender, sender.baud)
+            got += receiver.receive(moment, byte, sender, sender.baud)
             moment += sender.seconds(1)
-        got += receiver.rest(moment + 1)
+        got += receiver.idle(moment + 1)
         return [(each.value, each.error) for each in got]
 
     assert sent_at(begin) == sent_at(0)

@@ -8,11 +8,10 @@ from itertools import permutations
 import pytest
 
 from tests.devices.trex.simulator.ports import a_board
-from trex_gui.core.simulator.sampling import Receiver, SampledByte
-from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.core.simulator.sampling import ReceiveError, Receiver, SampledByte
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.uart import SerialPort, remainder
 
@@ -36,7 +35,7 @@ SAFE = {
 SKEWS = (-0.01, -1e-6, 1e-6, 0.01)
 """How far the clock of a board may be off; the smallest decide samples on an edge."""
 
-Word = tuple[tuple[int, UartError | None], ...]
+Word = tuple[tuple[int, ReceiveError | None], ...]
 """What a receiver makes of one packet."""
 
 
@@ -65,7 +64,7 @@ def alien_rates() -> Iterator[tuple[int, int]]:
         yield code, baud_rates()[host]
 
 
-def send_alone(line: SimulatedLine, packet: bytes) -> None:
+def send_alone(line: TrexLine, packet: bytes) -> None:
     """Send a packet and a gap, and look at the board after every event."""
     (board,) = line.boards
     line.send(packet)
@@ -84,7 +83,7 @@ def test_single_packet_never_affects_board_at_another_rate(
     for code, baud in alien_rates():
         board = a_touchy_board(code, detection)
         stored = board.memory.stored()
-        line = SimulatedLine([board], paced=paced)
+        line = TrexLine([board], paced=paced)
         line.host = LineSettings(baud)
         for packet in ALL:
             send_alone(line, packet)
@@ -97,7 +96,7 @@ def test_scan_packets_never_affect_board_at_another_rate(packets: Sequence[bytes
     for code, baud in alien_rates():
         board = a_touchy_board(code, Detection.NONE)
         stored = board.memory.stored()
-        line = SimulatedLine([board])
+        line = TrexLine([board])
         line.host = LineSettings(baud)
         for packet in (*packets, *reversed(packets), *packets):
             send_alone(line, packet)
@@ -114,8 +113,8 @@ def words(packet: bytes, host: LineSettings, own: LineSettings) -> frozenset[Wor
         receiver._bit /= 1 + skew
         heard: list[SampledByte] = []
         for index, byte in enumerate(packet):
-            heard += receiver.hear(index * host.seconds(1), byte, host, host.baud)
-        heard += receiver.rest(1.0)
+            heard += receiver.receive(index * host.seconds(1), byte, host, host.baud)
+        heard += receiver.idle(1.0)
         result.add(tuple((each.value, each.error) for each in heard))
     return frozenset(result)
 
@@ -173,7 +172,7 @@ def test_mixing_plain_and_crc_requests_can_start_aux_motor(host: int, board: int
     # Two thirds of the rate make F0 of 81, and 30 FD of 81 48: a search must not mix them.
     code = baud_rates().index(board)
     for settings in (a_touchy_board(code, Detection.NONE), a_board(settings=code)):
-        line = SimulatedLine([settings])
+        line = TrexLine([settings])
         line.host = LineSettings(host)
         line.send(b"\x81")
         line.advance(0.05)

@@ -5,7 +5,7 @@ import pytest
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 
 
 def heard(
@@ -15,7 +15,7 @@ def heard(
     mode: str = "serial",
 ) -> bytes:
     """Ask the same question a hundred times; return all that came."""
-    line = SimulatedLine([Board(mode=mode, seed=seed)], seed=seed)
+    line = TrexLine([Board(mode=mode, seed=seed)], seed=seed)
     for text in lines:
         assert control(line, text).startswith("ok")
     line.advance(0.5)
@@ -56,7 +56,7 @@ def test_same_seed_gives_same_voltage_noise() -> None:
 @pytest.mark.parametrize("host", [LineSettings(stop_bits=2), LineSettings(115200)])
 def test_same_seed_gives_same_garbage(host: LineSettings) -> None:
     def garbage(seed: int) -> bytes:
-        line = SimulatedLine([Board()], seed=seed)
+        line = TrexLine([Board()], seed=seed)
         result = b""
         for _ in range(50):
             line.host = None

@@ -8,7 +8,7 @@ import pytest
 from tests.devices.trex.simulator.ports import SETTLED, a_board, ask
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.physics import CONSTANTS, Drive, Machine
 from trex_gui.devices.trex.simulator.signals import Signal
@@ -22,7 +22,7 @@ IDLE = Drive()
 
 def weaken(board: Board) -> None:
     """Give the board a battery that one stalled motor pulls below what it needs."""
-    assert control(SimulatedLine([board]), "battery 8 0.5") == "ok battery 8 V, 0.5 ohm"
+    assert control(TrexLine([board]), "battery 8 0.5") == "ok battery 8 V, 0.5 ohm"
 
 
 def is_on(board: Board) -> bool:
@@ -188,7 +188,7 @@ class TestBrownOut:
 
     def test_brown_out_cuts_off_reply(self) -> None:
         board = Board()
-        line = SimulatedLine([board])
+        line = TrexLine([board])
         weaken(board)
         line.send(bytes.fromhex("81"))
         assert line.read(2, 1) == b"TR"

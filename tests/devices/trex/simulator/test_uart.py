@@ -13,6 +13,7 @@ from tests.devices.trex.simulator.ports import (
     feed,
     pass_pause,
 )
+from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource, UartError
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -128,7 +129,7 @@ class TestQueries:
     def test_status_and_errors_clear_when_read(self, port: SerialPort) -> None:
         port.board.set_fault(1, fault=True)
         port.board.set_fault(1, fault=False)
-        port.feed_error(UartError.FRAMING)
+        port.feed_error(ReceiveError.FRAMING)
         assert (ask(port, "84"), ask(port, "84")) == ("11", "00")
         assert (ask(port, "85"), ask(port, "85")) == ("10", "00")
 

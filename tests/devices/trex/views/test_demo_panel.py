@@ -24,7 +24,7 @@ from trex_gui.devices.trex.model.demo.snapshot import (
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.views.demo.panel import DemoPanel
 from trex_gui.devices.trex.views.demo.words import (
     PACKETS,
@@ -47,7 +47,7 @@ from trex_gui.ui.widgets.stick_slider import StickSlider
 
 def _at_work() -> DemoSnapshot:
     """A board whose LEDs have shown what is learned, in serial mode."""
-    line = SimulatedLine([Board()])
+    line = TrexLine([Board()])
     line.advance(2)
     return read_snapshot(control(line, "show").removeprefix("ok "))
 

@@ -1,7 +1,4 @@
-"""The control lines of `trex-sim --aracna`: what people and tests do to robot and wire.
-
-One line in, one line out: `ok ...` or `error ...`. Nothing in here raises.
-"""
+"""Control lines of `trex-sim --aracna`."""
 
 import json
 from collections.abc import Callable
@@ -12,11 +9,11 @@ from trex_gui.core.simulator.control_lines import (
     SWITCH,
     ControlError,
     amount,
-    answer,
-    goodbye,
+    execute,
     number_of,
     real,
     require_no_more,
+    show_wire,
     wire,
 )
 from trex_gui.devices.aracna.simulator.line import AracnaLine
@@ -29,21 +26,8 @@ _SERVO_USAGE = (
 
 
 def control(line: AracnaLine, text: str) -> str:
-    """Obey one control line and return the answer, without a line end.
-
-    `quit` only gets its answer, `serving.GOODBYE`.
-    """
-    return answer(partial(_obey, line), text)
-
-
-def _obey(line: AracnaLine, words: list[str]) -> str:
-    known = "known are " + ", ".join(_COMMANDS)
-    if not words:
-        raise ControlError(f"nothing to do; {known}")
-    obey = _COMMANDS.get(words[0].lower())
-    if obey is None:
-        raise ControlError(f"{words[0]!r} is unknown; {known}")
-    return obey(line, [word.lower() for word in words[1:]])
+    """Execute a control line; return `ok …` or `error …`, without a line end."""
+    return execute(text, {name: partial(run, line) for name, run in _COMMANDS.items()})
 
 
 def _reset(line: AracnaLine, words: list[str]) -> str:
@@ -51,12 +35,12 @@ def _reset(line: AracnaLine, words: list[str]) -> str:
     if not line.station.powered:
         raise ControlError("the board has no power; power on starts it")
     line.station.reset()
-    return "the board starts anew; the servos go on"
+    return "the board restarts; the servos continue"
 
 
 def _power(line: AracnaLine, words: list[str]) -> str:
     """Switch board and servos, as the robot's own switch does."""
-    match words:
+    match _lower(words):
         case ["on"]:
             _power_on(line)
         case ["off"]:
@@ -85,7 +69,7 @@ def _servo_power(line: AracnaLine, *, on: bool) -> None:
 
 
 def _servo(line: AracnaLine, words: list[str]) -> str:
-    match words:
+    match _lower(words):
         case ["power", ("on" | "off") as state]:
             _servo_power(line, on=SWITCH[state])
             return f"servo power {state}"
@@ -109,24 +93,24 @@ def _one_servo(servo: Servo, words: list[str]) -> str:
         case ["lose", ("moving" | "position" | "speed") as name]:
             return _lose(servo, Register(name), 1)
         case ["lose", ("moving" | "position" | "speed") as name, times]:
-            return _lose(servo, Register(name), amount(times, "a number of readings"))
+            return _lose(servo, Register(name), amount(times, "a number of reads"))
     raise ControlError(_SERVO_USAGE)
 
 
 def _lose(servo: Servo, register: Register, times: int) -> str:
     servo.to_fail[register] = times
-    return f"does not answer the next {times} readings of {register.value}"
+    return f"does not answer the next {times} reads of {register.value}"
 
 
 def _wire(line: AracnaLine, words: list[str]) -> str:
-    match words:
+    match _lower(words):
         case ["cut", "off"]:
             line.faults.to_cut = None
-            return "no answer is cut"
+            return "no reply is cut"
         case ["cut", number]:
             line.faults.to_cut = count = amount(number)
-            return f"of what comes after the next {count} bytes the rest of a line gets lost"
-    return wire(line, line.faults, words, "line cut N|off")
+            return f"after {count} bytes the rest of a line is lost"
+    return wire(line, words, "line cut N|off")
 
 
 def _show(line: AracnaLine, words: list[str]) -> str:
@@ -134,13 +118,9 @@ def _show(line: AracnaLine, words: list[str]) -> str:
     return json.dumps(state(line))
 
 
-def _quit(_line: AracnaLine, words: list[str]) -> str:
-    return goodbye(words)
-
-
 def state(line: AracnaLine) -> dict[str, Any]:
-    """Return what `show` shows: board, servos, wire and what was counted."""
-    firmware, faults = line.station.firmware, line.faults
+    """Return what `show` reports: board, servos, wire and counters."""
+    firmware = line.station.firmware
     return {
         "aracna": True,
         "version": firmware.version,
@@ -152,10 +132,10 @@ def state(line: AracnaLine) -> dict[str, Any]:
         "dead": [number for number, servo in enumerate(line.servos) if not servo.alive],
         "servos": [_state_of(servo) for servo in line.servos],
         "counters": {
-            "board": {**firmware.counters, "bytes_missed": line.station.holding.lost},
-            "line": dict(faults.counters),
+            "board": {**firmware.counters, "bytes_missed": line.station.bytes_missed},
+            "line": dict(line.faults.counters),
         },
-        "line": {"plugged": faults.plugged, "mute": faults.mute, "noise": faults.noise},
+        "line": show_wire(line),
     }
 
 
@@ -172,6 +152,10 @@ def _state_of(servo: Servo) -> dict[str, Any]:
     }
 
 
+def _lower(words: list[str]) -> list[str]:
+    return [word.lower() for word in words]
+
+
 def _motor(line: AracnaLine, text: str) -> int:
     return number_of(text, range(len(line.servos)), "a servo")
 
@@ -182,5 +166,4 @@ _COMMANDS: dict[str, Callable[[AracnaLine, list[str]], str]] = {
     "servo": _servo,
     "line": _wire,
     "show": _show,
-    "quit": _quit,
 }

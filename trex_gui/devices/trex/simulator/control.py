@@ -1,7 +1,4 @@
-"""The control lines of trex-sim: what people and tests do to boards and wire.
-
-One line in, one line out: `ok ...` or `error ...`. Nothing in here raises.
-"""
+"""Control lines of `trex-sim` for boards and their wire."""
 
 import json
 from collections.abc import Callable
@@ -9,77 +6,63 @@ from functools import partial
 
 from trex_gui.core.simulator.control_lines import (
     SWITCH,
+    Command,
     ControlError,
     amount,
-    answer,
-    goodbye,
+    execute,
     number_of,
     real,
     require_no_more,
+    show_wire,
     wire,
 )
-from trex_gui.devices.trex.protocol.flags import CHANNELS, UartError
+from trex_gui.core.simulator.sampling import ReceiveError
+from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.signals import Signal
 
 _HIGHEST_CURRENT = 1000.0
 _HIGHEST_VOLTAGE = 24.0
 _HIGHEST_RESISTANCE = 100.0
 _MANY = 10_000
-_NOTICED = {"framing": "", "overrun": "", "parity": ", which a board without parity does not see"}
-_UART_ERRORS = {
-    "framing": UartError.FRAMING,
-    "parity": UartError.PARITY,
-    "overrun": UartError.DATA_OVERRUN,
+_DETECTED = {
+    "framing": "",
+    "overrun": "",
+    "parity": ", which a board without parity does not detect",
 }
 
 
-def control(line: SimulatedLine, text: str) -> str:
-    """Obey one control line and return the answer, without a line end.
+def control(line: TrexLine, text: str) -> str:
+    """Execute a control line; return `ok …` or `error …`, without a line end.
 
-    With several boards the line begins with the device number that a board was started with,
-    as in `@9 power cycle`; lines about the wire need none. `quit` only gets its answer,
-    `serving.GOODBYE`.
+    With several boards the line begins with the device number that a board had at the start, as
+    in `@9 power cycle`; lines about the wire need none.
     """
-    return answer(partial(_obey, line), text)
+    name = ""
+    if text.strip().startswith("@"):
+        name, _, text = text.strip().partition(" ")
+
+    def on_board(run: Callable[[Board, list[str]], str]) -> Command:
+        return lambda words: run(_board(line, name), words)
+
+    commands: dict[str, Command] = {key: on_board(run) for key, run in _COMMANDS.items()}
+    commands["show"] = lambda words: _show(line, _board(line, name), words)
+    commands["line"] = partial(_wire, line)
+    return execute(text, commands)
 
 
-def _obey(line: SimulatedLine, words: list[str]) -> str:
-    board = None
-    if words and words[0].startswith("@"):
-        board = _named_board(line, words[0])
-        words = words[1:]
-    if not words:
-        raise ControlError(f"nothing to do; {_usage()}")
-    word, rest = words[0].lower(), words[1:]
-    if word in _LINE_COMMANDS:
-        return _LINE_COMMANDS[word](line, rest)
-    if word not in _BOARD_COMMANDS:
-        raise ControlError(f"{words[0]!r} is unknown; {_usage()}")
-    if board is None:
-        board = _only_board(line)
-    done = _BOARD_COMMANDS[word](board, rest)
-    return _show(line, board) if word == "show" else done
-
-
-def _usage() -> str:
-    return "known are " + ", ".join([*_BOARD_COMMANDS, *_LINE_COMMANDS])
-
-
-def _named_board(line: SimulatedLine, name: str) -> Board:
+def _board(line: TrexLine, name: str) -> Board:
+    """Return the board with a name such as `@9`; without a name the only board."""
+    if not name and len(line.boards) == 1:
+        return line.boards[0]
     for number, board in zip(line.numbers, line.boards, strict=True):
-        if name[1:] == str(number):
+        if name == f"@{number}":
             return board
     names = ", ".join(f"@{number}" for number in line.numbers)
-    raise ControlError(f"there is no board {name}, but {names}")
-
-
-def _only_board(line: SimulatedLine) -> Board:
-    if len(line.boards) > 1:
-        names = ", ".join(f"@{number}" for number in line.numbers)
-        raise ControlError(f"say which board first: {names}")
-    return line.boards[0]
+    if name:
+        raise ControlError(f"there is no board {name}, but {names}")
+    raise ControlError(f"say which board first: {names}")
 
 
 def _channel(board: Board, words: list[str]) -> str:
@@ -186,7 +169,7 @@ def _eeprom(board: Board, words: list[str]) -> str:
 
 def _factory(board: Board, words: list[str]) -> str:
     require_no_more("factory", words)
-    board.make_new()
+    board.factory_reset()
     _require_saved(board)
     return "as new"
 
@@ -196,42 +179,34 @@ def _require_saved(board: Board) -> None:
         raise ControlError(f"done, but not saved: {board.eeprom.unsaved}")
 
 
-def _no_words(_board: Board, words: list[str]) -> str:
+def _show(line: TrexLine, board: Board, words: list[str]) -> str:
     require_no_more("show", words)
-    return ""
-
-
-def _show(line: SimulatedLine, board: Board) -> str:
     shown = board.show()
-    shown["counters"]["line"] = dict(line.counters)
-    shown["line"] = {"plugged": line.plugged, "mute": line.mute, "noise": line.noise}
+    shown["counters"]["line"] = dict(line.faults.counters)
+    shown["line"] = show_wire(line)
     return json.dumps(shown)
 
 
-def _wire(line: SimulatedLine, words: list[str]) -> str:
+def _wire(line: TrexLine, words: list[str]) -> str:
     match [word.lower() for word in words]:
         case ["error", "off"]:
-            line.to_spoil.clear()
+            line.faults.errors.clear()
             return "no byte has an error"
         case ["error", ("framing" | "parity" | "overrun") as name]:
-            line.to_spoil.append(_UART_ERRORS[name])
-            return f"the next byte from the host has a {name} error{_NOTICED[name]}"
+            line.faults.errors.append(ReceiveError(name))
+            return f"the next byte from the host has a {name} error{_DETECTED[name]}"
         case ["error", ("framing" | "parity" | "overrun") as name, number]:
             count = amount(number, highest=_MANY)
-            line.to_spoil.extend([_UART_ERRORS[name]] * count)
-            return f"the next {count} bytes from the host have a {name} error{_NOTICED[name]}"
-    return wire(line, line, words, "line error framing|parity|overrun [N]", "line error off")
-
-
-def _quit(_line: SimulatedLine, words: list[str]) -> str:
-    return goodbye(words)
+            line.faults.errors.extend([ReceiveError(name)] * count)
+            return f"the next {count} bytes from the host have a {name} error{_DETECTED[name]}"
+    return wire(line, words, "line error framing|parity|overrun [N]", "line error off")
 
 
 def _amperes(text: str) -> float:
     return real(text.lower().removesuffix("a"), "a current in A", _HIGHEST_CURRENT)
 
 
-_BOARD_COMMANDS: dict[str, Callable[[Board, list[str]], str]] = {
+_COMMANDS: dict[str, Callable[[Board, list[str]], str]] = {
     "channel": _channel,
     "jumper": _jumper,
     "power": _power,
@@ -241,10 +216,4 @@ _BOARD_COMMANDS: dict[str, Callable[[Board, list[str]], str]] = {
     "battery": _battery,
     "eeprom": _eeprom,
     "factory": _factory,
-    "show": _no_words,
-}
-
-_LINE_COMMANDS: dict[str, Callable[[SimulatedLine, list[str]], str]] = {
-    "line": _wire,
-    "quit": _quit,
 }

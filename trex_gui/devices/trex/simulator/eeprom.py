@@ -111,7 +111,7 @@ class Eeprom:
         value = getattr(DEFAULT_CALIBRATION[source], field)
         self.write_calibration_value(source, channel, field, value)
 
-    def make_new(self) -> None:
+    def factory_reset(self) -> None:
         """Put everything back to how it comes from the factory, calibrations too, and save."""
         self._values = self._factory_values()
         self._calibrations = _factory_calibrations()

@@ -142,14 +142,14 @@ class Board:
         self.power_off()
         self.power_on()
 
-    def make_new(self) -> None:
+    def factory_reset(self) -> None:
         """Put everything back to how a new board comes, and start it; only time goes on."""
         self.power_off()
-        self.eeprom.make_new()
+        self.eeprom.factory_reset()
         self.mode_jumper, self.mix = self._jumpers_at_first
         self.so_ground = False
         self.channels.disconnect()
-        self.machine.make_new()
+        self.machine.factory_reset()
         self.power_on()
 
     def _read_mode(self) -> Mode:

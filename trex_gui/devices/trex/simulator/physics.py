@@ -77,7 +77,7 @@ class MotorPhysics:
 
     Attributes:
         load: current in A that it draws once it runs; dry friction, the same at all speeds.
-        load_at_first: the load that `make_new` gives it.
+        load_at_first: the load that `factory_reset` gives it.
         forced: current in A that the sensor shows instead of the real one; `None` for none.
         fault: whether the driver has shut itself down.
         speed: rad/s, positive forward.
@@ -91,9 +91,9 @@ class MotorPhysics:
         self._random = random.Random(seed)  # noqa: S311 - noise, not secrets
         self._charge = 0.0  # A s since the last measurement
         self._time = 0.0  # s
-        self.make_new()
+        self.factory_reset()
 
-    def make_new(self) -> None:
+    def factory_reset(self) -> None:
         """Put the first load back, take away fault and forced current, and stand still."""
         self.load = self.load_at_first
         self.forced: float | None = None
@@ -182,15 +182,15 @@ class Machine:
         self.motors = tuple(
             MotorPhysics(self.constants, current_unit, seed * 2 + index) for index in range(2)
         )
-        self.make_new()
+        self.factory_reset()
 
-    def make_new(self) -> None:
+    def factory_reset(self) -> None:
         """Charge the battery and free the motors."""
         self.battery = self.constants.battery
         self.resistance = self.constants.battery_resistance
         self.volts = self.battery
         for motor in self.motors:
-            motor.make_new()
+            motor.factory_reset()
 
     @property
     def is_too_low(self) -> bool:

@@ -8,6 +8,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.calibration import INVALID_RAW, Calibration
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import UartError
@@ -26,6 +27,12 @@ _EXPANDED = 0x80
 _NULL = 0xFF
 _GAP = -1
 """Stands in the receive buffer for bytes that were bad or found no room."""
+
+_UART_ERRORS = {
+    ReceiveError.FRAMING: UartError.FRAMING,
+    ReceiveError.PARITY: UartError.PARITY,
+    ReceiveError.OVERRUN: UartError.DATA_OVERRUN,
+}
 
 _FORMAT_BYTES = b"\x55\x2a"
 
@@ -78,15 +85,15 @@ class SerialPort:
             self._leave_gap()
             self.board.report_error(UartError.READ_OVERRUN)
 
-    def feed_error(self, error: UartError) -> None:
-        """Take a byte that the hardware found bad: its packet is lost."""
+    def feed_error(self, error: ReceiveError) -> None:
+        """Take a byte in which the hardware detected an error: its packet is lost."""
         if self._listens():
             self.board.hear()
             if self.pause:
                 self._leave_gap()
             else:
                 self._begin()
-            self.board.report_error(error)
+            self.board.report_error(_UART_ERRORS[error])
 
     def _leave_gap(self) -> None:
         """Note that a byte is missing, so that its packet is not completed by later ones."""

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.model.demo.snapshot import DemoChannel, DemoSnapshot,
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.line import TrexLine
 
 
 @pytest.fixture
@@ -83,10 +83,10 @@ def test_ended_simulator_clears_the_snapshot(
 
 
 def test_snapshot_is_parsed_from_show() -> None:
-    line = SimulatedLine([Board()])
+    line = TrexLine([Board()])
     for text in ("channel 2 silent", "load 1 4.5", "fault 2 on", "battery 11.5", "jumper mix on"):
         assert control(line, text).startswith("ok")
-    line.mute = True
+    line.faults.mute = True
     line.advance(0.2)
     snapshot = read_snapshot(control(line, "show").removeprefix("ok "))
     assert snapshot.power

@@ -1,0 +1,323 @@
+"""A serial line between a host and simulated devices, in virtual time.
+
+Bytes take as long as on a real wire. Nothing here waits: `advance` moves the wire and the devices
+forward together, event by event.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from typing import Protocol
+
+from trex_gui.core.simulator.faults import WireFaults
+from trex_gui.core.simulator.sampling import (
+    ReceiveError,
+    Receiver,
+    SampledByte,
+    is_other_rate,
+    levels,
+)
+from trex_gui.core.simulator.timeline import EPSILON, Timeline
+from trex_gui.core.transport.settings import SerialFormat
+
+
+class Station(Protocol):
+    """The UART of a device on the line."""
+
+    @property
+    def line_format(self) -> SerialFormat:
+        """How the UART is set."""
+
+    @property
+    def baud(self) -> float:
+        """Bit rate at which the UART really runs."""
+
+    def advance(self, seconds: float) -> None:
+        """Let time pass for the device."""
+
+    def receive(
+        self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
+    ) -> None:
+        """Receive a byte at its end, sent at the station's rate; it began at `begun`."""
+
+    def sample(self, byte: int, host: SerialFormat) -> None:
+        """Receive a byte that a host at another rate begins now."""
+
+
+@dataclass(slots=True, eq=False)
+class _Frame:
+    """A byte on its way to the host.
+
+    Attributes:
+        start, end: in seconds.
+        sender, baud: how its sender is set, and its real bit rate.
+        is_alive: whether the sender still has power.
+        collided: whether it overlaps another byte.
+    """
+
+    start: float
+    end: float
+    value: int
+    sender: SerialFormat
+    baud: float
+    is_alive: Callable[[], bool]
+    collided: bool = False
+
+    def is_in_step_with(self, other: "_Frame") -> bool:
+        return (
+            abs(self.start - other.start) < EPSILON
+            and abs(self.end - other.end) < EPSILON
+            and self.baud == other.baud
+        )
+
+    def level(self, moment: float) -> int:
+        """Return the sender's level at a moment: low in a start bit, high when idle."""
+        index = int((moment - self.start) * self.baud)
+        bits = levels(self.value, self.sender)
+        return bits[index] if 0 <= index < len(bits) and moment >= self.start else 1
+
+
+class SimulatedLine:
+    """One wire between a host and the stations on it.
+
+    The outputs of stations, echo and injected garbage are ANDed, as on a real wire. Bytes that
+    begin together arrive as their AND; of other overlapping bytes the host samples the levels.
+
+    Attributes:
+        stations: the devices; a fitting host is set like the first one.
+        faults: what goes wrong on the wire.
+        echo: whether bytes from the host come back, as on an RS-232 connector.
+        paced: whether bytes take time.
+        host: how the host's port is set; `None` for a fitting host.
+    """
+
+    stations: Sequence[Station]
+
+    def __init__(
+        self, *, echo: bool = False, paced: bool = True, seed: int = 0, noisy_bits: int = 8
+    ) -> None:
+        self.echo = echo
+        self.paced = paced
+        self.host: SerialFormat | None = None
+        self.faults = WireFaults(seed, noisy_bits)
+        self.timeline = Timeline(self._advance_stations)
+        self._received = bytearray()
+        self._host_busy_until = 0.0
+        self._host_turn = 0
+        self._injecting_until = 0.0
+        self._frames: list[_Frame] = []
+        self._collided: list[_Frame] = []
+
+    @property
+    def host_format(self) -> SerialFormat:
+        """How the port of a fitting host is set."""
+        return self.stations[0].line_format
+
+    @property
+    def unsaved(self) -> Sequence[str]:
+        """Reasons why the memory of a device is not in its file."""
+        return ()
+
+    # --- Host ---------------------------------------------------------------------------
+
+    def send(self, data: bytes) -> None:
+        """Queue bytes from the host."""
+        host, at = self.host, self.timeline.at
+        is_sampled = host is not None and any(
+            is_other_rate(host.baud, station.baud) for station in self.stations
+        )
+        byte_time = self._host_byte_time()
+        is_wanted = partial(self._is_host_turn, self._host_turn)
+        for byte in data:
+            start = max(self.now, self._host_busy_until)
+            end = self._host_busy_until = start + byte_time
+            if self.echo:
+                at(start, partial(self._put_at_host_rate, byte, end), is_wanted)
+            if is_sampled and host is not None:
+                at(start, partial(self._begin_other_rate, byte, host, end, is_wanted), is_wanted)
+            else:
+                at(end, partial(self._deliver, byte, host, start), is_wanted)
+
+    def drop_unsent(self) -> None:
+        """Discard queued bytes from the host: its port was closed or reconfigured."""
+        self._host_turn += 1
+        self._host_busy_until = self.now
+
+    def receive(self) -> bytes:
+        """Return the bytes that have reached the host."""
+        data = bytes(self._received)
+        self._received.clear()
+        return data
+
+    def read(self, size: int, seconds: float) -> bytes:
+        """Let time pass until `size` bytes have arrived or `seconds` have passed; return them."""
+        end = self.now + seconds
+        while len(self._received) < size and self.timeline.step(end):
+            pass
+        if len(self._received) < size:
+            self.timeline.move_to(end)
+        data = bytes(self._received[:size])
+        del self._received[:size]
+        return data
+
+    @property
+    def backlog(self) -> float:
+        """Seconds that the queued bytes from the host need to get onto the wire."""
+        return max(0.0, self._host_busy_until - self.now)
+
+    def _is_host_turn(self, turn: int) -> bool:
+        return turn == self._host_turn
+
+    def _host_byte_time(self) -> float:
+        if not self.paced:
+            return 0.0
+        return self.byte_time if self.host is None else self.host.seconds(1)
+
+    # --- Time ---------------------------------------------------------------------------
+
+    @property
+    def now(self) -> float:
+        """Seconds since the line was created."""
+        return self.timeline.now
+
+    @property
+    def next_event(self) -> float | None:
+        """Moment of the next event on the line; `None` when nothing is pending."""
+        return self.timeline.next_event
+
+    def advance(self, seconds: float) -> None:
+        """Let time pass."""
+        self.advance_to(self.now + seconds)
+
+    def advance_to(self, moment: float) -> None:
+        """Let time pass until a moment; one in the past changes nothing."""
+        while self.timeline.step(moment):
+            pass
+        self.timeline.move_to(moment)
+
+    def _advance_stations(self, seconds: float) -> None:
+        for station in self.stations:
+            station.advance(seconds)
+
+    # --- From the host to the stations --------------------------------------------------
+
+    def _deliver(self, byte: int, host: SerialFormat | None, begun: float) -> None:
+        """Deliver a byte to stations that all run at the host's rate."""
+        if (arriving := self.faults.on_way_to_device(byte, begun)) is not None:
+            for station in self.stations:
+                station.receive(arriving[0], host, arriving[1], begun)
+
+    def _begin_other_rate(
+        self, byte: int, host: SerialFormat, end: float, is_wanted: Callable[[], bool]
+    ) -> None:
+        """Begin a byte that at least one station samples at another rate."""
+        if (arriving := self.faults.on_way_to_device(byte, self.now)) is None:
+            return
+        byte, error = arriving
+        for station in self.stations:
+            if is_other_rate(host.baud, station.baud):
+                station.sample(byte, host)
+            else:
+                receive = partial(station.receive, byte, host, error, self.now)
+                self.timeline.at(end, receive, is_wanted)
+
+    # --- To the host --------------------------------------------------------------------
+
+    @property
+    def byte_time(self) -> float:
+        """Seconds that a byte of the first station takes."""
+        return self.byte_time_of(self.stations[0])
+
+    def byte_time_of(self, station: Station) -> float:
+        """Return the seconds that a byte of a station takes."""
+        return station.line_format.bits_per_byte / station.baud if self.paced else 0.0
+
+    def transmit(self, byte: int, station: Station, is_alive: Callable[[], bool]) -> None:
+        """Begin a byte of a station; it is lost if `is_alive` is false at its end."""
+        end = self.now + self.byte_time_of(station)
+        self._put(_Frame(self.now, end, byte, station.line_format, station.baud, is_alive))
+
+    def arrive(self, byte: int, begun: float) -> None:
+        """Let a byte that began at `begun` reach the host."""
+        arriving = self.faults.on_way_to_host(byte, begun)
+        if arriving is not None:
+            self._received.append(arriving)
+
+    def inject(self, data: bytes) -> None:
+        """Put bytes on the wire to the host that no station has sent."""
+        byte_time = self.byte_time
+        for byte in data:
+            start = max(self.now, self._injecting_until)
+            end = self._injecting_until = start + byte_time
+            self.timeline.at(start, partial(self._put_at_host_rate, byte, end))
+
+    def unplug(self) -> None:
+        """Unplug the cable."""
+        self.faults.plugged = False
+        self._received.clear()
+
+    def plug(self) -> None:
+        """Plug the cable in."""
+        self.faults.plug(self.now)
+
+    def _host_receiver(self) -> tuple[SerialFormat, float]:
+        """Return how the host receives, and its bit rate."""
+        if self.host is not None:
+            return self.host, self.host.baud
+        return self.stations[0].line_format, self.stations[0].baud
+
+    def _put_at_host_rate(self, byte: int, end: float) -> None:
+        if self.paced:
+            self._put(_Frame(self.now, end, byte, *self._host_receiver(), lambda: True))
+        else:
+            self.arrive(byte, self.now)
+
+    def _put(self, frame: _Frame) -> None:
+        others = [
+            other
+            for other in self._frames
+            if other.is_alive()
+            and (other.end > frame.start + EPSILON or frame.is_in_step_with(other))
+        ]
+        if others:
+            self.faults.counters["collisions"] += 1
+            if len(others) == 1 and not others[0].collided and frame.is_in_step_with(others[0]):
+                others[0].value &= frame.value
+                return
+            for each in (*others, frame):
+                if not each.collided:
+                    each.collided = True
+                    self._collided.append(each)
+        self._frames.append(frame)
+        self.timeline.at(frame.end, partial(self._end, frame))
+
+    def _end(self, frame: _Frame) -> None:
+        self._frames.remove(frame)
+        if not frame.collided:
+            if frame.is_alive():
+                self.arrive(frame.value, frame.start)
+        elif not any(other.collided for other in self._frames):
+            collided, self._collided = self._collided, []
+            self._resolve([each for each in collided if each.is_alive()])
+
+    def _resolve(self, frames: Sequence[_Frame]) -> None:
+        """Let the host sample bytes that overlap."""
+        if not frames:
+            return
+        begin = min(frame.start for frame in frames)
+        edges = sorted(
+            {
+                frame.start + bit / frame.baud
+                for frame in frames
+                for bit in range(frame.sender.bits_per_byte + 1)
+            }
+        )
+        receiver = Receiver(*self._host_receiver(), begin)
+        sampled: list[SampledByte] = []
+        for before, after in pairwise(edges):
+            middle = (before + after) / 2
+            sampled += receiver.sample(min(frame.level(middle) for frame in frames), after)
+        sampled += receiver.idle(edges[-1] + 20 / receiver.baud)
+        for each in sampled:
+            self.arrive(each.value, begin)

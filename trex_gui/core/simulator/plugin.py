@@ -1,0 +1,36 @@
+"""What a device contributes to `trex-sim`."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import click
+
+from trex_gui.core.simulator.line import SimulatedLine
+
+
+@dataclass(frozen=True, slots=True)
+class Simulation:
+    """A line in virtual time, and the function that executes a control line and answers it."""
+
+    line: SimulatedLine
+    control: Callable[[str], str]
+
+
+@dataclass(frozen=True, slots=True)
+class SimulatorPlugin:
+    """A simulated device on the command line.
+
+    Attributes:
+        name: of the device, for messages.
+        flag: option that selects the device, such as `--aracna`; empty for the default device.
+        help: sentence about the flag, or about control lines.
+        options: options that apply to this device only.
+        build: creates the simulation from the values of `options`, `paced` and `seed`; raises a
+            `StudioError` if a file cannot be read.
+    """
+
+    name: str
+    flag: str
+    help: str
+    options: tuple[click.Option, ...]
+    build: Callable[..., Simulation]

@@ -1,0 +1,180 @@
+"""Options of `trex-sim` for TReX boards, and the demonstration."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import click
+
+from trex_gui.core.simulator.plugin import Simulation, SimulatorPlugin
+from trex_gui.core.simulator.timeline import Timeline
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.simulator.control import control
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.firmware import MODE_JUMPERS, Board
+from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.signals import Signal, SignalKind
+
+_MODELS = [model.key for model in device_table().models]
+_FIRMWARE = sorted({version for model in device_table().models for version in model.firmware})
+
+_PERIOD = 0.02
+"""Seconds between two pulses of a standard receiver."""
+
+# Channel: seconds for a full swing and its size as a share of the stick's travel. The periods
+# share no small multiple, so that the picture does not repeat. Channel 5 stays in the range
+# without serial override.
+_SWINGS = {1: (7.0, 0.8), 2: (11.0, 0.7), 3: (17.0, 0.6), 4: (23.0, 0.3), 5: (29.0, 0.2)}
+
+
+class Demo:
+    """Moves the sticks of one board, except those that a control line has set."""
+
+    def __init__(self, board: Board, timeline: Timeline) -> None:
+        self._board = board
+        self._timeline = timeline
+        self._signals = {channel: board.channels.signal(channel) for channel in _SWINGS}
+        for physics in board.physics:
+            physics.load = physics.load_at_first = physics.constants.light_load
+        self._move_sticks()
+
+    def _move_sticks(self) -> None:
+        for channel, (seconds, size) in _SWINGS.items():
+            present = self._board.channels.signal(channel)
+            if present == self._signals[channel] or present.kind is SignalKind.REST:
+                signal = self._stick(size * math.sin(2 * math.pi * self._board.now / seconds))
+                self._signals[channel] = signal
+                self._board.connect(channel, signal)
+        self._timeline.at(self._timeline.now + _PERIOD, self._move_sticks)
+
+    def _stick(self, position: float) -> Signal:
+        """Return the signal of a stick at a position from -1 to 1."""
+        if self._board.channels.source is InputSource.RC:
+            return Signal.pulses(1500 + 500 * position)
+        return Signal.voltage(2.5 + 2.5 * position)
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceOption:
+    """`--device` for one board; `None` for what it does not give."""
+
+    number: int | None = None
+    model: str | None = None
+
+
+def _read_device(text: str) -> DeviceOption:
+    """Read NUMBER[:MODEL]."""
+    number, _, model = text.partition(":")
+    if not (number.isascii() and number.isdigit() and int(number) <= 127):
+        raise click.BadParameter(f"a device number is 0 to 127, not {number!r}")
+    if model and model not in _MODELS:
+        raise click.BadParameter(f"a model is {' or '.join(_MODELS)}, not {model!r}")
+    return DeviceOption(int(number), model or None)
+
+
+def _check_numbers(
+    _context: click.Context, _option: click.Parameter, devices: tuple[DeviceOption, ...]
+) -> tuple[DeviceOption, ...]:
+    if len({device.number for device in devices}) < len(devices):
+        raise click.UsageError("each --device needs its own number; control lines use it")
+    return devices
+
+
+def simulate(
+    *,
+    model: str = "trex",
+    firmware: str = "1.2",
+    mode: str = "serial",
+    mix: bool = False,
+    echo: bool = False,
+    paced: bool = True,
+    eeprom: Path | None = None,
+    devices: Sequence[DeviceOption] = (),
+    seed: int = 0,
+    demo: bool = False,
+) -> Simulation:
+    """Create one TReX, or several on one wire; the arguments are the command-line options.
+
+    Raises:
+        EepromError: the EEPROM file cannot be read.
+    """
+    boards = [
+        Board(
+            device.model or model,
+            firmware,
+            eeprom=_eeprom(eeprom, device, device.model or model, len(devices)),
+            mode=mode,
+            mix=mix,
+            seed=seed + index,
+        )
+        for index, device in enumerate(devices or [DeviceOption()])
+    ]
+    line = TrexLine(boards, echo=echo, paced=paced, seed=seed)
+    if demo:
+        for board in boards:
+            Demo(board, line.timeline)
+    return Simulation(line, partial(control, line))
+
+
+def _eeprom(path: Path | None, device: DeviceOption, model: str, count: int) -> Eeprom:
+    """Return the memory of a board; a number stored in a file overrides the option."""
+    if path is not None and count > 1:
+        path = path.with_name(f"{path.stem}-{device.number}{path.suffix}")
+    is_new = path is None or not path.exists()
+    eeprom = Eeprom(model) if path is None else Eeprom.open(path, model)
+    stored = eeprom[ParameterKey.DEVICE_NUMBER]
+    if device.number is None or device.number == stored:
+        return eeprom
+    if is_new:
+        eeprom.write(ParameterKey.DEVICE_NUMBER, device.number)
+    else:
+        click.echo(f"{path} contains device {stored}; --device is ignored", err=True)
+    return eeprom
+
+
+SIMULATOR = SimulatorPlugin(
+    name="a TReX",
+    flag="",
+    help="Control lines: channel, jumper, power, load, current, fault, battery, eeprom, factory, "
+    "line, show, quit; with missing arguments each answers with its usage. With several "
+    'devices a control line begins with one of them, as in "@9 power cycle".',
+    options=(
+        click.Option(["--model"], type=click.Choice(_MODELS), default="trex", show_default=True),
+        click.Option(
+            ["--firmware"], type=click.Choice(_FIRMWARE), default="1.2", show_default=True
+        ),
+        click.Option(
+            ["--mode"],
+            type=click.Choice(MODE_JUMPERS),
+            default="serial",
+            show_default=True,
+            help="Mode jumper.",
+        ),
+        click.Option(["--mix"], is_flag=True, help="Set the mix jumper."),
+        click.Option(
+            ["--echo"],
+            is_flag=True,
+            help="Return the bytes of the host, as the RS-232 connector does.",
+        ),
+        click.Option(
+            ["--eeprom"],
+            type=click.Path(path_type=Path, dir_okay=False),
+            help="File for the board's EEPROM. With several devices each has its own, with its "
+            "number before the suffix.",
+        ),
+        click.Option(
+            ["--device", "devices"],
+            type=_read_device,
+            metavar="NUMBER[:MODEL]",
+            multiple=True,
+            callback=_check_numbers,
+            help="A board with this device number; repeat it for several on one wire.",
+        ),
+        click.Option(["--demo"], is_flag=True, help="Move the sticks gently and load the motors."),
+    ),
+    build=simulate,
+)
