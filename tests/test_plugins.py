@@ -6,12 +6,14 @@ import pytest
 from trex_gui.composition import PLUGINS
 from trex_gui.core.discovery.prober import ProberInfo
 from trex_gui.core.plugin import DevicePlugin, PortReports
+from trex_gui.core.simulator.plugin import SimulatorPlugin
 
 
 @pytest.mark.parametrize("plugin", PLUGINS, ids=lambda plugin: plugin.key)
 def test_plugin_names_objects_that_exist(plugin: DevicePlugin) -> None:
     assert isinstance(plugin.prober.load(), ProberInfo)
     assert isinstance(plugin.port_reports.load(), PortReports)
+    assert isinstance(plugin.simulator.load(), SimulatorPlugin)
     for name, info in plugin.commands.items():
         command = info.command.load()
         assert isinstance(command, click.Command)

@@ -7,15 +7,14 @@ import click
 from click.core import ParameterSource
 
 from trex_gui import __version__
+from trex_gui.composition import PLUGINS
 from trex_gui.core.errors import StudioError
 from trex_gui.core.simulator.endpoint import Endpoint, TcpEndpoint, default_endpoint_is_tcp
-from trex_gui.core.simulator.plugin import Simulation, SimulatorPlugin
+from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.simulator.server import Server
-from trex_gui.devices.aracna.simulator.command import SIMULATOR as ARACNA
-from trex_gui.devices.trex.simulator.command import SIMULATOR as TREX
 
-_SIMULATORS = (TREX, ARACNA)
-"""The default device first."""
+_SIMULATORS = {plugin.key: plugin.simulator.load() for plugin in PLUGINS}
+_DEFAULT = PLUGINS[0].key
 
 _HELP = """Simulate a device on a pseudo-terminal or a TCP port.
 
@@ -32,21 +31,20 @@ def _read_address(text: str) -> tuple[str, int]:
     return host.strip("[]") or "127.0.0.1", int(port)
 
 
-def _key(plugin: SimulatorPlugin) -> str:
-    return plugin.flag.removeprefix("--").replace("-", "_")
+def _device_options() -> list[click.Parameter]:
+    """Return the options of every device, each behind the flag that selects the device."""
+    options: list[click.Parameter] = []
+    for key, simulator in _SIMULATORS.items():
+        if key != _DEFAULT:
+            options.append(click.Option([f"--{key}"], is_flag=True, help=simulator.help))
+        options += simulator.options
+    return options
 
 
 @click.command(
     context_settings={"help_option_names": ["-h", "--help"]},
-    help="\n".join([_HELP, *(plugin.help for plugin in _SIMULATORS if not plugin.flag)]),
-    params=[
-        option
-        for plugin in _SIMULATORS
-        for option in (
-            *([click.Option([plugin.flag], is_flag=True, help=plugin.help)] if plugin.flag else []),
-            *plugin.options,
-        )
-    ],
+    help=f"{_HELP}\n{_SIMULATORS[_DEFAULT].help}",
+    params=_device_options(),
 )
 @click.option("--unpaced", is_flag=True, help="Let bytes take no time on the wire.")
 @click.option("--seed", type=int, default=0, show_default=True, help="For all noise.")
@@ -94,15 +92,15 @@ def simulate(context: click.Context) -> Simulation:
         StudioError: a file cannot be read.
     """
     options = context.params
-    flagged = [plugin for plugin in _SIMULATORS if plugin.flag and options[_key(plugin)]]
-    device = flagged[0] if flagged else _SIMULATORS[0]
-    for plugin in _SIMULATORS:
-        for option in plugin.options:
+    device = next((key for key in _SIMULATORS if options.get(key)), _DEFAULT)
+    for key, simulator in _SIMULATORS.items():
+        for option in simulator.options:
             given = context.get_parameter_source(option.name or "")
-            if plugin is not device and given is not ParameterSource.DEFAULT:
-                raise click.UsageError(f"{option.opts[0]} does not apply to {device.name}")
-    values = {option.name: options[option.name] for option in device.options if option.name}
-    return device.build(paced=not options["unpaced"], seed=options["seed"], **values)
+            if key != device and given is not ParameterSource.DEFAULT:
+                raise click.UsageError(f"{option.opts[0]} does not apply to the device {device}")
+    own = _SIMULATORS[device]
+    values = {option.name: options[option.name] for option in own.options if option.name}
+    return own.build(paced=not options["unpaced"], seed=options["seed"], **values)
 
 
 def _endpoint(

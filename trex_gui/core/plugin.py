@@ -9,6 +9,7 @@ if TYPE_CHECKING:  # trexcmd --help needs none of this
     import click
 
     from trex_gui.core.discovery.prober import ProberInfo
+    from trex_gui.core.simulator.plugin import SimulatorPlugin
 
 T_co = TypeVar("T_co", covariant=True)
 
@@ -73,6 +74,7 @@ class DevicePlugin:
         prober: how to look for one on a port; its probes move no device of any kind.
         port_reports: how the command line reports one.
         commands: its commands of trexcmd by name.
+        simulator: how trex-sim simulates one.
     """
 
     key: str
@@ -80,3 +82,4 @@ class DevicePlugin:
     prober: "Lazy[ProberInfo]"
     port_reports: Lazy[PortReports]
     commands: Mapping[str, CommandInfo]
+    simulator: "Lazy[SimulatorPlugin]"

@@ -21,16 +21,12 @@ class SimulatorPlugin:
     """A simulated device on the command line.
 
     Attributes:
-        name: of the device, for messages.
-        flag: option that selects the device, such as `--aracna`; empty for the default device.
-        help: sentence about the flag, or about control lines.
+        help: of the option that selects the device; of the command for the default device.
         options: options that apply to this device only.
         build: creates the simulation from the values of `options`, `paced` and `seed`; raises a
             `StudioError` if a file cannot be read.
     """
 
-    name: str
-    flag: str
     help: str
     options: tuple[click.Option, ...]
     build: Callable[..., Simulation]

@@ -38,4 +38,5 @@ TREX = DevicePlugin(
         "raw": _command("packets:raw", "Send bytes and show what comes back."),
         "decode": _command("packets:decode", "Say what packets some bytes are."),
     },
+    simulator=Lazy(f"{_HERE}.simulator.command:SIMULATOR"),
 )

@@ -168,13 +168,13 @@ MEANINGLESS = [
 def test_trex_options_are_rejected_with_explanation(option: list[str]) -> None:
     result = CliRunner().invoke(main, ["--aracna", *option])
     assert result.exit_code == 2
-    assert f"{option[0]} does not apply to an Aracna" in result.output
+    assert f"{option[0]} does not apply to the device aracna" in result.output
 
 
 def test_motors_option_requires_aracna() -> None:
     result = CliRunner().invoke(main, ["--motors", "2"])
     assert result.exit_code == 2
-    assert "--motors does not apply to a TReX" in result.output
+    assert "--motors does not apply to the device trex" in result.output
 
 
 @pytest.mark.parametrize("motors", ["0", "9", "many"])

@@ -17,8 +17,6 @@ def simulate(*, motors: int | None = None, paced: bool = True, seed: int = 0) ->
 
 
 SIMULATOR = SimulatorPlugin(
-    name="an Aracna",
-    flag="--aracna",
     help="Simulate an Aracna instead, at 38400 8N1. "
     "Its control lines: reset, power, servo, line, show, quit.",
     options=(
