@@ -9,7 +9,6 @@ from PySide6.QtGui import QUndoStack
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.calibration.calibrations import Calibrations
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
@@ -123,7 +122,7 @@ def test_rejected_value_leaves_no_step(device: Device) -> None:
 
 def test_undo_after_apply_makes_the_old_value_pending(device: Device) -> None:
     device.parameters.edit("serial_timeout", 5)
-    device.parameters.take_results([WriteResult("serial_timeout", 5)])
+    device.parameters.note_stored({"serial_timeout": 5})
     assert device.pending == 0
     device.undo.undo()
     assert device.parameters.pending == (("serial_timeout", FACTORY["serial_timeout"]),)

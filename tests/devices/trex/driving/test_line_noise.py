@@ -22,7 +22,7 @@ from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetMotor,
 from trex_gui.devices.trex.driving.setpoints import LONGEST_REPEATING
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetRawChannels
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.devices.trex.session.messages import NotResponding
+from trex_gui.devices.trex.session.messages import NotResponding, Write
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
@@ -260,6 +260,18 @@ def test_motor_stopped_by_board_is_not_restarted(status: Status, uart: UartError
     run_for(stage, 3.0)
     assert still == [True]
     assert DriveMotor(1, Drive.at(50)) not in moving(stage.transport.sent[mark[0] :])
+
+
+def test_written_error_shutdown_decides_about_retries() -> None:
+    """The board that no longer stops its motors on errors gets a corrupted setpoint again."""
+    stage, _ = staged()  # UART-Error Shutdown is on from the factory
+    stage.script.at(1.0, Write(1, (("uart_error_shutdown", 0),)))
+    stage.script.at(1.5, lambda: swap(stage, "C2 32", "C2"))  # one packet loses its speed
+    stage.script.at(1.5, SetMotor(1, Drive.at(50)))
+    speeds = seen_at(stage, 1.9, lambda: stage.board.motors[0].speed)
+    run_for(stage, 2.0)
+    assert outcomes(stage.reports)[1].error is None
+    assert speeds == [50]
 
 
 def test_setpoint_repetition_ends_at_time_limit() -> None:

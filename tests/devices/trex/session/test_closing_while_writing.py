@@ -25,7 +25,7 @@ from trex_gui.devices.trex.client.writing import Skipped, WriteResult
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetStatus
 from trex_gui.devices.trex.protocol.line_settings import Detection
-from trex_gui.devices.trex.session.messages import Connected, Report, Write
+from trex_gui.devices.trex.session.messages import Connected, Report, Write, Written
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 PAIR = ("crc7_polynomial", "uart_settings")
@@ -85,8 +85,8 @@ def taken(writing: Writing) -> Writing:
     """Take in the outcome, which tells of everything."""
     assert writing.outcome.error is None
     value = writing.outcome.value
-    assert isinstance(value, tuple)
-    writing.attempt.results = value
+    assert isinstance(value, Written)
+    writing.attempt.results = value.results
     return writing
 
 

@@ -50,7 +50,6 @@ from trex_gui.devices.trex.session.messages import (
     Request,
     RunCommand,
     SetReconnectCandidates,
-    StateUpdated,
     Write,
 )
 
@@ -156,7 +155,7 @@ def test_all_reports_of_session_survive_pickling(model: str) -> None:
     stage.script.at(1.5, Stop(2)).at(1.6, Reload(3)).at(2.2, stage.board.power_off)
     reports = run_for(stage, 3.0, settings)
     assert {type(report) for report in reports} == {
-        Progress, Connected, StateUpdated, Batch, Outcome, NotResponding, Closed,
+        Progress, Connected, Batch, Outcome, NotResponding, Closed,
     }  # fmt: skip
     for report in reports:
         assert there_and_back(report) == report

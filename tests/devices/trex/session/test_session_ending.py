@@ -37,6 +37,7 @@ from trex_gui.devices.trex.session.messages import (
     Request,
     RunCommand,
     Write,
+    Written,
 )
 from trex_gui.devices.trex.session.session import SampleBatcher
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -265,9 +266,9 @@ def test_each_kind_of_request_gets_an_outcome(stage: Stage) -> None:
     assert all(one.error is None for one in found.values())
     assert found[1].value == 7
     assert found[2].value is None
-    assert [(one.what, one.stored) for one in found[4].value] == [  # type: ignore[attr-defined]
-        ("serial_timeout", 9)
-    ]
+    written = found[4].value
+    assert isinstance(written, Written)
+    assert [(one.what, one.stored) for one in written.results] == [("serial_timeout", 9)]
 
 
 def test_reload_is_reported_before_its_outcome(stage: Stage) -> None:

@@ -17,7 +17,6 @@ from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session.messages import Close, Closed
 from trex_gui.devices.trex.client.telemetry import Currents
-from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.requests import Arm, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode
 from trex_gui.devices.trex.session.messages import (
@@ -28,6 +27,7 @@ from trex_gui.devices.trex.session.messages import (
     Reload,
     RunCommand,
     Write,
+    Written,
 )
 
 
@@ -215,8 +215,8 @@ def test_write_to_unresponsive_board_fails_soon_for_each_key(stage: Stage) -> No
     )
     assert at < 3.0
     assert outcome.error is None
-    assert isinstance(outcome.value, tuple)
-    results = [one for one in outcome.value if isinstance(one, WriteResult)]
+    assert isinstance(outcome.value, Written)
+    results = outcome.value.results
     assert sorted(one.what for one in results) == sorted(keys)
     assert all(isinstance(one.error, NoReply) for one in results)
 

@@ -2,8 +2,6 @@
 
 import logging
 import math
-from collections.abc import Mapping
-from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
@@ -17,7 +15,6 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -91,14 +88,9 @@ class Connection(DeviceConnection[ConnectionSettings]):
         stop = Stop(NOBODY, lockout=math.inf)
         self.submit_now(*((stop, Close()) if ending else (stop,)))
 
-    def note_stored(self, parameters: Mapping[str, int]) -> None:
-        """Follow the board to the device number that it stores now, as the session has done.
-
-        The board obeys a new number at once.
-        """
-        if self._settings is not None and self._settings.device_number is not None:
-            number = parameters.get(ParameterKey.DEVICE_NUMBER, self._settings.device_number)
-            self._settings = replace(self._settings, device_number=number)
+    def follow(self, settings: ConnectionSettings) -> None:
+        """Take how the board is addressed after a write, as the session does."""
+        self._settings = settings
 
     def take(self, report: object) -> None:
         match report:

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.explanations import who_controls
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.client.writing import WriteResult, after_writing
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.discovery.diagnosis import suggests_scan
 from trex_gui.devices.trex.discovery.reconnect_candidates import reconnect_candidates
 from trex_gui.devices.trex.model.board_state import in_force
@@ -37,6 +37,7 @@ from trex_gui.devices.trex.session.messages import (
     Reload,
     SetReconnectCandidates,
     Write,
+    Written,
 )
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
@@ -109,6 +110,7 @@ class Device(QObject):
         self._driving.confirmed.connect(self.link_changed)
         self.draft.pending_changed.connect(self.pending_changed)
         self.draft.replacing.connect(self._kept.keep)
+        self._apply.written.connect(self._on_written)
         self._apply.started.connect(self.link_changed)
         self._apply.finished.connect(self._on_applied)
         self._apply.failed.connect(self._on_apply_failed)
@@ -335,7 +337,8 @@ class Device(QObject):
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
-        self._note_written(results)
+        if self._state is not None:
+            self._reset_order.note_written(results, self._state.parameters)
         self.link_changed.emit()
         names = tuple(self.name_of(result.what) for result in results)
         self._event_watch.note_applied(results, names)
@@ -357,15 +360,6 @@ class Device(QObject):
             reason = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(reason)
         self.notifier.error.emit(reason)
 
-    def _note_written(self, results: tuple[WriteResult, ...]) -> None:
-        """Let `state` say what the board holds now."""
-        if self._state is None:
-            return
-        self._reset_order.note_written(results, self._state.parameters)
-        self._state = after_writing(self._state, results)
-        self._connection.note_stored(self._state.parameters)
-        self.state_changed.emit()
-
     # --- Reports from the line ----------------------------------------------------------
 
     @Slot(object)
@@ -381,6 +375,13 @@ class Device(QObject):
         self._reset_order.note_read(state.parameters, power_cycled=occasion.power_cycled)
         self.draft.take_state(state, power_cycled=occasion.power_cycled)
         self.parameters.note_in_force(in_force(state, report.settings))
+
+    @Slot(object)
+    def _on_written(self, written: Written) -> None:
+        self._state = written.state
+        self._connection.follow(written.settings)
+        self.draft.note_stored(written.state)
+        self.state_changed.emit()
 
     @Slot()
     def _on_settled(self) -> None:

@@ -11,6 +11,7 @@ from trex_gui.core.session.messages import Close, Closed, Outcome, Progress
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.requests import MotorRequest, MotorsStopped
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command
@@ -31,8 +32,8 @@ class RunCommand:
 class Write:
     """Store parameters (key, wire value) and calibrations (channel, values).
 
-    See `writing.write_all` for the order and for what follows from an error. A `StateUpdated` is
-    reported first; the value of the `Outcome` is a tuple with a `writing.WriteResult` for each.
+    See `writing.write_all` for the order and for what follows from an error. The value of the
+    `Outcome` is a `Written`.
     """
 
     id: int
@@ -101,9 +102,16 @@ class Connected:
 
 
 @dataclass(frozen=True, slots=True)
-class StateUpdated:
-    """Verified writes have changed what the board stores, and perhaps how it is addressed."""
+class Written:
+    """What has become of a `Write`.
 
+    Attributes:
+        results: one for each parameter and calibration.
+        state: what the board stores now.
+        settings: how it is addressed now.
+    """
+
+    results: tuple[WriteResult, ...]
     state: DeviceState
     settings: ConnectionSettings
 
@@ -127,6 +135,4 @@ class Batch:
     counters: Counters
 
 
-Report = (
-    Progress | Connected | StateUpdated | NotResponding | MotorsStopped | Batch | Outcome | Closed
-)
+Report = Progress | Connected | NotResponding | MotorsStopped | Batch | Outcome | Closed

@@ -41,8 +41,8 @@ from trex_gui.devices.trex.session.messages import (
     Report,
     Request,
     RunCommand,
-    StateUpdated,
     Write,
+    Written,
 )
 from trex_gui.devices.trex.session.polling import Polling
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
@@ -267,14 +267,14 @@ class TrexSession:
                 self._read_everything(returned)
                 return None
 
-    def _write(self, job: Write) -> tuple[WriteResult, ...]:
+    def _write(self, job: Write) -> Written:
         """Write until it is done or `Close` comes, which leaves no value halfway.
 
         Motors that may be moving do not wait for that.
         """
         if self._state is None:
             raise NoReply("No board has been read yet.")
-        before, stop_is_due = self._state, True
+        stop_is_due = True
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
             nonlocal stop_is_due
@@ -286,17 +286,15 @@ class TrexSession:
 
         results = write_all(
             request,
-            before.specs,
+            self._state.specs,
             job.parameters,
             job.calibrations,
             self._progress,
-            source=before.source,
+            source=self._state.source,
             cancelled=self._is_closing,
             stored=self._note_stored,
         )
-        if self._state is not before:
-            self._emit(StateUpdated(self._state, self._line.settings))
-        return results
+        return Written(results, self._state, self._line.settings)
 
     def _note_stored(self, result: WriteResult) -> None:
         if self._state is not None:

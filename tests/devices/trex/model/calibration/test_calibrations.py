@@ -4,8 +4,7 @@ import pytest
 from PySide6.QtGui import QUndoStack
 from pytestqt.qtbot import QtBot
 
-from trex_gui.core.errors import BadRequest, NoReply
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.calibration.calibrations import Calibrations
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
@@ -70,20 +69,14 @@ def test_discard_drops_all_edits(model: Calibrations, qtbot: QtBot) -> None:
 def test_written_edit_is_stored_and_failed_edit_stays_pending(model: Calibrations) -> None:
     model.edit(1, LEARNED)
     model.edit(2, LEARNED)
-    model.take_results(
-        [
-            WriteResult("channel 1", LEARNED),
-            WriteResult("channel 2", error=NoReply("x")),
-            WriteResult("motor_mode", 1),
-        ]
-    )
+    model.note_stored(stored(InputSource.RC) | {1: LEARNED})
     assert model.stored(1) == LEARNED
     assert model.pending == ((2, LEARNED),)
 
 
 def test_edit_made_during_the_write_stays_pending(model: Calibrations) -> None:
     model.edit(1, OTHER)
-    model.take_results([WriteResult("channel 1", LEARNED)])
+    model.note_stored({1: LEARNED})
     assert model.pending == ((1, OTHER),)
 
 
@@ -167,7 +160,7 @@ def test_last_seen_keeps_values_of_the_other_source(model: Calibrations) -> None
 
 
 def test_last_seen_keeps_a_written_value(model: Calibrations) -> None:
-    model.take_results([WriteResult("channel 1", LEARNED)])
+    model.note_stored({1: LEARNED})
     model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
     assert model.last_seen(1, InputSource.RC) == LEARNED
 

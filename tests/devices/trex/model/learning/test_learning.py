@@ -481,7 +481,9 @@ def test_only_written_channels_request_a_test(
         else WriteResult(f"channel {number}", value)
         for number, value in values.items()
     )
-    setup.device.calibrations.take_results(results)
+    setup.device.calibrations.note_stored(
+        {number: value for number, value in values.items() if number not in failed}
+    )
     setup.device.applied.emit(results)
     assert requested_tests == ([] if expected is None else [expected])
 

@@ -67,7 +67,7 @@ def test_model_passes_qt_model_tester_through_changes(
     qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
     load(model)
     edit(model, "serial_timeout", 9)
-    model.take_results([WriteResult("serial_timeout", 9)])
+    model.note_stored({"serial_timeout": 9})
     load(model, factory(JUNIOR), JUNIOR)
     model.set_editable(False)
     model.discard_edits()
@@ -242,7 +242,7 @@ def test_discard_drops_all_edits(model: ParameterModel) -> None:
 def test_written_value_is_stored_and_not_pending(model: ParameterModel, qtbot: QtBot) -> None:
     edit(model, "serial_timeout", 9)
     with qtbot.waitSignal(model.pending_changed) as pending:
-        model.take_results([WriteResult("serial_timeout", 9)])
+        model.note_stored({"serial_timeout": 9})
     assert pending.args == [0]
     assert model.stored_of("serial_timeout") == 9
 
@@ -250,7 +250,8 @@ def test_written_value_is_stored_and_not_pending(model: ParameterModel, qtbot: Q
 def test_failed_write_stays_pending_with_a_reason(model: ParameterModel) -> None:
     edit(model, "serial_timeout", 9)
     edit(model, "motor_mode", 1)
-    model.take_results(
+    model.note_stored({"serial_timeout": 9})
+    model.note_results(
         [WriteResult("serial_timeout", 9), WriteResult("motor_mode", error=NoReply("No answer."))]
     )
     assert model.pending == (("motor_mode", 1),)
@@ -260,13 +261,13 @@ def test_failed_write_stays_pending_with_a_reason(model: ParameterModel) -> None
 
 def test_successful_write_clears_the_problem(model: ParameterModel) -> None:
     edit(model, "motor_mode", 1)
-    model.take_results([WriteResult("motor_mode", error=BadReply("It did not stick."))])
-    model.take_results([WriteResult("motor_mode", 1)])
+    model.note_results([WriteResult("motor_mode", error=BadReply("It did not stick."))])
+    model.note_results([WriteResult("motor_mode", 1)])
     assert of(model, "motor_mode", Role.PROBLEM) is None
 
 
 def test_results_of_other_keys_are_ignored(model: ParameterModel) -> None:
-    model.take_results([WriteResult("channel 1", error=NoReply("x")), WriteResult("nonsense", 1)])
+    model.note_results([WriteResult("channel 1", error=NoReply("x")), WriteResult("nonsense", 1)])
     assert model.pending == ()
 
 
@@ -275,20 +276,20 @@ def test_results_of_other_keys_are_ignored(model: ParameterModel) -> None:
 
 def test_parameters_waiting_for_a_power_cycle_are_named(model: ParameterModel) -> None:
     assert not model.waiting_for_power
-    model.take_results([WriteResult("motor_mode", 1), WriteResult("serial_timeout", 9)])
+    model.note_stored({"motor_mode": 1, "serial_timeout": 9})
     assert model.waiting_for_power == ("Motor Mode",)
     assert of(model, "motor_mode", Role.WAITING) is not None
     assert of(model, "serial_timeout", Role.WAITING) is None
 
 
 def test_power_cycle_ends_the_waiting(model: ParameterModel) -> None:
-    model.take_results([WriteResult("motor_mode", 1)])
+    model.note_stored({"motor_mode": 1})
     load(model, factory() | {"motor_mode": 1})
     assert model.waiting_for_power == ()
 
 
 def test_reload_without_power_cycle_keeps_the_waiting(model: ParameterModel) -> None:
-    model.take_results([WriteResult("motor_mode", 1)])
+    model.note_stored({"motor_mode": 1})
     load(model, factory() | {"motor_mode": 1}, power_cycled=False)
     assert model.waiting_for_power == ("Motor Mode",)
 

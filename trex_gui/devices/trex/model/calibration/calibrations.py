@@ -1,12 +1,11 @@
 """The channel calibrations: what is stored, for each input source, and the edits of it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.undo import Edit
@@ -208,13 +207,13 @@ class Calibrations(QObject):
             self._left_out.add(key)
         self._announce()
 
-    def take_results(self, results: Sequence[WriteResult]) -> None:
-        """Take what was read back after a write."""
-        for result in results:
-            if isinstance(result.stored, Calibration) and result.channel is not None:
-                key = self._key(result.channel)
-                self._stored[key] = self._seen[key] = result.stored
-                if self._edited.get(key) == result.stored:
+    def note_stored(self, stored: Mapping[int, Calibration]) -> None:
+        """Take the stored calibrations of the input source in force after a verified write."""
+        for channel, calibration in stored.items():
+            key = self._key(channel)
+            if self._stored.get(key) != calibration:
+                self._stored[key] = self._seen[key] = calibration
+                if self._edited.get(key) == calibration:
                     del self._edited[key]
         self._announce()
 

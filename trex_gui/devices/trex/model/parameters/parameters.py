@@ -82,19 +82,24 @@ class ParameterModel(ParameterTree):
             self._editable = editable
             self._announce_all()
 
-    def take_results(self, results: Sequence[WriteResult]) -> None:
-        """Take what was read back after a write, and why something did not stick."""
-        for result in results:
-            spec = self.text.specs.get(result.what)
-            if spec is None:
-                continue
-            if isinstance(result.stored, int):
-                self._draft.note_stored(spec, result.stored)
-                self._problems.pop(spec.key, None)
-            elif result.error is not None:
-                self._problems[spec.key] = str(result.error)
-            self._announce(spec.key)
+    def note_stored(self, stored: Mapping[str, int]) -> None:
+        """Take the stored values after a verified write."""
+        for key, wire in stored.items():
+            if key in self.text.specs and wire != self._draft.stored.get(key):
+                self._draft.note_stored(self.text.specs[key], wire)
+                self._announce(key)
         self.pending_changed.emit(len(self.modified))
+
+    def note_results(self, results: Sequence[WriteResult]) -> None:
+        """Take the reasons of failed writes."""
+        for result in results:
+            if result.what not in self.text.specs:
+                continue
+            if result.error is None:
+                self._problems.pop(result.what, None)
+            else:
+                self._problems[result.what] = str(result.error)
+            self._announce(result.what)
 
     # --- What is known ------------------------------------------------------------------
 

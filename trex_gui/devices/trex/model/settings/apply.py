@@ -9,12 +9,11 @@ from trex_gui.core.errors import sentence
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.session.messages import Write
+from trex_gui.devices.trex.session.messages import Write, Written
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
@@ -27,11 +26,13 @@ class Apply(QObject):
 
     Signals:
         started: it is being written.
+        written: the `Written`, before `finished`; its receiver updates the draft.
         finished: the `WriteResult` of everything that was tried; the draft has taken them in.
         failed: why nothing, or nothing more, was written, for people.
     """
 
     started = Signal()
+    written = Signal(object)
     finished = Signal(object)
     failed = Signal(str)
 
@@ -136,7 +137,7 @@ class Apply(QObject):
         if outcome.error is not None:
             self.failed.emit(self.tr("Nothing more was written. {0}").format(outcome.error))
             return
-        results = cast("tuple[WriteResult, ...]", outcome.value)
-        self._draft.parameters.take_results(results)
-        self._draft.calibrations.take_results(results)
-        self.finished.emit(results)
+        written = cast("Written", outcome.value)
+        self.written.emit(written)
+        self._draft.parameters.note_results(written.results)
+        self.finished.emit(written.results)

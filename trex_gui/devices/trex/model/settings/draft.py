@@ -56,6 +56,11 @@ class SettingsDraft(QObject):
         self.calibrations.load(model.key, state.source, state.calibrations)
         self.loaded.emit()
 
+    def note_stored(self, state: DeviceState) -> None:
+        """Take what a board stores after a verified write."""
+        self.parameters.note_stored(state.parameters)
+        self.calibrations.note_stored(state.calibrations)
+
     def take_settings(self, settings: Settings) -> None:
         """Take what a file holds; a setting that it does not give can be given."""
         self._begin(settings.product, settings.firmware)
