@@ -26,13 +26,18 @@ class Closing(Exception):  # noqa: N818 - no error: the session was asked to end
     """Raised where a session finds a `Close`."""
 
 
-def run_until_closed(begin: Callable[[], None], step: Callable[[], None]) -> StudioError | None:
+def run_until_closed(
+    begin: Callable[[], None],
+    step: Callable[[], None],
+    internal_error: Callable[[str], StudioError],
+) -> StudioError | None:
     """Call `begin`, then `step` again and again; return the error that ended it.
 
     Never raises: whatever happens, the session goes on to leave the device in a safe state.
 
     Returns:
-        `None` where `Closing` was raised.
+        `None` where `Closing` was raised; the result of `internal_error` for an exception that is
+        no `StudioError`.
     """
     try:
         begin()
@@ -44,4 +49,4 @@ def run_until_closed(begin: Callable[[], None], step: Callable[[], None]) -> Stu
         return error
     except BaseException as error:
         log.exception("the line session failed")
-        return StudioError(f"Internal error in the connection: {error!r}")
+        return internal_error(repr(error))

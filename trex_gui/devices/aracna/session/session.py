@@ -6,11 +6,10 @@ with odd parity may take both for a command.) This link has no stop: `Halt` can 
 more.
 """
 
-import logging
 from collections.abc import Callable
-from typing import Protocol
 
-from trex_gui.core.errors import BadRequest, NoReply, StudioError
+from trex_gui.core.errors import BadRequest, NoReply
+from trex_gui.core.session.loop import SHORTEST_WAIT, Closing, Inbox, run_until_closed
 from trex_gui.core.session.messages import Close, Closed
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings
@@ -50,8 +49,6 @@ from trex_gui.devices.aracna.session.servo_estimates import (
     move_timeout,
 )
 
-log = logging.getLogger(__name__)
-
 STATS_INTERVAL = 1.0
 """Seconds between two reports of the line's statistics."""
 
@@ -61,20 +58,6 @@ _SLICE = 0.02
 _IDLE = 0.05
 """Seconds to wait for requests before checking the line: a `.h` may arrive."""
 
-_TICK = 1e-5
-
-
-class Inbox(Protocol):
-    """The source of requests."""
-
-    def get(self, seconds: float) -> Request | None:
-        """Return the next request, waiting up to `seconds` for one; else `None`."""
-        ...
-
-
-class _Closing(Exception):  # noqa: N818 - not an error: a `Close` has arrived
-    pass
-
 
 class AracnaSession:
     """Serves one line from opening to closing it."""
@@ -82,7 +65,7 @@ class AracnaSession:
     def __init__(
         self,
         settings: PortSettings,
-        inbox: Inbox,
+        inbox: Inbox[Request],
         report: Callable[[Report], None],
         open_transport: Callable[[PortSettings], Transport] = SerialTransport,
     ) -> None:
@@ -94,43 +77,32 @@ class AracnaSession:
         self._jobs = JobQueue(report, self._now)
         self._player = SequencePlayer(report, self._servos)
         self._reported_stats = LineStats()
+        self._is_open = False
 
     def run(self) -> None:
         """Serve the line until it is lost or `Close` arrives, then report `Closed`.
 
         Never raises. The port is always closed, and every request gets its outcome.
         """
-        error: StudioError | None = None
-        client: AracnaClient | None = None
-        try:
-            transport = self._open_transport(self._settings)
-            client = self._client = AracnaClient(transport, self._settings)
-            self._next_stats = self._now()
-            self._liveness = LivenessMonitor(self._now())
-            self._handler = ReplyHandler(
-                client, self._liveness, self._jobs, self._player, self._report
-            )
-            while True:
-                self._step()
-                self._report_stats()
-        except _Closing:
-            pass
-        except StudioError as reason:
-            error = reason
-        except BaseException as reason:  # whatever ends this thread, the port is closed
-            log.exception("the session failed")
-            error = RobotError(ErrorCode.INTERNAL, repr(reason))
-        if client is not None:
-            client.transport.close()
-        self._finish(error, client)
-
-    def _finish(self, error: StudioError | None, client: AracnaClient | None) -> None:
+        error = run_until_closed(
+            self._open, self._step, lambda detail: RobotError(ErrorCode.INTERNAL, detail)
+        )
+        if self._is_open:
+            self._client.transport.close()
         reason = error or RobotError(ErrorCode.CLOSED)
         while (request := self._inbox.get(0.0)) is not None:
             self._jobs.reject(request, reason)
-        if client is not None:
+        if self._is_open:
             self._handler.drop(self._now(), Ending.LOST, reason)
         self._report(Closed(error))
+
+    def _open(self) -> None:
+        transport = self._open_transport(self._settings)
+        client = self._client = AracnaClient(transport, self._settings)
+        self._next_stats = self._now()
+        self._liveness = LivenessMonitor(self._now())
+        self._handler = ReplyHandler(client, self._liveness, self._jobs, self._player, self._report)
+        self._is_open = True
 
     def _now(self) -> float:
         return self._client.transport.clock()
@@ -144,11 +116,15 @@ class AracnaSession:
     # --- The loop -----------------------------------------------------------------------
 
     def _step(self) -> None:
+        self._use_line()
+        self._report_stats()
+
+    def _use_line(self) -> None:
         if self._client.pending is not None:
             self._take_requests(0.0)
             self._handler.handle(self._client.listen(_SLICE))
             return
-        self._take_requests(max(_TICK, min(self._seconds_to_wait(), _IDLE)))
+        self._take_requests(max(SHORTEST_WAIT, min(self._seconds_to_wait(), _IDLE)))
         self._handler.handle(self._client.listen())
         if self._client.pending is None:
             self._send_next()
@@ -183,7 +159,7 @@ class AracnaSession:
         request = self._inbox.get(seconds)
         while request is not None:
             if isinstance(request, Close):
-                raise _Closing
+                raise Closing
             try:
                 self._take(request)
             except (BadRequest, NoReply) as error:

@@ -116,7 +116,11 @@ class TrexSession:
         Never raises: whatever happens, motors that were driven are stopped, the port is closed and
         every request gets its outcome.
         """
-        error = run_until_closed(self._open, self._step)
+        error = run_until_closed(
+            self._open,
+            self._step,
+            lambda detail: StudioError(f"Internal error in the connection: {detail}"),
+        )
         if self._client is not None:
             self._leave_safely(self._client)
         self._queue.collect()
