@@ -33,7 +33,7 @@ def test_calibration_is_dragged_undone_and_written(
     assert not page.has("learnButton")
     window.connect(quick_simulator.url)
     assert not page.has("calibrationEmpty")
-    assert page.text("learnedLabel") == "not learned: has the factory's values"
+    assert page.text("learnedLabel") == "not learned: has factory defaults"
 
     undo = window.device.undo
     for handle, count in (

@@ -156,7 +156,7 @@ def test_blocked_handle_shows_the_reason(page: CalibrationPage) -> None:
     page.drag_handle(Handle.MAXIMUM, 3000, release=False)
     assert page.note == "Minimum and maximum must differ."
     page.disconnect()
-    assert "No board answers" in page.note
+    assert "No board responds" in page.note
 
 
 def test_trex_jr_is_calibrated_like_a_trex(
@@ -179,14 +179,14 @@ def test_disconnected_page_is_read_only(page: CalibrationPage) -> None:
         assert not page.is_enabled(name), name
     for name in ("changeButton", "discardChannelButton"):
         assert not page.is_enabled(name), name
-    assert "No board answers" in page.note
+    assert "No board responds" in page.note
     assert "N/A" in page.row(1)
     assert page.plot.dot is None
     before = page.shown()
     page.drag_handle(Handle.MAXIMUM, 5200)
     assert page.shown() == before
     page.select_source(1)
-    assert page.text("otherSourceWords") == "No board answers."
+    assert page.text("otherSourceWords") == "No board responds."
     assert not page.has("switchSourceButton")
 
 
@@ -357,22 +357,22 @@ def test_inactive_source_is_shown_and_can_be_activated(
     bar = page.find(QTabBar, "sourceTabs")
     assert bar.tabText(0) == "RC pulses (in force)"
     page.select_source(1)
-    assert "None of them were seen" in page.text("otherSourceWords")
+    assert "have not been read yet" in page.text("otherSourceWords")
     for name in ("minimumEdit", "neutralEdit", "maximumEdit", "deadbandEdit", "changeButton"):
         assert not page.is_enabled(name), name
     for name in ("learnButton", "learnAllButton", "reversedBox", "ignoredBox"):
         button = page.button(name)
         assert not button.isEnabled(), name
         assert button.toolTip().startswith("The board reads RC pulses now."), name
-        assert "let the board read analog voltages first" in button.toolTip(), name
+        assert "make the board read analog voltages first" in button.toolTip(), name
     for name in ("requiredBox", "inputTrace"):
         assert not page.has(name), name
 
     page.click("switchSourceButton")
     assert page.device.parameters.pending == (("channel_input_source", 1),)
-    assert "apply this edit" in page.text("otherSourceWords")
+    assert "apply it, then power-cycle" in page.text("otherSourceWords")
     page.apply()
-    assert "once it is switched off and on" in page.text("otherSourceWords")
+    assert "after the next power cycle" in page.text("otherSourceWords")
     assert page.widget.source is InputSource.ANALOG
     with page.qtbot.waitSignal(page.widget.power_cycle_requested):
         page.click("switchSourceCycleButton")
@@ -391,7 +391,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
     assert page.shown().minimum == 102
 
     page.select_source(0)
-    assert "what was last seen" in page.text("otherSourceWords")
+    assert "were read earlier" in page.text("otherSourceWords")
     assert page.find(QSpinBox, "neutralEdit").text() == "1500 µs"
     assert not page.is_enabled("neutralEdit")
     assert page.device.pending == 1

@@ -1,34 +1,35 @@
-"""What can be done with a whole calibration: copy, make symmetric, reset, files."""
+"""Menu of actions on whole calibrations: copy, equalize, reset, settings files."""
 
 from collections.abc import Sequence
+from datetime import datetime
 from functools import partial
+from pathlib import Path
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.files.errors import SettingsError
+from trex_gui.devices.trex.model.calibration.files import put_calibrations, take_calibrations
 from trex_gui.devices.trex.model.calibration.moves import symmetric, why_not_symmetric
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.builders import Handler, action
 
 
 class ChangeMenu(QMenu):
-    """Each entry is one edit to undo.
+    """Actions on the calibration of one channel; each is one edit to undo."""
 
-    Signals:
-        load_requested, save_requested: a settings file, of which the calibrations matter.
-    """
-
-    load_requested = Signal()
-    save_requested = Signal()
-
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
         self._device = device
         self._channel = 1
+        self.files = CalibrationFiles(device, parent)
         self.setObjectName("calibrationMenu")
         self.setToolTipsVisible(True)
 
@@ -37,53 +38,64 @@ class ChangeMenu(QMenu):
         set_icon(self._copies.menuAction(), "copy")
         for channel in CHANNELS:
             text = self.tr("Channel {0} ({1})").format(channel, CHANNEL_NAMES[channel])
-            action = self._copies.addAction(text)
-            action.setObjectName(f"copyTo{channel}Action")
-            action.triggered.connect(partial(self._copy_to, (channel,)))
+            name = f"copyTo{channel}Action"
+            self._add(self._copies, name, text, partial(self._copy_to, (channel,)))
         self._copies.addSeparator()
-        everywhere = self._copies.addAction(self.tr("&All other channels"))
-        everywhere.setObjectName("copyToAllAction")
-        everywhere.triggered.connect(partial(self._copy_to, CHANNELS))
+        text = self.tr("&All other channels")
+        self._add(self._copies, "copyToAllAction", text, partial(self._copy_to, CHANNELS))
 
         ends = self.addMenu(self.tr("&Equal travel to both ends"))
         ends.setToolTipsVisible(True)
-        self._equals: dict[bool, QAction] = {}
-        for larger, text, name in (
-            (False, self.tr("As on the &shorter side"), "symmetricSmallerAction"),
-            (True, self.tr("As on the &longer side"), "symmetricLargerAction"),
-        ):
-            action = ends.addAction(text)
-            action.setObjectName(name)
-            action.triggered.connect(partial(self._make_symmetric, larger))
-            self._equals[larger] = action
-        reset = self.addAction(self.tr("&Reset to the factory's"))
-        reset.setObjectName("resetCalibrationAction")
-        reset.setToolTip(self.tr("The maker gives no factory values: these are assumed ones"))
-        set_icon(reset, "default")
-        reset.triggered.connect(self._reset)
+        self._equals = {
+            larger: self._add(ends, name, text, partial(self._make_symmetric, larger))
+            for larger, text, name in (
+                (False, self.tr("As on the &shorter side"), "symmetricSmallerAction"),
+                (True, self.tr("As on the &longer side"), "symmetricLargerAction"),
+            )
+        }
+        reset = self._add(
+            self,
+            "resetCalibrationAction",
+            self.tr("&Reset to factory defaults"),
+            self._reset,
+            icon="default",
+        )
+        reset.setToolTip(self.tr("The maker gives no factory defaults: these are assumed"))
         self.addSeparator()
-        load = self.addAction(self.tr("&Load calibrations from a file…"))
-        load.setObjectName("loadCalibrationsAction")
-        set_icon(load, "open")
-        save = self.addAction(self.tr("&Save calibrations to a file…"))
-        save.setObjectName("saveCalibrationsAction")
-        set_icon(save, "save")
-        load.triggered.connect(self.load_requested)
-        save.triggered.connect(self.save_requested)
+        self._add(
+            self,
+            "loadCalibrationsAction",
+            self.tr("&Load calibrations from a file…"),
+            self.files.ask_and_load,
+            icon="open",
+        )
+        self._add(
+            self,
+            "saveCalibrationsAction",
+            self.tr("&Save calibrations to a file…"),
+            self.files.ask_and_save,
+            icon="save",
+        )
+
+    @staticmethod
+    def _add(menu: QMenu, name: str, text: str, handler: Handler, icon: str = "") -> QAction:
+        made = action(menu, name, text, icon=icon, on_trigger=handler)
+        menu.addAction(made)
+        return made
 
     def show_channel(self, channel: int) -> None:
-        """Let the entries be about a channel; those that would spoil it are greyed, with why."""
+        """Act on a channel; what is impossible is disabled, with the reason as its tool tip."""
         self._channel = channel
-        for action in self._copies.actions():
-            action.setVisible(action.objectName() != f"copyTo{channel}Action")
+        for copy in self._copies.actions():
+            copy.setVisible(copy.objectName() != f"copyTo{channel}Action")
         calibrations = self._device.calibrations
         shown = calibrations.shown(channel)
-        for larger, action in self._equals.items():
-            why = ""
+        for larger, equal in self._equals.items():
+            reason = ""
             if shown is not None:
-                why = why_not_symmetric(shown, calibrations.source, larger=larger)
-            action.setEnabled(not why)
-            action.setToolTip(why)
+                reason = why_not_symmetric(shown, calibrations.source, larger=larger)
+            equal.setEnabled(not reason)
+            equal.setToolTip(reason)
 
     def _copy_to(self, channels: Sequence[int], _checked: bool = False) -> None:
         calibrations = self._device.calibrations
@@ -103,6 +115,83 @@ class ChangeMenu(QMenu):
             wanted = symmetric(shown, calibrations.source, larger=larger)
             calibrations.edit(self._channel, wanted)
 
+    @Slot()
     def _reset(self) -> None:
         calibrations = self._device.calibrations
         calibrations.edit(self._channel, DEFAULT_CALIBRATION[calibrations.source])
+
+
+class CalibrationFiles(QObject):
+    """Loads calibrations from settings files and saves them there; reports the result."""
+
+    def __init__(self, device: Device, window: QWidget) -> None:
+        super().__init__(window)
+        self._device = device
+        self._window = window
+        self._notifier = device.notifier
+        self._store = QSettings(self)
+
+    @Slot()
+    def ask_and_load(self) -> None:
+        """Let the user choose a file and load its calibrations."""
+        chosen, _ = QFileDialog.getOpenFileName(
+            self._window,
+            self.tr("Load calibrations"),
+            str(file_questions.last_folder(self._store)),
+            file_questions.file_filter(),
+        )
+        if chosen:
+            self.load_file(Path(chosen))
+
+    @Slot()
+    def ask_and_save(self) -> None:
+        """Let the user choose a file and save the calibrations in it."""
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window,
+            self.tr("Save calibrations"),
+            str(file_questions.last_folder(self._store) / "calibrations.txt"),
+            file_questions.file_filter(),
+            options=QFileDialog.Option.DontConfirmOverwrite,  # only the calibrations change
+        )
+        if chosen:
+            self.save_file(Path(chosen))
+
+    def load_file(self, path: Path) -> None:
+        """Take the calibrations of a file as edits."""
+        try:
+            count, left_out = take_calibrations(
+                self._device.draft, path, self.tr("Calibrations of {0}").format(path.name)
+            )
+        except (SettingsError, BadRequest) as error:
+            self._notifier.error.emit(
+                self.tr("{0} was not taken: {1}.").format(path.name, _plain(error))
+            )
+            return
+        file_questions.remember_folder(self._store, path)
+        words = [self.tr("{0} has the same calibrations.").format(path.name)]
+        if count:
+            one = self.tr("{0} calibration of {1} is an edit now.")
+            several = self.tr("{0} calibrations of {1} are edits now.")
+            words = [(one if count == 1 else several).format(count, path.name)]
+        self._notifier.info.emit(" ".join([*words, *left_out]))
+
+    def save_file(self, path: Path) -> None:
+        """Save the calibrations that are shown."""
+        shown = self._device.draft.shown
+        if shown is None:
+            return
+        now = datetime.now().astimezone().strftime("%Y-%m-%d %H:%M")
+        title = f"Calibrations, saved by TReX Studio, {now}."
+        try:
+            put_calibrations(shown, path, title)
+        except (SettingsError, BadRequest, UnicodeDecodeError) as error:
+            self._notifier.error.emit(
+                self.tr("{0} was not saved: {1}.").format(path.name, _plain(error))
+            )
+            return
+        file_questions.remember_folder(self._store, path)
+        self._notifier.info.emit(self.tr("The calibrations shown were saved in {0}.").format(path))
+
+
+def _plain(error: Exception) -> str:
+    return str(error).rstrip(". ")

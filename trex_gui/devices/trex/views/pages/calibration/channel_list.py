@@ -1,4 +1,4 @@
-"""The five channels to choose from, with what comes in and what waits."""
+"""The list of the five channels, with their inputs and edits."""
 
 from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtGui import QFontMetrics, QIcon, QPixmap
@@ -11,7 +11,7 @@ from trex_gui.ui.theme.theme import theme
 
 
 class ChannelList(QListWidget):
-    """Two lines a channel: number and role, and its input; marks say edited or a problem.
+    """Two lines for each channel: its number, role and mark (edited or a problem), its input.
 
     Signals:
         chosen: another channel, 1 to 5.
@@ -37,55 +37,44 @@ class ChannelList(QListWidget):
         for channel in CHANNELS:
             item = QListWidgetItem(self)
             item.setSizeHint(QSize(0, 2 * metrics.lineSpacing() + 14))
-            item.setData(Qt.ItemDataRole.UserRole, channel)
-        for channel in CHANNELS:
-            self._show(channel)
-            self._show_mark(channel)
+            self._show_text(channel)
+        self._show_icons()
         self.setCurrentRow(0)
         self.currentRowChanged.connect(self._on_row_changed)
-        theme().changed.connect(self._on_theme_changed)
+        theme().changed.connect(self._show_icons)
 
     @property
     def channel(self) -> int:
         """The chosen channel."""
         return CHANNELS[max(self.currentRow(), 0)]
 
-    def choose(self, channel: int) -> None:
-        """Choose a channel, 1 to 5."""
-        self.setCurrentRow(CHANNELS.index(channel))
-
     def set_input(self, channel: int, text: str) -> None:
-        """Show what comes in."""
+        """Show the input of a channel."""
         if text != self._inputs[channel]:
             self._inputs[channel] = text
-            self._show(channel)
+            self._show_text(channel)
 
     def set_mark(self, channel: int, *, edited: bool, problem: str) -> None:
         """Mark a channel as edited, or as one with a problem."""
         if (edited, problem) != self._marks[channel]:
             self._marks[channel] = (edited, problem)
-            self._show(channel)
-            self._show_mark(channel)
+            self._show_text(channel)
+            self._show_icons()
 
-    def _show(self, channel: int) -> None:
+    def _show_text(self, channel: int) -> None:
         edited, problem = self._marks[channel]
         mark = self.tr(", problem") if problem else self.tr(", edited") if edited else ""
         name = f"{channel}  {CHANNEL_NAMES[channel]}{mark}"
         self.item(CHANNELS.index(channel)).setText(f"{name}\n{self._inputs[channel]}")
 
-    def _show_mark(self, channel: int) -> None:
-        edited, problem = self._marks[channel]
-        item = self.item(CHANNELS.index(channel))
-        name = "warning" if problem else "edited" if edited else ""
-        item.setIcon(icon(name) if name else self._no_icon)
-        item.setToolTip(problem)
+    @Slot()
+    def _show_icons(self) -> None:
+        for row, (edited, problem) in enumerate(self._marks.values()):
+            name = "warning" if problem else "edited" if edited else ""
+            self.item(row).setIcon(icon(name) if name else self._no_icon)
+            self.item(row).setToolTip(problem)
 
     @Slot(int)
     def _on_row_changed(self, row: int) -> None:
         if 0 <= row < len(CHANNELS):
             self.chosen.emit(CHANNELS[row])
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        for channel in CHANNELS:
-            self._show_mark(channel)

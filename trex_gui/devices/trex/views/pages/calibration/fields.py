@@ -1,10 +1,10 @@
-"""Minimum, neutral, maximum and deadband to type; what the board would refuse is not taken."""
+"""Fields for minimum, neutral, maximum and deadband."""
 
 from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.channel_text import wrong_order
@@ -12,22 +12,21 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import NO_VALUE
+from trex_gui.ui.widgets.builders import grid, label, named, row
 
 
 class CalibrationFields(QWidget):
     """Four fields in µs or V, each with its counts; arrow keys step by one count.
 
     Signals:
-        wished: a calibration that the board would take.
-        stepped: the same, one step further; and an object that stays the same until the field is
-            left or typed into: such steps are taken back at once.
-        refused: why what was typed was not taken, for people; and the name of the field whose
-            value stands in the way of another, empty when it is no value at all.
+        edited: a valid calibration, and the run of steps that it belongs to: an object, or
+            `None` for a typed value. Undo reverts a run at once.
+        rejected: why what was typed is invalid, for the user; and the name of the field whose
+            value conflicts with another, empty when it is not a value at all.
     """
 
-    wished = Signal(object)
-    stepped = Signal(object, object)
-    refused = Signal(str, str)
+    edited = Signal(object, object)
+    rejected = Signal(str, str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -36,36 +35,25 @@ class CalibrationFields(QWidget):
         self._editors: dict[str, CountEditor] = {}
         self._counts: dict[str, QLabel] = {}
         self._run = object()
-        layout = QGridLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setHorizontalSpacing(12)
-        layout.setVerticalSpacing(2)
-        for column, (field, title) in enumerate(
-            (
-                ("minimum", self.tr("Mi&nimum")),
-                ("neutral", self.tr("Neu&tral")),
-                ("maximum", self.tr("Ma&ximum")),
-                ("deadband", self.tr("Dead&band ±")),
+        titles = {
+            "minimum": self.tr("Mi&nimum"),
+            "neutral": self.tr("Neu&tral"),
+            "maximum": self.tr("Ma&ximum"),
+            "deadband": self.tr("Dead&band ±"),
+        }
+        layout = grid(self, margins=0, spacing=(12, 2), stretch=[(each, 1) for each in range(4)])
+        for number, (field, title) in enumerate(titles.items()):
+            editor = named(
+                CountEditor(self._source, self),
+                f"{field}Edit",
+                accessible=title.replace("&", ""),
             )
-        ):
-            editor = CountEditor(self._source, self)
-            editor.setObjectName(f"{field}Edit")
-            editor.setAccessibleName(title.replace("&", ""))
-            label = QLabel(title, self)
-            label.setBuddy(editor)
-            counts = QLabel(self)
-            counts.setObjectName(f"{field}Counts")
-            head = QHBoxLayout()
-            head.setSpacing(8)
-            head.addWidget(label)
-            head.addStretch(1)
-            head.addWidget(counts)
-            layout.addLayout(head, 0, column)
-            layout.addWidget(editor, 1, column)
-            layout.setColumnStretch(column, 1)
-            editor.valueChanged.connect(partial(self._on_edited, field))
+            counts = label(self, f"{field}Counts")
+            layout.addLayout(row(label(self, text=title, buddy=editor), 1, counts), 0, number)
+            layout.addWidget(editor, 1, number)
+            editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.editingFinished.connect(self._on_run_ended)
-            editor.refused.connect(self._on_no_value)
+            editor.refused.connect(self._on_invalid_text)
             self._editors[field] = editor
             self._counts[field] = counts
         theme().changed.connect(self._on_theme_changed)
@@ -74,7 +62,7 @@ class CalibrationFields(QWidget):
     def show_calibration(
         self, source: InputSource, calibration: Calibration | None, *, editable: bool
     ) -> None:
-        """Show these values; `None`: they are not known."""
+        """Show these values; `None`: unknown."""
         self._source = source
         self._calibration = calibration
         for field, editor in self._editors.items():
@@ -84,26 +72,26 @@ class CalibrationFields(QWidget):
             with QSignalBlocker(editor):
                 editor.setSpecialValueText(NO_VALUE if calibration is None else "")
                 editor.setValue(count)
-            words = self.tr("= 1 count") if count == 1 else self.tr("= {0} counts").format(count)
-            self._counts[field].setText(words if calibration is not None else "")
+            text = self.tr("= 1 count") if count == 1 else self.tr("= {0} counts").format(count)
+            self._counts[field].setText(text if calibration is not None else "")
 
-    def _on_edited(self, field: str, count: int) -> None:
+    def _on_value_changed(self, field: str, count: int) -> None:
         calibration = self._calibration
         if calibration is None:
             return
         wanted = replace(calibration, **{field: count})
         if wrong := wrong_order(wanted, self._source):
             self.show_calibration(self._source, calibration, editable=True)
-            self.refused.emit(wrong, field)
+            self.rejected.emit(wrong, field)
         elif self._editors[field].stepping:
-            self.stepped.emit(wanted, self._run)
+            self.edited.emit(wanted, self._run)
         else:
             self._on_run_ended()
-            self.wished.emit(wanted)
+            self.edited.emit(wanted, None)
 
     @Slot(str)
-    def _on_no_value(self, why: str) -> None:
-        self.refused.emit(why, "")
+    def _on_invalid_text(self, why: str) -> None:
+        self.rejected.emit(why, "")
 
     @Slot()
     def _on_run_ended(self) -> None:
@@ -111,7 +99,7 @@ class CalibrationFields(QWidget):
 
     @Slot()
     def _on_theme_changed(self) -> None:
-        for label in self._counts.values():
-            palette = label.palette()
-            palette.setColor(label.foregroundRole(), theme().color("muted"))
-            label.setPalette(palette)
+        for counts in self._counts.values():
+            palette = counts.palette()
+            palette.setColor(counts.foregroundRole(), theme().color("muted"))
+            counts.setPalette(palette)

@@ -1,18 +1,19 @@
-"""The inputs as they are now: beside the channels, in the legend, on the curve and its trace."""
+"""The inputs as they are now: in the list of channels, the legend, the curve and its trace."""
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.calibration.mix_jumper import MixWatch
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.pages.calibration.channel_list import ChannelList
-from trex_gui.devices.trex.views.pages.calibration.legend import CurveLegend
 from trex_gui.devices.trex.views.pages.calibration.options import ChannelOptions
+from trex_gui.ui.plotting.legend import LegendKey
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets.bar import MINUS
+from trex_gui.ui.widgets.builders import row
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
@@ -20,14 +21,44 @@ if TYPE_CHECKING:
 _FRAME_MS = 33
 
 
+class CurveLegend(QWidget):
+    """One row: the live dot with its value, the curve, and the stored one while it differs."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("curveLegend")
+        self.setAccessibleName(self.tr("Live value"))
+        self._live = LegendKey("", "motor2", self, style=None)
+        self._curve = LegendKey("", "motor1", self)
+        self._stored = LegendKey(self.tr("stored now"), "muted", self, Qt.PenStyle.DashLine)
+        row(self._live, 1, self._curve, self._stored, into=self, margins=0, spacing=16)
+
+    def set_live(self, text: str) -> None:
+        """Show the live value."""
+        self._live.setText(text)
+        self.setAccessibleDescription(text)
+
+    def set_curves(self, known: bool, *, differs: bool, live: bool) -> None:
+        """Name the lines: none, one, or a dashed second one with what is stored."""
+        self._live.set_color("motor2" if live else "muted")
+        self._curve.setVisible(known)
+        self._stored.setVisible(known and live and differs)
+        if not live:
+            self._curve.setText(self.tr("as last seen"))
+        else:
+            self._curve.setText(
+                self.tr("after Apply") if differs else self.tr("stored in the board")
+            )
+
+
 class LiveInputs(QObject):
-    """Shows every new sample once, at most once a display frame, while the page is seen.
+    """Shows new samples, at most once a display frame, while the page is visible.
 
     Signals:
-        mixing_seen: `mixed` is another.
+        mixing_changed: `mixed` has changed.
     """
 
-    mixing_seen = Signal()
+    mixing_changed = Signal()
 
     def __init__(
         self,
@@ -54,32 +85,32 @@ class LiveInputs(QObject):
 
     @property
     def mixed(self) -> bool | None:
-        """Whether the board mixes channels 1 and 2; `None` where its outputs do not tell yet."""
+        """Whether the board mixes channels 1 and 2; `None` while that is not known."""
         return self._mix.mixed
 
     def forget_mixing(self) -> None:
-        """Know nothing of the mix jumper any more: the board is out of sight."""
+        """Forget the mix jumper: the board is disconnected."""
         self._mix.forget()
 
     def set_plot(self, plot: "CurvePlot") -> None:
-        """Show dot and trace on this plot from now on."""
+        """Show dot and trace on this plot."""
         self._plot = plot
 
-    def show_again(self, *, in_force: bool) -> None:
-        """Show the newest sample anew: the channel or what belongs to it is another.
+    def refresh(self, *, in_force: bool) -> None:
+        """Show the newest sample again, for another channel or other settings.
 
-        `in_force` says whether the calibrations shown are those of the inputs that are measured.
+        `in_force`: the calibrations that are shown are those of the measured inputs.
         """
         self._in_force = in_force
         self._frame_of = -1
         self._on_frame()
 
     def start(self) -> None:
-        """Follow the samples; the page is seen."""
+        """Follow the samples."""
         self._timer.start()
 
     def stop(self) -> None:
-        """Rest; the page is hidden."""
+        """Stop following the samples."""
         self._timer.stop()
 
     @Slot()
@@ -93,7 +124,7 @@ class LiveInputs(QObject):
             raw = telemetry.raw_of(channel)
             text = self.tr("N/A") if telemetry.raw is None else self.tr("no signal")
             self._channels.set_input(channel, text if raw is None else source.text(raw))
-        self._look_for_mixing()
+        self._detect_mixing()
         channel = self._channels.channel
         raw = telemetry.raw_of(channel) if self._in_force else None
         self._legend.set_live(self._text(raw))
@@ -103,25 +134,25 @@ class LiveInputs(QObject):
                 ring = telemetry.inputs
                 self._plot.set_trace(ring.times, ring.values(channel - 1), telemetry.latest)
 
-    def _look_for_mixing(self) -> None:
-        """Compare what channels 1 and 2 make of their inputs with what the board says of them."""
+    def _detect_mixing(self) -> None:
+        """Compare the outputs of channels 1 and 2 with those that the board reports."""
         device = self._device
         curves = [
             self._options.curve(channel, device.calibrations.stored(channel), stored=True)
             for channel in (1, 2, 4)
         ]
         raws = [device.telemetry.raw_of(channel) for channel in (1, 2, 4)]
-        answered = [device.telemetry.remapped_of(channel) for channel in (1, 2)]
+        reported = [device.telemetry.remapped_of(channel) for channel in (1, 2)]
         if device.is_joint:
             self._mix.forget()
         elif curves[2] is not None and not curves[2].is_switched(4, raws[2]):
             known = [curve.output(raw) for curve, raw in zip(curves, raws, strict=True) if curve]
-            values = [value for value in answered if value is not None]
+            values = [value for value in reported if value is not None]
             if len(known) == 3 and len(values) == 2:
                 self._mix.feed((known[0], known[1]), (values[0], values[1]))
         if self._mix.mixed is not self._mix_shown:
             self._mix_shown = self._mix.mixed
-            self.mixing_seen.emit()
+            self.mixing_changed.emit()
 
     def _text(self, raw: int | None) -> str:
         if not self._in_force:

@@ -1,10 +1,10 @@
-"""Calibrate a channel by pointing: its curve with handles, its live input, its numbers."""
+"""Calibration of the channels: the curve with handles, the live input, the numbers."""
 
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -16,14 +16,11 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.pages.calibration.change_menu import ChangeMenu
 from trex_gui.devices.trex.views.pages.calibration.channel_list import ChannelList
 from trex_gui.devices.trex.views.pages.calibration.fields import CalibrationFields
-from trex_gui.devices.trex.views.pages.calibration.files import CalibrationFiles
-from trex_gui.devices.trex.views.pages.calibration.heading import ChannelHeading
-from trex_gui.devices.trex.views.pages.calibration.legend import CurveLegend
-from trex_gui.devices.trex.views.pages.calibration.live import LiveInputs
+from trex_gui.devices.trex.views.pages.calibration.heading import ChannelHeading, OtherSource
+from trex_gui.devices.trex.views.pages.calibration.live import CurveLegend, LiveInputs
 from trex_gui.devices.trex.views.pages.calibration.options import ChannelOptions
-from trex_gui.devices.trex.views.pages.calibration.other_source import OtherSource
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.note import Note
 
 if TYPE_CHECKING:
@@ -40,12 +37,11 @@ _HANDLES = {
 class CalibrationPage(QWidget):
     """The channels at the left; curve, numbers and switches of the chosen one at the right.
 
-    Everything done here is an edit that waits for Apply. The plotting library is loaded when
-    the page is first seen.
+    All changes are edits until Apply. pyqtgraph is imported when the page is first shown.
 
     Signals:
-        learn_requested: the channels, 1 to 5, to be learnt from what a person does.
-        power_cycle_requested: lead through the one that the other input source waits for.
+        learn_requested: the channels, 1 to 5, to learn from the user's movements.
+        power_cycle_requested: guide the user through a power cycle.
     """
 
     learn_requested = Signal(object)
@@ -58,76 +54,64 @@ class CalibrationPage(QWidget):
         self._source = InputSource.RC
         self._followed: InputSource | None = None
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
-        self._refusal = ""
+        self._rejection = ""
         self._plot: CurvePlot | None = None
 
-        self._empty = QLabel(
-            self.tr("Connect to a board to see its calibrations and to change them by pointing."),
+        self._empty = label(
             self,
+            "calibrationEmpty",
+            self.tr("Connect to a board to see and change its calibrations."),
         )
-        self._empty.setObjectName("calibrationEmpty")
-        self._body = QWidget(self)
-        self._channels = ChannelList(self._body)
-        self._heading = ChannelHeading(self._body)
-        self._other = OtherSource(device, self._body)
-        self._legend = CurveLegend(self._body)
-        self._fields = CalibrationFields(self._body)
-        self._note = Note(2, self._body)
-        self._note.setObjectName("calibrationNote")
-        self._options = ChannelOptions(device.parameters, self._body)
-        self._learn = QPushButton(self.tr("&Learn this channel…"), self._body)
-        self._learn.setObjectName("learnButton")
-        set_icon(self._learn, "calibrate")
-        self._learn_all = QPushButton(self.tr("Learn &all…"), self._body)
-        self._learn_all.setObjectName("learnAllButton")
+        self._body = body = QWidget(self)
+        self._channels = ChannelList(body)
+        self._heading = ChannelHeading(body)
+        self._other = OtherSource(device, body)
+        self._legend = CurveLegend(body)
+        self._fields = CalibrationFields(body)
+        self._note = named(Note(2, body), "calibrationNote")
+        self._options = ChannelOptions(device.parameters, body)
+        self._learn = button(
+            body,
+            "learnButton",
+            self.tr("&Learn this channel…"),
+            icon="calibrate",
+            on_click=lambda: self.learn_requested.emit((self.channel,)),
+        )
+        self._learn_all = button(
+            body,
+            "learnAllButton",
+            self.tr("Learn &all…"),
+            on_click=lambda: self.learn_requested.emit(CHANNELS),
+        )
         self._menu = ChangeMenu(device, self)
-        self._change = QPushButton(self.tr("Cop&y, reset, files"), self._body)
-        self._change.setObjectName("changeButton")
+        self.files = self._menu.files
+        self._change = button(body, "changeButton", self.tr("Cop&y, reset, files"))
         self._change.setMenu(self._menu)
-        self._discard = QPushButton(self.tr("Disca&rd"), self._body)
-        self._discard.setObjectName("discardChannelButton")
-        self._discard.setToolTip(self.tr("Forget the edits of this channel"))
-        set_icon(self._discard, "undo")
-        self._files = CalibrationFiles(device, self)
+        self._discard = button(
+            body,
+            "discardChannelButton",
+            self.tr("Disca&rd"),
+            icon="undo",
+            tip=self.tr("Discard the edits of this channel"),
+            on_click=self._on_discard_clicked,
+        )
         self._live = LiveInputs(device, self._channels, self._legend, self._options, self)
 
-        buttons = QHBoxLayout()
-        buttons.addWidget(self._learn)
-        buttons.addWidget(self._learn_all)
-        buttons.addStretch(1)
-        buttons.addWidget(self._change)
-        buttons.addWidget(self._discard)
-        self._right = QVBoxLayout()
-        for part in (self._heading, self._other, self._legend):
-            self._right.addWidget(part)
-        self._plot_row = self._right.count()
-        self._right.addWidget(self._fields)
-        self._right.addWidget(self._note)
-        self._right.addWidget(self._options)
-        self._right.addLayout(buttons)
-        body = QHBoxLayout(self._body)
-        body.setContentsMargins(0, 0, 0, 0)
-        body.addWidget(self._channels)
-        body.addLayout(self._right, 1)
-        layout = QVBoxLayout(self)
+        above = column(self._heading, self._other, self._legend)
+        buttons = row(self._learn, self._learn_all, 1, self._change, self._discard)
+        self._right = column(above, self._fields, self._note, self._options, buttons)
+        row(self._channels, (self._right, 1), into=body, margins=0)
+        layout = column(self._empty, (body, 1), into=self)
+        layout.addStretch(0)
         margins = layout.contentsMargins()
         layout.setContentsMargins(margins.left(), margins.top(), margins.right(), 2)
-        layout.addWidget(self._empty)
-        layout.addWidget(self._body, 1)
-        layout.addStretch(0)
 
         self._channels.chosen.connect(self._on_channel_chosen)
         self._heading.source_chosen.connect(self._on_source_chosen)
-        self._fields.wished.connect(self._on_wished)
-        self._fields.stepped.connect(self._on_wished)
-        self._fields.refused.connect(self._on_refused)
+        self._fields.edited.connect(self._on_edited)
+        self._fields.rejected.connect(self._on_rejected)
         self._other.power_cycle_requested.connect(self.power_cycle_requested)
-        self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
-        self._learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
-        self._menu.load_requested.connect(self._files.ask_and_load)
-        self._menu.save_requested.connect(self._files.ask_and_save)
-        self._discard.clicked.connect(self._on_discard_clicked)
-        self._live.mixing_seen.connect(self._on_mixing_seen)
+        self._live.mixing_changed.connect(self._show_heading)
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_state_changed)
         device.applied.connect(self._on_applied)
@@ -148,18 +132,13 @@ class CalibrationPage(QWidget):
         return self._source
 
     @property
-    def files(self) -> CalibrationFiles:
-        """Calibrations from and to settings files."""
-        return self._files
-
-    @property
     def _in_force(self) -> bool:
         return self._source is self._device.calibrations.source
 
     @property
     def _editable(self) -> bool:
-        is_up = self._device.link is ConnectionState.CONNECTED
-        return is_up and self._in_force and not self._device.applying
+        is_connected = self._device.link is ConnectionState.CONNECTED
+        return is_connected and self._in_force and not self._device.applying
 
     def _calibration(self) -> Calibration | None:
         calibrations = self._device.calibrations
@@ -186,7 +165,7 @@ class CalibrationPage(QWidget):
 
     @Slot()
     def _on_edits_changed(self) -> None:
-        self._forget_refusal()
+        self._clear_rejection()
         self._show_channel()
 
     def _show_channel(self) -> None:
@@ -197,7 +176,7 @@ class CalibrationPage(QWidget):
         before = self._options.curve(channel, stored, stored=True)
         after = self._options.curve(channel, shown, stored=False)
         self._fields.show_calibration(self._source, shown, editable=editable)
-        self._show_possibilities()
+        self._show_actions()
         self._menu.show_channel(channel)
         self._change.setEnabled(editable)
         self._heading.show_sources(self._source, self._device.calibrations.source)
@@ -211,8 +190,9 @@ class CalibrationPage(QWidget):
             self._plot.set_trace_visible(self._in_force)
         self._show_marks()
         self._show_note()
-        self._live.show_again(in_force=self._in_force)
+        self._live.refresh(in_force=self._in_force)
 
+    @Slot()
     def _show_heading(self) -> None:
         channel, shown = self.channel, self._calibration()
         self._heading.show_channel(
@@ -225,20 +205,22 @@ class CalibrationPage(QWidget):
             mixed=self._live.mixed,
         )
 
-    def _show_possibilities(self) -> None:
-        """Grey what would be done to the calibrations of the other source than is looked at."""
-        is_up, why_not = self._device.link is ConnectionState.CONNECTED, ""
+    def _show_actions(self) -> None:
+        """Disable actions while the source that is shown is not the one that the board reads."""
+        is_connected, reason = self._device.link is ConnectionState.CONNECTED, ""
         if not self._in_force:
             read = channel_text.SOURCE_NAMES[self._device.calibrations.source]
             shown = channel_text.SOURCE_NAMES[self._source]
-            why_not = self.tr(
-                "The board reads {0} now. Choose the tab of those, or let the board read {1} "
-                "first, as said above."
+            reason = self.tr(
+                "The board reads {0} now. Choose their tab, or make the board read {1} first, as "
+                "described above."
             ).format(read, shown)
-        for button in (self._learn, self._learn_all):
-            button.setEnabled(is_up and self._in_force)
-            button.setToolTip(why_not)
-        self._options.show_channel(self.channel, self._source, editable=is_up, why_not=why_not)
+        for learn in (self._learn, self._learn_all):
+            learn.setEnabled(is_connected and self._in_force)
+            learn.setToolTip(reason)
+        self._options.show_channel(
+            self.channel, self._source, editable=is_connected, blocker=reason
+        )
 
     def _show_marks(self) -> None:
         calibrations, can_discard = self._device.calibrations, False
@@ -255,20 +237,22 @@ class CalibrationPage(QWidget):
         self._discard.setEnabled(can_discard and self._editable)
 
     def _failure(self, channel: int) -> str:
-        """Why the calibration that is shown was not stored; empty: nobody tried."""
-        wished, why = self._failures.get(channel, (None, ""))
-        return why if wished == self._device.calibrations.shown(channel) else ""
+        """Return why the calibration that is shown could not be stored."""
+        failed, why = self._failures.get(channel, (None, ""))
+        return why if failed == self._device.calibrations.shown(channel) else ""
 
     def _show_note(self) -> None:
-        """Say what matters most: a refusal, a failure, the mode, a concern, what can be done."""
+        """Show the most important: a rejected value, a failure, a concern, the mode, a hint."""
         state, calibration = self._device.state, self._calibration()
-        if self._refusal or not self._in_force:
-            self._note.show_note(self._refusal, alarming=bool(self._refusal))
+        if self._rejection or not self._in_force:
+            self._note.show_note(self._rejection, alarming=bool(self._rejection))
         elif failure := self._failure(self.channel):
             self._note.show_note(failure, alarming=True)
         elif self._device.link is not ConnectionState.CONNECTED:
             self._note.show_note(
-                self.tr("No board answers. Edits are kept for when the same kind is back.")
+                self.tr(
+                    "No board responds. Edits are kept until a board of the same kind is connected."
+                )
             )
         elif calibration is not None and (
             concern := channel_text.concern(calibration, self._source)
@@ -277,7 +261,7 @@ class CalibrationPage(QWidget):
         elif state is not None and not state.mode.is_serial:
             self._note.show_note(
                 self.tr(
-                    "The board takes changes in serial mode only: to apply them, switch it off, "
+                    "The board accepts changes in serial mode only: to apply them, switch it off, "
                     "remove the mode jumper, switch it on."
                 )
             )
@@ -287,15 +271,11 @@ class CalibrationPage(QWidget):
             self._note.show_note(
                 self.tr(
                     "Drag a handle of the curve, or type {0} or {1} counts. Nothing is written "
-                    "before Apply."
+                    "until you click Apply."
                 ).format(number, example)
             )
 
     # --- Live ---------------------------------------------------------------------------
-
-    @Slot()
-    def _on_mixing_seen(self) -> None:
-        self._show_heading()  # no more: somebody may be typing
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -310,66 +290,66 @@ class CalibrationPage(QWidget):
         self._live.stop()
 
     def _make_plot(self) -> "CurvePlot":
-        """Load the plotting library when the page is first seen: it takes as long as Qt."""
+        """Import pyqtgraph when the page is first shown."""
         from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot  # noqa: PLC0415
 
         plot = CurvePlot(self._body)
         plot.setObjectName("curvePlot")
         plot.previewed.connect(self._on_previewed)
         plot.released.connect(self._on_released)
-        plot.edited.connect(self._on_wished)
-        self._right.insertWidget(self._plot_row, plot, 1)
+        plot.edited.connect(self._on_edited)
+        self._right.insertWidget(1, plot, 1)
         return plot
 
-    # --- What a person does -------------------------------------------------------------
+    # --- Edits --------------------------------------------------------------------------
 
     @Slot(int)
     def _on_channel_chosen(self, _channel: int) -> None:
-        self._forget_refusal()
+        self._clear_rejection()
         self._show_channel()
 
     @Slot(object)
     def _on_source_chosen(self, source: InputSource) -> None:
         self._source = source
-        self._forget_refusal()
+        self._clear_rejection()
         self._show_channel()
 
     @Slot(object)
     def _on_previewed(self, calibration: Calibration) -> None:
-        """Show the numbers of a handle that is held, and why it goes no further."""
+        """Show the numbers of a held handle, and why it goes no further."""
         self._fields.show_calibration(self._source, calibration, editable=self._editable)
         stored = self._device.calibrations.stored(self.channel)
         before = self._options.curve(self.channel, stored, stored=True)
         if self._plot is not None:
-            self._refusal = self._plot.message
+            self._rejection = self._plot.message
             self._legend.set_curves(True, differs=self._plot.curve != before, live=True)
         self._show_note()
 
     @Slot()
     def _on_released(self) -> None:
-        """Take back why the handle went no further: it could be read while it was held."""
-        self._forget_refusal()
+        """Remove the reason why the handle went no further."""
+        self._clear_rejection()
         self._show_channel()
 
     @Slot(object)
     @Slot(object, object)
-    def _on_wished(self, calibration: Calibration, run: object = None) -> None:
+    def _on_edited(self, calibration: Calibration, run: object = None) -> None:
         try:
             self._device.calibrations.edit(self.channel, calibration, run=run)
         except BadRequest as error:
-            self._on_refused(sentence(error))
+            self._on_rejected(sentence(error))
 
     @Slot(str, str)
-    def _on_refused(self, why: str, field: str = "") -> None:
-        """Say why a value was not taken: below the fields, and beside the handle it is of."""
-        self._forget_refusal()
-        self._refusal = why
+    def _on_rejected(self, why: str, field: str = "") -> None:
+        """Show why a value was rejected: below the fields, and beside its handle."""
+        self._clear_rejection()
+        self._rejection = why
         if self._plot is not None and field in _HANDLES:
             self._plot.show_message(_HANDLES[field], why)
         self._show_note()
 
-    def _forget_refusal(self) -> None:
-        self._refusal = ""
+    def _clear_rejection(self) -> None:
+        self._rejection = ""
         if self._plot is not None:
             self._plot.show_message(Handle.NEUTRAL, "")
 
@@ -382,13 +362,13 @@ class CalibrationPage(QWidget):
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
-        """Remember what the board did not store, and why."""
+        """Remember why the board did not store a calibration."""
         for result in results:
             if (channel := result.channel) is None:
                 continue
             self._failures.pop(channel, None)
             if result.error is not None:
-                wished = self._device.calibrations.shown(channel)
+                failed = self._device.calibrations.shown(channel)
                 why = channel_text.why_not_stored(result.error)
-                self._failures[channel] = (wished, why)
+                self._failures[channel] = (failed, why)
         self._show_channel()
