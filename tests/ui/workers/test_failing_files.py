@@ -1,4 +1,4 @@
-"""A fault of the program in a thread that reads or writes a file is told as a failure."""
+"""An internal error in a thread that reads or writes a file is reported as a failure."""
 
 import logging
 import os
@@ -14,8 +14,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.traffic.saver import TrafficSaver
-from trex_gui.ui.workers.file_saver import FileSaver
-from trex_gui.ui.workers.file_worker import Done, FileWorker
+from trex_gui.ui.workers.file_worker import Done, FileSaver, FileWorker
 from trex_gui.ui.workers.record_thread import RecordThread, Writer
 
 
@@ -33,7 +32,7 @@ def test_internal_error_in_a_worker_is_reported_and_logged(
     assert isinstance(done.args, list)
     (outcome,) = done.args
     assert isinstance(outcome, Done)
-    assert "fault of the program" in str(outcome.error)
+    assert "Internal error" in str(outcome.error)
     assert "ZeroDivisionError: on purpose" in caplog.text
 
 
@@ -42,7 +41,7 @@ def test_saver_reports_an_internal_error_and_stays_usable(qtbot: QtBot, tmp_path
     with qtbot.waitSignal(saver.failed) as failed:
         saver.begin(tmp_path / "line.txt", fail)
     assert isinstance(failed.args, list)
-    assert failed.args[0].startswith("line.txt was not written. A fault of the program")
+    assert failed.args[0].startswith("line.txt was not written. Internal error")
     assert not saver.is_saving
     with qtbot.waitSignal(saver.saved) as saved:
         saver.begin(tmp_path / "line.txt", lambda _tell: 3)

@@ -1,7 +1,7 @@
 """What was known at any time of a recording, without reading it from the start."""
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from typing import Any, Generic, Protocol, TypeVar
 
@@ -16,6 +16,7 @@ class State(Protocol):
 
 
 StateT = TypeVar("StateT", bound=State)
+ResultT = TypeVar("ResultT")
 
 
 class Replay(Generic[HeaderT, RecordT, StateT]):
@@ -37,18 +38,21 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
         """Share of the recording that was read, 0 to 1."""
         return len(self._starts) / self.chunks if self.chunks else 1.0
 
-    def read_next(self) -> tuple[StateT, Sequence[RecordT]]:
-        """Read one more chunk; return the state before it (a copy) and its records."""
+    def read_next(
+        self, take: Callable[[StateT, Sequence[RecordT]], ResultT]
+    ) -> tuple[Sequence[RecordT], ResultT]:
+        """Read one more chunk; return its records and what `take` returns.
+
+        `take` takes them into the state.
+        """
         index = len(self._starts)
         records = self._read(index)
-        before = self._states[-1]
-        state = copy(before)
-        for record in records:
-            state.take(record)
+        state = copy(self._states[-1])
+        result = take(state, records)
         previous = self._starts[-1] if self._starts else float("-inf")
         self._starts.append(records[0].time if records else previous)
         self._states.append(state)
-        return copy(before), records
+        return records, result
 
     def at(self, time: float) -> StateT:
         """Return what was known at a time, as far as the recording was read.

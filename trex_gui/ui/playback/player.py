@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Generic
 
 import numpy as np
-from PySide6.QtCore import QObject, Qt, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.recording.export import export_span
@@ -19,8 +19,7 @@ from trex_gui.ui.devices.event_log import Event, EventKind
 from trex_gui.ui.playback.cursor import PlaybackCursor
 from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces
-from trex_gui.ui.workers import orphaned_threads
-from trex_gui.ui.workers.file_worker import Done, FileWorker, ProgressCallback
+from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
 _CLOSE_TIMEOUT_MS = 500
 """A window that hangs for twice as long stops armed motors."""
@@ -32,8 +31,7 @@ class Curves(Generic[RecordT, StateT]):
 
     Attributes:
         columns: number of curves.
-        rows_of: returns the rows (time in s and a value for each curve) of some records, given the
-            state before them, which it may change.
+        rows_of: takes records into a state; returns rows (time in s, a value for each curve).
         max_rows: rows kept; the last ones.
         max_gap: seconds without a row that interrupt a curve.
     """
@@ -79,8 +77,8 @@ def load_recording(
     history = SampleHistory(curves.columns, capacity=capacity, max_gap=curves.max_gap)
     events, last_time, end, rows = list[Event](), -np.inf, recording.header.clock, 0
     while replay.progress < 1:
-        state, records = replay.read_next()
-        if found := curves.rows_of(state, records):
+        records, found = replay.read_next(curves.rows_of)
+        if found:
             times, *columns = np.array(found).T
             times = np.maximum.accumulate(np.maximum(times, last_time))
             last_time = float(times[-1])
@@ -149,8 +147,9 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         self._history = SampleHistory(curves.columns, capacity=4096)
         self._traces: Traces | None = None
         self._share = 0.0
-        self._worker: FileWorker | None = None
-        self._abandoned: FileWorker | None = None  # a disk blocked it when this was closed
+        self._task = FileTask(self)
+        self._task.progressed.connect(self._on_progressed)
+        self._task.done.connect(self._on_done)
 
     def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
         """Return the curves of a history."""
@@ -163,17 +162,8 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         aborts when a running thread is destroyed.
         """
         self.pause()
-        worker, self._worker = self._worker, None
-        if worker is not None:
-            if not worker.close(_CLOSE_TIMEOUT_MS):
-                orphaned_threads.adopt(worker)
-                self._abandoned = worker
-            else:
-                worker.deleteLater()
-        if self._abandoned is not None:
-            if not self._abandoned.wait(0):
-                return False  # the file still belongs to that thread
-            self._abandoned = None
+        if not self._task.close(_CLOSE_TIMEOUT_MS):
+            return False  # the file still belongs to that thread
         self._recording.close()
         return True
 
@@ -191,7 +181,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
     @property
     def is_exporting(self) -> bool:
         """Whether an export is running."""
-        return self.is_loaded and self._worker is not None
+        return self.is_loaded and self._task.is_running
 
     @property
     def progress(self) -> float:
@@ -201,7 +191,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
     @property
     def working(self) -> float | None:
         """Share of loading or exporting that is done, 0 to 1; `None` while idle."""
-        return self._share if self._worker is not None else None
+        return self._share if self._task.is_running else None
 
     @property
     def traces(self) -> Traces:
@@ -245,23 +235,17 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
 
     def export(self, path: Path, start: float, end: float) -> None:
         """Write a span as CSV or MCAP; ends in `exported` or `failed` unless cancelled."""
-        if self._worker is None and self.is_loaded:
+        if self.is_loaded and not self._task.is_running:
             span, header = (start, end), self.export_header(start)
             self._begin(partial(_export, self._recording, path, span, header))
 
     def cancel(self) -> None:
         """Stop loading or exporting; an export leaves an existing file as it was."""
-        if self._worker is not None:
-            self._worker.cancel()
+        self._task.cancel()
 
     def _begin(self, work: Callable[[ProgressCallback], object]) -> None:
-        worker = FileWorker(work, self)
-        worker.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
-        worker.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
-        worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
         self._share = 0.0
-        self._worker = worker
-        worker.start(FileWorker.Priority.LowPriority)
+        self._task.start(work)
 
     @Slot(float)
     def _on_progressed(self, share: float) -> None:
@@ -270,28 +254,14 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
 
     @Slot(object)
     def _on_done(self, done: Done) -> None:
-        if self._worker is None:  # closed meanwhile
-            return
-        self._release_worker()
         if isinstance(done.result, LoadedRecording):
             self._take(done.result)
         elif isinstance(done.result, Path):
             self.exported.emit(done.result)
         elif done.error is not None:
             self.failed.emit(str(done.error))
-
-    @Slot()
-    def _on_finished(self) -> None:
-        """Clean up after a cancelled thread; others were released before."""
-        if self._worker is not None and self.sender() is self._worker:
-            self._release_worker()
+        else:
             self.progressed.emit()
-
-    def _release_worker(self) -> None:
-        worker, self._worker = self._worker, None
-        if worker is not None:
-            worker.wait()
-            worker.deleteLater()
 
     def _take(self, loaded: LoadedRecording[HeaderT, RecordT, StateT]) -> None:
         self._replay = loaded.replay

@@ -20,8 +20,7 @@ from trex_gui.core.files.atomic import atomic_file
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.ui.plotting.data.pyramid import Floats
 from trex_gui.ui.plotting.data.traces import Traces
-from trex_gui.ui.workers.file_saver import FileSaver
-from trex_gui.ui.workers.file_worker import ProgressCallback
+from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback
 
 _CHUNK = 2000
 """Rows from one report of the progress to the next."""

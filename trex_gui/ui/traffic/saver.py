@@ -14,8 +14,7 @@ from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.transport.transactions import Transaction
 from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.traffic.traffic_text import TrafficRow, write_traffic
-from trex_gui.ui.workers.file_saver import FileSaver
-from trex_gui.ui.workers.file_worker import ProgressCallback
+from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback
 
 _AT_ONCE = 100
 """Rows after which the window gets its turn."""

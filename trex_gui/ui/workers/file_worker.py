@@ -1,51 +1,55 @@
-"""A thread for one long piece of work on a file, so that the window lives on meanwhile."""
+"""Long work on files in a thread of its own, so that the window stays responsive."""
 
 import logging
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.recording.errors import RecordingError
 from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.workers import orphaned_threads
 from trex_gui.ui.workers.thread import WorkerThread
 
 log = logging.getLogger(__name__)
 
-_TELL = 0.05
-"""Seconds between two reports of how far it is."""
+_PROGRESS_INTERVAL = 0.05
 
-_WORK, _REST = 0.01, 0.001
-"""Seconds of work after which line and window get their turn, and how long that is.
+_WORK, _YIELD = 0.01, 0.001
+"""Seconds of work after which line and window get their turn, and for how long.
 
-Python changes threads by itself only every 5 ms, and both of them ask often and for little.
+Python itself switches threads only every 5 ms, and both of them run often and for a short time.
 """
 
+_CANCEL_TIMEOUT_MS = 1000
+
 ProgressCallback = Callable[[float], None]
+"""Takes the share done, 0 to 1."""
 
 
 class _CancelledError(Exception):
-    """Nobody wants the result any more."""
+    """The result is no longer wanted."""
 
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """How the work ended: with its result, or with an error."""
+    """How work ended: with a result, an error, or neither (cancelled, or the thread died)."""
 
     result: object = None
     error: StudioError | None = None
 
 
 class FileWorker(WorkerThread):
-    """Runs one function, which is given a function to tell how far it is with.
+    """Runs one function, which is given a function to report its progress with.
 
-    The object lives in the GUI thread; only `run` executes in the new one. What the work is
-    given belongs to that thread until it is done. Its owner keeps it until it is finished.
+    What the function uses belongs to this thread until it ends. Its owner keeps it until then.
 
     Signals:
-        progressed: the share that is done, 0 to 1.
-        done: a `Done`, once, unless it was cancelled. A fault of the work is an error, too.
+        progressed: share done, 0 to 1.
+        done: a `Done`, once, unless it was cancelled. An internal error is an error, too.
     """
 
     progressed = Signal(float)
@@ -58,41 +62,158 @@ class FileWorker(WorkerThread):
         self.setObjectName("FileWorker")
         self._work = work
         self._cancelled = threading.Event()
-        self._last_flush = self._rested_at = 0.0
+        self._last_progress = self._last_yield = 0.0
 
     def run(self) -> None:
         """Do the work; called by Qt in the new thread."""
-        self._rested_at = now()
+        self._last_yield = now()
         try:
-            result = self._work(self._tell)
+            result = self._work(self._report)
         except _CancelledError:
             return
         except StudioError as error:
             self.done.emit(Done(error=error))
         except Exception as error:
             log.exception("work on a file")
-            text = self.tr("A fault of the program has ended the work on this file ({0}).")
+            text = self.tr("Internal error while processing this file ({0}).")
             self.done.emit(Done(error=StudioError(text.format(type(error).__name__))))
         else:
             if not self._cancelled.is_set():
                 self.done.emit(Done(result))
 
     def cancel(self) -> None:
-        """Let it end where it tells how far it is the next time."""
+        """End the work at its next progress report."""
         self._cancelled.set()
 
-    def close(self, timeout_ms: int = 1000) -> bool:
-        """Cancel and wait; return whether the thread ended in time."""
-        self.cancel()
-        return self.wait(timeout_ms)
-
-    def _tell(self, share: float) -> None:
+    def _report(self, share: float) -> None:
         if self._cancelled.is_set():
             raise _CancelledError
         moment = now()
-        if moment >= self._last_flush + _TELL:
-            self._last_flush = moment
+        if moment >= self._last_progress + _PROGRESS_INTERVAL:
+            self._last_progress = moment
             self.progressed.emit(share)
-        if moment >= self._rested_at + _WORK:
-            runtime().sleep(_REST)
-            self._rested_at = now()
+        if moment >= self._last_yield + _WORK:
+            runtime().sleep(_YIELD)
+            self._last_yield = now()
+
+
+class FileTask(QObject):
+    """Runs one piece of work at a time in a `FileWorker`.
+
+    Signals:
+        progressed: share done, 0 to 1.
+        done: a `Done` for each start, unless `close` came first.
+    """
+
+    progressed = Signal(float)
+    done = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._worker: FileWorker | None = None
+        self._abandoned: FileWorker | None = None  # a disk blocked it when this was closed
+
+    @property
+    def is_running(self) -> bool:
+        return self._worker is not None
+
+    def start(self, work: Callable[[ProgressCallback], object]) -> None:
+        """Do the work, which must not use this object."""
+        worker = FileWorker(work, self)
+        worker.progressed.connect(self.progressed, Qt.ConnectionType.QueuedConnection)
+        worker.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
+        worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
+        self._worker = worker
+        worker.start(FileWorker.Priority.LowPriority)
+
+    def cancel(self) -> None:
+        """End the work early."""
+        if self._worker is not None:
+            self._worker.cancel()
+
+    def close(self, timeout_ms: int, *, finish_ms: int = 0) -> bool:
+        """Let the work finish for `finish_ms`, then cancel it and wait for `timeout_ms`.
+
+        Return whether the thread has ended. Until then the process must not exit normally: Qt
+        aborts when a running thread is destroyed.
+        """
+        worker, self._worker = self._worker, None
+        if worker is not None and not worker.wait(finish_ms):
+            worker.cancel()
+            if not worker.wait(timeout_ms):
+                orphaned_threads.adopt(worker)
+                self._abandoned, worker = worker, None
+        if worker is not None:
+            worker.deleteLater()
+        if self._abandoned is not None and not self._abandoned.wait(0):
+            return False
+        self._abandoned = None
+        return True
+
+    @Slot(object)
+    def _on_done(self, done: Done) -> None:
+        self._finish(self.sender(), done)
+
+    @Slot()
+    def _on_finished(self) -> None:
+        self._finish(self.sender(), Done())
+
+    def _finish(self, sender: QObject, done: Done) -> None:
+        """Report the end of the current worker once."""
+        worker = self._worker
+        if worker is not None and sender is worker:
+            self._worker = None
+            worker.wait()
+            worker.deleteLater()
+            self.done.emit(done)
+
+
+class FileSaver(QObject):
+    """Writes one file at a time, completely or not at all.
+
+    Subclasses call `begin` while `is_saving` is false.
+
+    Signals:
+        saved: number of rows and the `Path`.
+        failed: why nothing was written, for the user.
+    """
+
+    saved = Signal(int, object)
+    failed = Signal(str)
+
+    def __init__(self, parent: QObject | None = None, *, finishing_ms: int = 0) -> None:
+        """At the end of the program a file has `finishing_ms` before it is cancelled."""
+        super().__init__(parent)
+        self._finishing_ms = finishing_ms
+        self._task = FileTask(self)
+        self._path = Path()
+        self._task.done.connect(self._on_done)
+        app = QCoreApplication.instance()
+        if app is not None:
+            app.aboutToQuit.connect(self.finish)
+
+    @property
+    def is_saving(self) -> bool:
+        return self._task.is_running
+
+    def begin(self, path: Path, work: Callable[[ProgressCallback], int]) -> None:
+        """Let `work` write the file in a thread; it returns the number of rows."""
+        self._path = path
+        self._task.start(work)
+
+    @Slot()
+    def finish(self) -> None:
+        """Wait for the file at the end of the program, but not for a disk that hangs."""
+        self._task.close(_CANCEL_TIMEOUT_MS, finish_ms=self._finishing_ms)
+
+    @Slot(object)
+    def _on_done(self, done: Done) -> None:
+        if isinstance(done.error, RecordingError):
+            self.failed.emit(str(done.error))
+        elif done.error is not None:
+            text = self.tr("{0} was not written. {1}")
+            self.failed.emit(text.format(self._path.name, done.error))
+        elif isinstance(done.result, int):
+            self.saved.emit(done.result, self._path)
+        else:
+            self.failed.emit(self.tr("{0} was not written.").format(self._path.name))

@@ -367,7 +367,7 @@ def is_cancelled(path: Path, playback: Playback, qtbot: QtBot, how: str) -> bool
     playback.exported.connect(done.append)
     with qtbot.waitSignal(playback.progressed):
         playback.export(path, T0, T0 + 240)
-    had_begun = bool(list(path.parent.glob(".span.csv.*.part")))
+    had_begun = bool(list(path.parent.glob(".span.csv.*.tmp")))
     getattr(playback, how)()
     qtbot.waitUntil(lambda: not list(path.parent.glob(".span.csv.*")))
     qtbot.waitUntil(lambda: playback.working is None)

@@ -1,0 +1,54 @@
+"""What an hour of recording at full rate (690,000 records) costs in bytes and seconds."""
+
+import contextlib
+import math
+import sqlite3
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.devices.trex.recording.samples import HEADER, an_hour, open_recording, write
+from trex_gui.core.recording.export import export_span
+from trex_gui.devices.trex.model.playback import Playback
+
+
+def seconds(work: Callable[[], object]) -> float:
+    """Processor time of some work."""
+    begin = time.process_time()
+    work()
+    return time.process_time() - begin
+
+
+def test_hour_is_written_loaded_and_exported(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, records = tmp_path / "hour.trexrec", list(an_hour())
+    writing = seconds(lambda: write(path, records))
+    recording = open_recording(path)
+    tables = [kind.name for kind in recording.kinds]
+
+    def fetch() -> None:
+        with contextlib.closing(sqlite3.connect(path)) as database:
+            for table in tables:
+                database.execute(f"SELECT * FROM {table}").fetchall()
+
+    def export(suffix: str) -> float:
+        span, target = (-math.inf, math.inf), path.with_suffix(suffix)
+        return seconds(lambda: export_span(recording, target, span, HEADER.values()))
+
+    loader = Playback(open_recording(path)).loader()
+    figures = {
+        "records": f"{len(records)}",
+        "size": f"{path.stat().st_size / 1e6:.1f} MB",
+        "written": f"{writing / len(records) * 1e6:.1f} µs a record",
+        "tables read": f"{seconds(fetch):.1f} s",
+        "loaded for playback": f"{seconds(lambda: loader(lambda _share: None)):.1f} s",
+        "exported as CSV": f"{export('.csv'):.1f} s",
+        "exported as MCAP": f"{export('.mcap'):.1f} s",
+    }
+    recording.close()
+    with capsys.disabled():
+        print(*("", *(f"{name}: {figure}" for name, figure in figures.items())), sep="\n")
+    assert path.stat().st_size < 18_000_000
