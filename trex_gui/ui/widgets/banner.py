@@ -1,11 +1,12 @@
 """A message across the window that stays until it is read."""
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QWidget
 
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders as ui
 
 
 class Banner(QFrame):
@@ -19,25 +20,22 @@ class Banner(QFrame):
 
         self._kind = "info"
         self._sign = QLabel(self)
-        self._text = QLabel(self)
-        self._text.setObjectName("bannerText")
-        self._text.setWordWrap(True)
-        self._text.setTextFormat(Qt.TextFormat.PlainText)
-        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._text = ui.label(self, "bannerText", wrap=True, plain=True, selectable=True)
         self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self._dismiss = QToolButton(self)
-        self._dismiss.setObjectName("bannerDismiss")
-        self._dismiss.setText(self.tr("Dismiss"))
+        self._dismiss = ui.tool_button(
+            self, "bannerDismiss", self.tr("Dismiss"), on_click=self.clear
+        )
         self._dismiss.setAutoRaise(True)
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(10, 6, 6, 6)
-        layout.setSpacing(10)
-        layout.addWidget(self._sign, 0, Qt.AlignmentFlag.AlignTop)
-        layout.addWidget(self._text, 1)
-        layout.addWidget(self._dismiss, 0, Qt.AlignmentFlag.AlignTop)
+        ui.row(
+            (self._sign, 0, Qt.AlignmentFlag.AlignTop),
+            (self._text, 1),
+            (self._dismiss, 0, Qt.AlignmentFlag.AlignTop),
+            into=self,
+            margins=(10, 6, 6, 6),
+            spacing=10,
+        )
 
-        self._dismiss.clicked.connect(self.clear)
         if notifier is not None:
             notifier.info.connect(self.show_news)
             notifier.error.connect(self.show_problem)

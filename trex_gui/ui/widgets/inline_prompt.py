@@ -6,10 +6,11 @@ from functools import partial
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QSizePolicy, QWidget
 
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders as ui
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,22 +53,20 @@ class InlinePrompt(QFrame):
         self._buttons: list[QPushButton] = []
 
         self._sign = QLabel(self)
-        self._text = QLabel(self)
-        self._text.setObjectName("questionText")
-        self._text.setWordWrap(True)
-        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text = ui.label(self, "questionText", wrap=True, plain=True)
         self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self._cancel = QPushButton(self.tr("Cancel"), self)
-        self._cancel.setObjectName("questionCancel")
-        self._cancel.setAutoDefault(False)
+        self._cancel = ui.button(
+            self, "questionCancel", self.tr("Cancel"), default=False, on_click=self.withdraw
+        )
 
-        self._layout = QHBoxLayout(self)
-        self._layout.setContentsMargins(10, 6, 6, 6)
-        self._layout.addWidget(self._sign, 0, Qt.AlignmentFlag.AlignTop)
-        self._layout.addWidget(self._text, 1)
-        self._layout.addWidget(self._cancel)
+        self._layout = ui.row(
+            (self._sign, 0, Qt.AlignmentFlag.AlignTop),
+            (self._text, 1),
+            self._cancel,
+            into=self,
+            margins=(10, 6, 6, 6),
+        )
 
-        self._cancel.clicked.connect(self.withdraw)
         theme().changed.connect(self._on_theme_changed)
         self._on_theme_changed()
         self.hide()
@@ -93,9 +92,7 @@ class InlinePrompt(QFrame):
         self.setAccessibleName(text)
         place = self._layout.indexOf(self._cancel)
         for number, answer in enumerate(answers):
-            button = QPushButton(answer.text, self)
-            button.setObjectName(answer.name)
-            button.setAutoDefault(False)
+            button = ui.button(self, answer.name, answer.text, default=False)
             button.clicked.connect(partial(self._on_answered, answer))
             self._layout.insertWidget(place + number, button)
             self._buttons.append(button)

@@ -3,7 +3,7 @@
 import math
 
 from PySide6.QtCore import Signal, Slot
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.stop_button import StopButton
@@ -11,6 +11,7 @@ from trex_gui.devices.trex.views.timeout_notice import TimeoutNotice
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme, tint
+from trex_gui.ui.widgets import builders as ui
 
 
 class ActionBar(QWidget):
@@ -27,43 +28,39 @@ class ActionBar(QWidget):
         self._device = device
 
         self._stop = StopButton(device, "stopButton", self)
-        self._run = QPushButton(self.tr("Run motor"), self)
-        self._run.setObjectName("runButton")
-        self._run.setToolTip(self.tr("Let the sliders of the Motors page move the motors"))
-        font = self._run.font()
-        font.setBold(True)
-        self._run.setFont(font)
+        self._run = ui.button(
+            self,
+            "runButton",
+            self.tr("Run motor"),
+            tip=self.tr("Let the sliders of the Motors page move the motors"),
+        )
+        ui.set_bold(self._run)
         tint(self._run, "run")
         set_icon(self._run, "run", "run_text")
-        self._state = QLabel(self)
-        self._state.setObjectName("motorStateLabel")
-        self._state.setWordWrap(True)
-        self._unapplied = QLabel(self.tr("There are unapplied changes."), self)
-        self._unapplied.setObjectName("unappliedLabel")
-        self._apply = QPushButton(self.tr("Apply settings"), self)
-        self._apply.setObjectName("applyButton")
-        self._apply.setToolTip(self.tr("Write the changed parameters into the board (Ctrl+P)"))
-        set_icon(self._apply, "apply")
+        self._state = ui.label(self, "motorStateLabel", wrap=True)
+        self._unapplied = ui.label(self, "unappliedLabel", self.tr("There are unapplied changes."))
+        self._apply = ui.button(
+            self,
+            "applyButton",
+            self.tr("Apply settings"),
+            tip=self.tr("Write the changed parameters into the board (Ctrl+P)"),
+            icon="apply",
+            on_click=self.apply_requested,
+        )
         height = 2 * self.fontMetrics().height() + 4
         for button in (self._stop, self._run, self._apply):
             button.setMinimumSize(4 * height, height)
 
         self._notice = TimeoutNotice(device, self)
 
-        layout = QHBoxLayout()
-        layout.addWidget(self._stop)
-        layout.addWidget(self._run)
+        layout = ui.row(self._stop, self._run)
         layout.addSpacing(8)
         layout.addWidget(self._state, 1)
         layout.addWidget(self._unapplied)
         layout.addWidget(self._apply)
-        rows = QVBoxLayout(self)
-        rows.setContentsMargins(0, 0, 0, 0)
-        rows.addWidget(self._notice)
-        rows.addLayout(layout)
+        ui.column(self._notice, layout, into=self, margins=0)
 
         self._run.clicked.connect(device.motors.arm)
-        self._apply.clicked.connect(self.apply_requested)
         device.link_changed.connect(self._on_changed)
         motors = device.motors
         for signal in (

@@ -4,19 +4,17 @@ from dataclasses import replace
 
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import (
-    QCheckBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
-    QLabel,
     QSpinBox,
-    QVBoxLayout,
     QWidget,
 )
 
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.views.pages.parameters.editors import LineSettingsEditor
+from trex_gui.ui.widgets import builders as ui
 
 
 class HexSpinBox(QSpinBox):
@@ -38,29 +36,29 @@ class LineSettingsDialog(QDialog):
         self.setWindowTitle(self.tr("Line settings"))
         self._settings = settings
 
-        intro = QLabel(
+        intro = ui.label(
+            self,
+            "",
             self.tr(
                 "These must be the settings that the board has now. A new board talks at 19200 "
                 "baud, without error detection, with one stop bit. Changing them here changes "
                 "nothing in the board."
             ),
-            self,
+            wrap=True,
         )
-        intro.setWordWrap(True)
-        self._line = LineSettingsEditor(self)
-        self._line.setObjectName("lineEditor")
+        self._line = ui.named(LineSettingsEditor(self), "lineEditor")
         self._line.set_settings(settings.line)
-        self._polynomial = HexSpinBox(self)
-        self._polynomial.setObjectName("polynomialField")
+        self._polynomial = ui.named(HexSpinBox(self), "polynomialField")
         self._polynomial.setDisplayIntegerBase(16)
         self._polynomial.setPrefix("0x")
         self._polynomial.setRange(0x80, 0xFF)
         self._polynomial.setValue(settings.polynomial)
-        self._addressed = QCheckBox(
-            self.tr("Address one board of several by its number (Pololu protocol)"), self
+        self._addressed = ui.check_box(
+            self,
+            "addressedBox",
+            self.tr("Address one board of several by its number (Pololu protocol)"),
+            checked=settings.device_number is not None,
         )
-        self._addressed.setObjectName("addressedBox")
-        self._addressed.setChecked(settings.device_number is not None)
         self._number = QSpinBox(self)
         self._number.setObjectName("deviceNumberField")
         self._number.setRange(0, 127)
@@ -78,11 +76,7 @@ class LineSettingsDialog(QDialog):
         form.addRow(self.tr("CRC-7 &polynomial:"), self._polynomial)
         form.addRow(self._addressed)
         form.addRow(self.tr("&Device number:"), self._number)
-        layout = QVBoxLayout(self)
-        layout.addWidget(intro)
-        layout.addLayout(form)
-        layout.addStretch(1)
-        layout.addWidget(self._buttons)
+        ui.column(intro, form, 1, self._buttons, into=self)
 
         self._line.valueChanged.connect(self._on_changed)
         self._addressed.toggled.connect(self._on_changed)

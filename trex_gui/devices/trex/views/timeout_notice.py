@@ -2,11 +2,12 @@
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCursor
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.timeout import Weakness, weakness_of_timeout
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders as ui
 
 
 class TimeoutNotice(QWidget):
@@ -19,24 +20,21 @@ class TimeoutNotice(QWidget):
 
         self._weakness: Weakness | None = None
 
-        self._text = QLabel(self)
-        self._text.setObjectName("timeoutLabel")
-        self._text.setWordWrap(True)
-        self._button = QPushButton(self)
-        self._button.setObjectName("timeoutButton")
-        self._button.setAccessibleName(self.tr("Set the serial timeout"))
+        self._text = ui.label(self, "timeoutLabel", wrap=True)
+        self._button = ui.button(
+            self,
+            "timeoutButton",
+            accessible=self.tr("Set the serial timeout"),
+            on_click=self._on_clicked,
+        )
         self._button.setFlat(True)
         self._button.setCursor(QCursor(Qt.CursorShape.PointingHandCursor))
         font = self._button.font()
         font.setUnderline(True)
         self._button.setFont(font)
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._text, 1)
-        layout.addWidget(self._button)
+        ui.row((self._text, 1), self._button, into=self, margins=0)
 
-        self._button.clicked.connect(self._on_clicked)
         device.link_changed.connect(self._on_changed)
         device.state_changed.connect(self._on_changed)
         theme().changed.connect(self._on_theme_changed)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout
+from PySide6.QtWidgets import QDockWidget, QMainWindow
 
 from trex_gui.core.errors import sentence
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -33,6 +33,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_kind import TREX
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.file_drop import TEXT
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -81,11 +82,7 @@ class TrexWorkspace(Workspace):
 
         self._recordings = Recordings(device, frame)
         self._bar = ActionBar(device, self)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(tabs, 1)
-        layout.addWidget(self._recordings.indicator)
-        layout.addWidget(self._bar)
+        ui.column((tabs, 1), self._recordings.indicator, self._bar, into=self, margins=0)
         self._demo = DemoPanel(connector, frame)
         self._files = SettingsFiles(device, frame)
         self._guided = PowerCycle(device, self)

@@ -9,10 +9,8 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFormLayout,
     QGroupBox,
-    QHBoxLayout,
     QLabel,
     QSpinBox,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -27,7 +25,7 @@ from trex_gui.gamepad.detection import InputDetector
 from trex_gui.gamepad.pads import Pad
 from trex_gui.gamepad.profile import GamepadProfile, Style, default_profile
 from trex_gui.gamepad.shaping import WIDEST_DEAD_ZONE
-from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.note import Note
 
 
@@ -46,13 +44,15 @@ class GamepadDialog(QDialog):
         self._detection: InputDetector | None = None
         self._detecting = ""
 
-        self._name = QLabel(self)
-        self._name.setObjectName("gamepadName")
+        self._name = ui.label(self, "gamepadName")
         self._live = GamepadLive(self._words, self)
         uses = QGroupBox(self.tr("What it is for"), self)
-        self._style = NoWheelComboBox(uses)
-        self._style.setObjectName("gamepadStyleCombo")
-        self._style.setAccessibleName(self.tr("How two axes drive two motors"))
+        self._style = ui.combo_box(
+            uses,
+            "gamepadStyleCombo",
+            self.tr("How two axes drive two motors"),
+            on_activate=self._on_edited,
+        )
         self._style.addItem(self.tr("One axis drives, one turns"), Style.MIXED)
         self._style.addItem(self.tr("An axis for each motor"), Style.TANK)
         move, press = self.tr("Move it…"), self.tr("Press it…")
@@ -74,8 +74,7 @@ class GamepadDialog(QDialog):
         self._motors = (PartBar(self.tr("Motor 1"), uses), PartBar(self.tr("Motor 2"), uses))
         for number, bar in enumerate(self._motors, 1):
             bar.setObjectName(f"gamepadMotor{number}Bar")
-        self._note = Note(2, self)
-        self._note.setObjectName("gamepadSetUpNote")
+        self._note = ui.named(Note(2, self), "gamepadSetUpNote")
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.RestoreDefaults | QDialogButtonBox.StandardButton.Close,
             self,
@@ -95,16 +94,9 @@ class GamepadDialog(QDialog):
             form.addRow(self._labels[name], self._rows[name])
         form.addRow(self.tr("It asks for:"), self._motors[0])
         form.addRow("", self._motors[1])
-        halves = QHBoxLayout()
-        halves.addWidget(self._live, 2)
-        halves.addWidget(uses, 3)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._name)
-        layout.addLayout(halves, 1)
-        layout.addWidget(self._note)
-        layout.addWidget(buttons)
+        halves = ui.row((self._live, 2), (uses, 3))
+        ui.column(self._name, (halves, 1), self._note, buttons, into=self)
 
-        self._style.activated.connect(self._on_edited)
         self._dead_zone.valueChanged.connect(self._on_edited)
         self._expo.valueChanged.connect(self._on_edited)
         for name, row in self._rows.items():

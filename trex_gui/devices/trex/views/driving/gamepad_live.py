@@ -1,11 +1,12 @@
 """What a gamepad shows now: a bar an axis, a lamp a button."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QGroupBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.driving.gamepad_text import GamepadWords
 from trex_gui.devices.trex.views.driving.gamepad_bar import PartBar
 from trex_gui.gamepad.pads import Pad, PadState
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.leds import Lamp
 
 _LAMPS_A_ROW = 6
@@ -24,9 +25,7 @@ class GamepadLive(QGroupBox):
         self._bars: list[PartBar] = []
         self._lamps: list[Lamp] = []
 
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._content)
-        layout.addStretch(1)
+        ui.column(self._content, 1, into=self)
 
     def show_pad(self, pad: Pad | None) -> None:
         """Make room for the parts of this gamepad."""
@@ -64,9 +63,7 @@ class GamepadLive(QGroupBox):
         for number in range(pad.axes):
             name = self._words.axis(pad, number)
             label = QLabel(name, self._content)
-            bar = PartBar("", self._content)
-            bar.setObjectName(f"gamepadAxisBar{number}")
-            bar.setAccessibleName(name)
+            bar = ui.named(PartBar("", self._content), f"gamepadAxisBar{number}", accessible=name)
             bar.setMinimumWidth(18 * bar.fontMetrics().averageCharWidth())
             grid.addWidget(label, number, 0)
             grid.addWidget(bar, number, 1)
@@ -78,16 +75,13 @@ class GamepadLive(QGroupBox):
         grid.setHorizontalSpacing(12)
         for number in range(pad.buttons):
             name = self._words.button(pad, number)
-            lamp = Lamp("led_green", self._content)
-            lamp.setObjectName(f"gamepadLamp{number}")
-            lamp.setAccessibleName(name)
+            lamp = ui.named(
+                Lamp("led_green", self._content), f"gamepadLamp{number}", accessible=name
+            )
             label = QLabel(str(number + 1), self._content)
             for widget in (lamp, label):
                 widget.setToolTip(name)
-            cell = QHBoxLayout()
-            cell.setSpacing(4)
-            cell.addWidget(lamp)
-            cell.addWidget(label, 1)
+            cell = ui.row(lamp, (label, 1), spacing=4)
             grid.addLayout(cell, number // _LAMPS_A_ROW, number % _LAMPS_A_ROW)
             self._lamps.append(lamp)
         grid.setAlignment(Qt.AlignmentFlag.AlignLeft)

@@ -3,12 +3,8 @@
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
-    QCheckBox,
     QGridLayout,
     QGroupBox,
-    QHBoxLayout,
-    QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -18,6 +14,7 @@ from trex_gui.devices.trex.views.driving.gamepad_bar import PartBar
 from trex_gui.devices.trex.views.driving.gamepad_dialog import GamepadDialog
 from trex_gui.gamepad.pads import PadSource
 from trex_gui.gamepad.sdl import SdlPads
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 from trex_gui.ui.widgets.note import Note
 
@@ -35,54 +32,49 @@ class GamepadPanel(QGroupBox):
         self._gamepad = Gamepad(device, source or SdlPads(), self)
         self._dialog: GamepadDialog | None = None
 
-        self._on = QCheckBox(self.tr("Drive with a &gamepad"), self)
-        self._on.setObjectName("gamepadBox")
-        self._on.setAccessibleName(self.tr("Drive with a gamepad"))
-        self._pads = NoWheelComboBox(self)
-        self._pads.setObjectName("gamepadCombo")
-        self._pads.setAccessibleName(self.tr("Gamepad"))
+        self._on = ui.check_box(
+            self,
+            "gamepadBox",
+            self.tr("Drive with a &gamepad"),
+            accessible=self.tr("Drive with a gamepad"),
+        )
+        self._pads = ui.combo_box(
+            self, "gamepadCombo", self.tr("Gamepad"), on_activate=self._on_pad_activated
+        )
         self._pads.setSizeAdjustPolicy(
             NoWheelComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         self._pads.setMinimumContentsLength(12)
-        self._set_up = QPushButton(self.tr("Set up…"), self)
-        self._set_up.setObjectName("gamepadSetUpButton")
-        self._set_up.setAccessibleName(self.tr("Set up the gamepad"))
-        self._state = Note(1, self)
-        self._state.setObjectName("gamepadState")
+        self._set_up = ui.button(
+            self,
+            "gamepadSetUpButton",
+            self.tr("Set up…"),
+            accessible=self.tr("Set up the gamepad"),
+            on_click=self._on_set_up_clicked,
+        )
+        self._state = ui.named(Note(1, self), "gamepadState")
         self._state.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextSelectableByMouse
             | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )
-        self._forward = PartBar(self.tr("Forward"), self)
-        self._forward.setObjectName("gamepadForward")
-        self._turn = PartBar(self.tr("Turn"), self)
-        self._turn.setObjectName("gamepadTurn")
-        self._unfocused = QCheckBox(self.tr("Stop when the window loses the focus"), self)
-        self._unfocused.setObjectName("gamepadUnfocusedBox")
-        self._unfocused.setAccessibleName(
-            self.tr("Stop what the gamepad drives when the window loses the focus")
+        self._forward = ui.named(PartBar(self.tr("Forward"), self), "gamepadForward")
+        self._turn = ui.named(PartBar(self.tr("Turn"), self), "gamepadTurn")
+        self._unfocused = ui.check_box(
+            self,
+            "gamepadUnfocusedBox",
+            self.tr("Stop when the window loses the focus"),
+            accessible=self.tr("Stop what the gamepad drives when the window loses the focus"),
+            checked=self._gamepad.stops_unfocused,
         )
-        self._unfocused.setChecked(self._gamepad.stops_unfocused)
 
-        top = QHBoxLayout()
-        top.addWidget(self._on)
-        top.addWidget(self._pads, 1)
-        top.addWidget(self._set_up)
-        top.addStretch(0)
+        top = ui.row(self._on, (self._pads, 1), self._set_up, 0)
         bars = QGridLayout()
         bars.setHorizontalSpacing(16)
         bars.addWidget(self._forward, 0, 0)
         bars.addWidget(self._turn, 0, 1)
-        layout = QVBoxLayout(self)
-        layout.addLayout(top)
-        layout.addWidget(self._state)
-        layout.addLayout(bars)
-        layout.addWidget(self._unfocused)
+        ui.column(top, self._state, bars, self._unfocused, into=self)
 
         self._on.toggled.connect(self._on_toggled)
-        self._pads.activated.connect(self._on_pad_activated)
-        self._set_up.clicked.connect(self._on_set_up_clicked)
         self._unfocused.toggled.connect(self._gamepad.set_stops_unfocused)
         self._gamepad.changed.connect(self._on_gamepad_changed)
         self._gamepad.moved.connect(self._on_gamepad_moved)

@@ -1,9 +1,10 @@
 """One part of a gamepad to choose: from a list, or by moving it."""
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.gamepad.profile import Axis
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 
 
@@ -25,21 +26,15 @@ class PartRow(QWidget):
         self._combo = NoWheelComboBox(self)
         self._combo.setObjectName(f"gamepad{name}Combo")
         self._combo.setSizeAdjustPolicy(NoWheelComboBox.SizeAdjustPolicy.AdjustToContents)
-        self._detect = QPushButton(detect, self)
-        self._detect.setObjectName(f"gamepad{name}Detect")
-        self._detect.setCheckable(True)
-        self._detect.setAutoDefault(False)
-        self._invert = QCheckBox(self.tr("Invert"), self)
-        self._invert.setObjectName(f"gamepad{name}Invert")
+        self._detect = ui.button(
+            self, f"gamepad{name}Detect", detect, checkable=True, default=False
+        )
+        self._invert = ui.check_box(self, f"gamepad{name}Invert", self.tr("Invert"))
         self._invert.setVisible(inverts)
         self.setFocusProxy(self._combo)
         self.set_spoken(spoken)
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._combo, 1)
-        layout.addWidget(self._detect)
-        layout.addWidget(self._invert)
+        ui.row((self._combo, 1), self._detect, self._invert, into=self, margins=0)
 
         self._combo.activated.connect(self._on_chosen)
         self._invert.toggled.connect(self._on_chosen)

@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.learning.channel import LearnedChannel
@@ -12,6 +12,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.devices.trex.views.learning.parts import Muted, in_words
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.note import Note
 
 _FIELDS = ("minimum", "neutral", "maximum", "deadband")
@@ -39,37 +40,29 @@ class ChannelForm(QWidget):
         self._were: dict[str, Muted] = {}
         self._labels: list[QLabel] = []
 
-        self._include = QCheckBox(
-            self.tr("Take channel {0}: {1}").format(number, CHANNEL_ROLES[number]), self
+        self._include = ui.check_box(
+            self,
+            f"learnInclude{number}",
+            self.tr("Take channel {0}: {1}").format(number, CHANNEL_ROLES[number]),
         )
-        self._include.setObjectName(f"learnInclude{number}")
-        font = self._include.font()
-        font.setBold(True)
-        self._include.setFont(font)
-        self._reversed = QCheckBox(self.tr("Reversed"), self)
-        self._reversed.setObjectName(f"learnReversed{number}")
+        ui.set_bold(self._include)
+        self._reversed = ui.check_box(self, f"learnReversed{number}", self.tr("Reversed"))
         self._reversed_was = Muted("", self)
-        self._turned = Note(0, self)
-        self._turned.setObjectName(f"learnReversal{number}")
-        self._rest = QPushButton(self)
-        self._rest.setObjectName(f"learnTakeRest{number}")
-        self._problem = Note(1, self)
-        self._problem.setObjectName(f"learnProblem{number}")
-        self._reasons = Muted("", self)
-        self._reasons.setObjectName(f"learnReasons{number}")
+        self._turned = ui.named(Note(0, self), f"learnReversal{number}")
+        self._rest = ui.button(self, f"learnTakeRest{number}", on_click=self._on_rest_clicked)
+        self._problem = ui.named(Note(1, self), f"learnProblem{number}")
+        self._reasons = ui.named(Muted("", self), f"learnReasons{number}")
 
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(4)
-        grid.setColumnStretch(2, 1)
+        grid = ui.grid(self, margins=0, spacing=(12, 4), stretch=[(2, 1)])
         grid.setColumnMinimumWidth(2, _WIDE * self.fontMetrics().averageCharWidth() // 2)
         grid.addWidget(self._include, 0, 0, 1, 3)
         for row, field in enumerate(_FIELDS, 1):
             label = QLabel(names[field], self)
-            editor = CountEditor(channel.source, self)
-            editor.setObjectName(f"learn{field.capitalize()}Edit{number}")
-            editor.setAccessibleName(self.tr("{0} of channel {1}").format(names[field], number))
+            editor = ui.named(
+                CountEditor(channel.source, self),
+                f"learn{field.capitalize()}Edit{number}",
+                accessible=self.tr("{0} of channel {1}").format(names[field], number),
+            )
             was = Muted("", self)
             label.setBuddy(editor)
             for column, widget in enumerate((label, editor, was)):
@@ -88,7 +81,6 @@ class ChannelForm(QWidget):
 
         self._include.toggled.connect(self._on_include_toggled)
         self._reversed.toggled.connect(self._on_reversed_toggled)
-        self._rest.clicked.connect(self._on_rest_clicked)
         for field, editor in self._editors.items():
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.refused.connect(self._on_refused)

@@ -4,12 +4,13 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QMargins, QSize, Slot
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.learning.channel import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.views.learning.parts import channel_label
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.note import Note
 
 _ROWS = 3
@@ -42,17 +43,11 @@ class ChannelRow:
         self.bar.set_connected(True)
         self.bar.set_source(channel.source)
         self.beside = QWidget(page)
-        self.words = QLabel(self.beside)
-        self.words.setObjectName(f"{words}{number}")
-        self.words.setWordWrap(True)
+        self.words = ui.label(self.beside, f"{words}{number}", wrap=True)
         self.words.setMinimumWidth(_WORDS_WIDE * self.words.fontMetrics().averageCharWidth())
-        self.problem = Note(1, page)
-        self.problem.setObjectName(f"learnProblem{number}")
+        self.problem = ui.named(Note(1, page), f"learnProblem{number}")
 
-        told = QHBoxLayout(self.beside)
-        told.setContentsMargins(0, 0, 0, 0)
-        for sign in self.make_signs(self.beside):
-            told.addWidget(sign)
+        told = ui.row(*self.make_signs(self.beside), into=self.beside, margins=0)
         told.addSpacing(4)
         told.addWidget(self.words, 1)
 
@@ -107,9 +102,7 @@ class ChannelRows(QWidget):
         self._rows = [self.make_row(channel) for channel in learning.channels]
         self._narrow = False
         self._margins = QMargins(0, 0, 8, 0)
-        self._grid = QGridLayout()
-        self._grid.setHorizontalSpacing(_GAP)
-        self._grid.setVerticalSpacing(2)
+        self._grid = ui.grid(spacing=(_GAP, 2))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(self._margins)
         layout.addLayout(self._grid)

@@ -8,6 +8,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.views.learning.parts import Muted
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.ui.plotting.legend import LegendKey
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import column, row
 
@@ -31,14 +32,13 @@ class CurvePane(QWidget):
         self._learning = learning
         self._channel: LearnedChannel | None = None
 
-        self.plot = CurvePlot(self)
-        self.plot.setObjectName("learnCurve")
+        self.plot = ui.named(CurvePlot(self), "learnCurve")
         self.plot.setMinimumHeight(_MIN_LINES * self.fontMetrics().lineSpacing())
         self._after = LegendKey("", "motor1", self)
-        self._before = LegendKey(self.tr("as it was"), "muted", self, Qt.PenStyle.DashLine)
-        self._before.setObjectName("learnCurveBefore")
-        self._live = Muted("", self)
-        self._live.setObjectName("learnCurveLive")
+        self._before = ui.named(
+            LegendKey(self.tr("as it was"), "muted", self, Qt.PenStyle.DashLine), "learnCurveBefore"
+        )
+        self._live = ui.named(Muted("", self), "learnCurveLive")
         key = row(self._after, self._before, 1)
         column(key, (self.plot, 1), self._live, into=self, margins=0)
 

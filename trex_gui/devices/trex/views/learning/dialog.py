@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.learning.channel import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
@@ -15,7 +15,7 @@ from trex_gui.devices.trex.views.learning.review_page import ReviewPage
 from trex_gui.devices.trex.views.learning.step_strip import StepStrip
 from trex_gui.devices.trex.views.learning.test_page import TestPage
 from trex_gui.devices.trex.views.learning.travel_page import TravelPage
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.note import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -53,46 +53,37 @@ class LearnDialog(QDialog):
         self._offers_test = False
 
         self._steps = StepStrip(self)
-        self._head = Note(2, self)
-        self._head.setObjectName("learnHead")
-        self._back = QPushButton(self.tr("Back"), self)
-        self._back.setObjectName("learnBackButton")
-        self._again = QPushButton(self)
-        self._again.setObjectName("learnAgainButton")
-        set_icon(self._again, "reload")
-        self._learn_again = QPushButton(self)
-        self._learn_again.setObjectName("learnChannelAgainButton")
-        set_icon(self._learn_again, "calibrate")
-        self._next = QPushButton(self.tr("Next"), self)
-        self._next.setObjectName("learnNextButton")
-        self._take = QPushButton(self.tr("Take these values…"), self)
-        self._take.setObjectName("learnTakeButton")
-        set_icon(self._take, "apply")
-        self._test = QPushButton(self.tr("Stop the motors and test"), self)
-        self._test.setObjectName("learnTestButton")
-        self._cancel = QPushButton(self)
-        self._cancel.setObjectName("learnCancelButton")
+        self._head = ui.named(Note(2, self), "learnHead")
+        self._back = ui.button(self, "learnBackButton", self.tr("Back"), on_click=learning.back)
+        self._again = ui.button(self, "learnAgainButton", icon="reload", on_click=learning.again)
+        self._learn_again = ui.button(
+            self, "learnChannelAgainButton", icon="calibrate", on_click=self._on_learn_again
+        )
+        self._next = ui.button(self, "learnNextButton", self.tr("Next"), on_click=learning.next)
+        self._take = ui.button(
+            self,
+            "learnTakeButton",
+            self.tr("Take these values…"),
+            icon="apply",
+            on_click=learning.take,
+        )
+        self._test = ui.button(self, "learnTestButton", self.tr("Stop the motors and test"))
+        self._cancel = ui.button(self, "learnCancelButton")
 
-        buttons = QHBoxLayout()
-        buttons.addWidget(self._again)
-        buttons.addWidget(self._learn_again)
-        buttons.addStretch(1)
-        for button in (self._back, self._next, self._take, self._test, self._cancel):
-            buttons.addWidget(button)
+        buttons = ui.row(
+            self._again,
+            self._learn_again,
+            1,
+            self._back,
+            self._next,
+            self._take,
+            self._test,
+            self._cancel,
+        )
         self._body = QVBoxLayout()
-        layout = QVBoxLayout(self)
-        layout.setSpacing(10)
-        layout.addWidget(self._steps)
-        layout.addWidget(self._head)
-        layout.addLayout(self._body, 1)
-        layout.addLayout(buttons)
+        ui.column(self._steps, self._head, (self._body, 1), buttons, into=self, spacing=10)
 
-        self._back.clicked.connect(learning.back)
-        self._again.clicked.connect(learning.again)
-        self._learn_again.clicked.connect(self._on_learn_again)
         self._test.clicked.connect(lambda: self.test(learning.numbers))
-        self._next.clicked.connect(learning.next)
-        self._take.clicked.connect(learning.take)
         self._cancel.clicked.connect(self.close)
         learning.changed.connect(self._on_changed)
         learning.measured.connect(self._on_measured)

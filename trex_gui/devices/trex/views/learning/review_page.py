@@ -13,6 +13,7 @@ from trex_gui.devices.trex.views.learning.channel_form import ChannelForm
 from trex_gui.devices.trex.views.learning.parts import Muted
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.note import Note
 
 _GAP = 16
@@ -33,19 +34,15 @@ class ReviewPage(QWidget):
         self.setObjectName("learnReviewPage")
         self._learning = learning
 
-        self._tabs = QTabBar(self)
-        self._tabs.setObjectName("learnChannelTabs")
-        self._tabs.setAccessibleName(self.tr("Channels"))
+        self._tabs = ui.named(QTabBar(self), "learnChannelTabs", accessible=self.tr("Channels"))
         self._tabs.setExpanding(False)
         self._forms = [ChannelForm(learning, channel, self) for channel in learning.channels]
         for channel in learning.channels:
             self._tabs.addTab(self.tr("Channel {0}").format(channel.number))
         self._curve = CurvePane(learning, self)
         floor = learning.source.text(deadband_floor(learning.source))
-        self._common = Muted(WHY_THESE_VALUES.format(floor), self)
-        self._common.setObjectName("learnCommonReasons")
-        self._earlier = Note(0, self)
-        self._earlier.setObjectName("learnEarlierEdits")
+        self._common = ui.named(Muted(WHY_THESE_VALUES.format(floor), self), "learnCommonReasons")
+        self._earlier = ui.named(Note(0, self), "learnEarlierEdits")
 
         self._body = QBoxLayout(QBoxLayout.Direction.LeftToRight)
         self._body.setSpacing(_GAP)
@@ -54,12 +51,14 @@ class ReviewPage(QWidget):
             forms.addWidget(form)
         self._body.addLayout(forms, 2)
         self._body.addWidget(self._curve, 3)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, _MARGIN, 0)
-        layout.addWidget(self._tabs)
-        layout.addLayout(self._body, 1)
-        layout.addWidget(self._common)
-        layout.addWidget(self._earlier)
+        ui.column(
+            self._tabs,
+            (self._body, 1),
+            self._common,
+            self._earlier,
+            into=self,
+            margins=(0, 0, _MARGIN, 0),
+        )
 
         self._tabs.currentChanged.connect(self._on_tab_changed)
         self._tabs.setVisible(len(self._forms) > 1)

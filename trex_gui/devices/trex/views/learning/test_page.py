@@ -1,13 +1,14 @@
 """Every stick to its end once more: does what is stored give full output, and none at rest?"""
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.devices.trex.calibration.proof import Tested
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
 from trex_gui.devices.trex.views.learning.parts import Muted, Sign, channel_label
 from trex_gui.devices.trex.views.output_bar import OutputBar
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.note import Note
 
 _WORDS_WIDE = 20
@@ -30,8 +31,7 @@ class TestPage(QWidget):
         self._signs: dict[int, Sign] = {}
         self._words: dict[int, QLabel] = {}
         self._safe_sign = Sign(self)
-        self._safe_start = Note(2, self)
-        self._safe_start.setObjectName("learnSafeStart")
+        self._safe_start = ui.named(Note(2, self), "learnSafeStart")
         self._inferred = Muted(
             self.tr(
                 "Calculated here for each channel alone, from the values in the board. From the "
@@ -42,11 +42,7 @@ class TestPage(QWidget):
             self,
         )
 
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(12)
-        grid.setColumnStretch(1, 3)
-        grid.setColumnStretch(3, 3)
+        grid = ui.grid(spacing=(12, 12), stretch=[(1, 3), (3, 3)])
         for row, tested in enumerate(self._tested):
             number = tested.channel
             bar = OutputBar(self)
@@ -59,15 +55,8 @@ class TestPage(QWidget):
             for column, widget in enumerate((channel_label(number, self), bar, sign, words)):
                 grid.addWidget(widget, row, column)
             self._bars[number], self._signs[number], self._words[number] = bar, sign, words
-        safe_start = QHBoxLayout()
-        safe_start.addWidget(self._safe_sign, 0, Qt.AlignmentFlag.AlignTop)
-        safe_start.addWidget(self._safe_start, 1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 8, 0)
-        layout.addLayout(grid)
-        layout.addStretch(1)
-        layout.addLayout(safe_start)
-        layout.addWidget(self._inferred)
+        safe_start = ui.row((self._safe_sign, 0, Qt.AlignmentFlag.AlignTop), (self._safe_start, 1))
+        ui.column(grid, 1, safe_start, self._inferred, into=self, margins=(0, 0, 8, 0))
 
         learning.changed.connect(self._on_changed)
         learning.measured.connect(self._on_changed)

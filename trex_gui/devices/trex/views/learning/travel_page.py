@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from enum import Enum, auto
 
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.devices.trex.calibration.neutral import no_signal
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
@@ -12,6 +12,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.views.learning.channel_rows import ChannelRow, ChannelRows
 from trex_gui.devices.trex.views.learning.parts import Sign
+from trex_gui.ui.widgets import builders as ui
 
 
 class TravelPage(ChannelRows):
@@ -54,11 +55,7 @@ class EndSign(QWidget):
         policy.setRetainSizeWhenHidden(True)
         self._label.setSizePolicy(policy)
 
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 4, 0)
-        row.setSpacing(2)
-        row.addWidget(self._label)
-        row.addWidget(self._sign)
+        ui.row(self._label, self._sign, into=self, margins=(0, 0, 4, 0), spacing=2)
 
         self.show_state(EndState.OPEN)
 

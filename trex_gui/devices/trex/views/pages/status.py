@@ -5,14 +5,11 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QFormLayout,
     QGroupBox,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
-    QPushButton,
     QSizePolicy,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -21,8 +18,8 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.header_names import name_headers
 from trex_gui.ui.widgets.visibility import only_when_visible
 
@@ -60,19 +57,11 @@ class StatusPage(QWidget):
         )
         errors = QGroupBox(self.tr("Errors seen"), self)
         self._table = self._error_table(errors)
-        self._reset = QPushButton(self.tr("Reset c&ounts"), errors)
-        self._reset.setObjectName("resetCountsButton")
-        set_icon(self._reset, "clear")
+        self._reset = ui.button(errors, "resetCountsButton", self.tr("Reset c&ounts"), icon="clear")
 
-        errors_layout = QVBoxLayout(errors)
-        errors_layout.addWidget(self._table)
-        errors_layout.addWidget(self._reset, 0, Qt.AlignmentFlag.AlignRight)
-        top = QHBoxLayout()
-        top.addWidget(board, 3)
-        top.addWidget(line, 2)
-        layout = QVBoxLayout(self)
-        layout.addLayout(top)
-        layout.addWidget(errors, 1)
+        ui.column(self._table, (self._reset, 0, Qt.AlignmentFlag.AlignRight), into=errors)
+        top = ui.row((board, 3), (line, 2))
+        ui.column(top, (errors, 1), into=self)
 
         self._reset.clicked.connect(device.errors.reset)
         device.link_changed.connect(self._on_device_changed)
@@ -89,10 +78,7 @@ class StatusPage(QWidget):
         form.setLabelAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         for key, text in rows.items():
-            value = QLabel(box)
-            value.setObjectName(f"{key}Value")
-            value.setWordWrap(True)
-            value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            value = ui.label(box, f"{key}Value", wrap=True, selectable=True)
             value.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
             form.addRow(text, value)
             if isinstance(label := form.labelForField(value), QLabel):
@@ -102,9 +88,9 @@ class StatusPage(QWidget):
 
     def _error_table(self, parent: QWidget) -> QTableWidget:
         entries = self._device.errors.entries
-        table = QTableWidget(len(entries), 4, parent)
-        table.setObjectName("errorsTable")
-        table.setAccessibleName(self.tr("Errors seen"))
+        table = ui.named(
+            QTableWidget(len(entries), 4, parent), "errorsTable", accessible=self.tr("Errors seen")
+        )
         name_headers(table)
         table.setHorizontalHeaderLabels(
             [self.tr("Error"), self.tr("Count"), self.tr("Last seen"), self.tr("What it means")]

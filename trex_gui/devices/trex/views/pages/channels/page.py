@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.device import Device
@@ -10,6 +10,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.output_bar import OutputBar
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.visibility import only_when_visible
 
 _CHANNEL, _INPUT, _BAR, _OUTPUT = range(4)
@@ -27,25 +28,20 @@ class ChannelsPage(QWidget):
         self._inputs: dict[int, QLabel] = {}
         self._bars: dict[int, ChannelBar] = {}
         self._outputs: dict[int, OutputBar] = {}
-        self._summary = QLabel(self)
-        self._summary.setWordWrap(True)
-        self._summary.setObjectName("channelsSummary")
-        self._legend = QLabel(
+        self._summary = ui.label(self, "channelsSummary", wrap=True)
+        self._legend = ui.label(
+            self,
+            "",
             self.tr(
                 "The bar shows the input as it comes in. Its marks are the channel's calibration: "
                 "full output at min and max, none within the shaded deadband around neutral. "
                 "Channels 1 to 3 drive motors in RC and analog mode; in serial mode they are only "
                 "measured."
             ),
-            self,
+            wrap=True,
         )
-        self._legend.setWordWrap(True)
 
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(16)
-        grid.setVerticalSpacing(10)
-        grid.setColumnStretch(_BAR, 3)
-        grid.setColumnStretch(_OUTPUT, 2)
+        grid = ui.grid(spacing=(16, 10), stretch=[(_BAR, 3), (_OUTPUT, 2)])
         for column, text in (
             (_CHANNEL, self.tr("Channel")),
             (_INPUT, self.tr("Input (counts)")),
@@ -55,11 +51,7 @@ class ChannelsPage(QWidget):
             grid.addWidget(self._heading(text), 0, column)
         for channel in CHANNELS:
             self._add_row(grid, channel)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._summary)
-        layout.addLayout(grid)
-        layout.addWidget(self._legend)
-        layout.addStretch(1)
+        ui.column(self._summary, grid, self._legend, 1, into=self)
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
@@ -68,28 +60,27 @@ class ChannelsPage(QWidget):
         self._on_device_changed()
 
     def _heading(self, text: str) -> QLabel:
-        label = QLabel(text, self)
-        font = label.font()
-        font.setBold(True)
-        label.setFont(font)
-        return label
+        return ui.label(self, "", text, bold=True)
 
     def _add_row(self, grid: QGridLayout, channel: int) -> None:
         row = channel
         role = CHANNEL_ROLES[channel]
         name = QLabel(f"<b>{channel}</b><br><small>{role}</small>", self)
         name.setTextFormat(Qt.TextFormat.RichText)
-        value = QLabel(self)
-        value.setObjectName(f"channel{channel}Input")
+        value = ui.label(self, f"channel{channel}Input")
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         value.setMinimumWidth(value.fontMetrics().horizontalAdvance("1500 µs (3750)") + 8)
-        bar = ChannelBar(self)
-        bar.setObjectName(f"channel{channel}Bar")
+        bar = ui.named(
+            ChannelBar(self),
+            f"channel{channel}Bar",
+            accessible=self.tr("Raw input of channel {0}").format(channel),
+        )
         bar.set_value_shown(False)
-        bar.setAccessibleName(self.tr("Raw input of channel {0}").format(channel))
-        output = OutputBar(self)
-        output.setObjectName(f"channel{channel}Output")
-        output.setAccessibleName(self.tr("Remapped channel {0}").format(channel))
+        output = ui.named(
+            OutputBar(self),
+            f"channel{channel}Output",
+            accessible=self.tr("Remapped channel {0}").format(channel),
+        )
         for column, widget in ((_CHANNEL, name), (_INPUT, value), (_BAR, bar), (_OUTPUT, output)):
             grid.addWidget(widget, row, column)
         self._inputs[channel] = value

@@ -1,11 +1,12 @@
 """One motor's hand-hold: slider, entry box, brake, and what the board reports beside it."""
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.views.output_bar import OutputBar
 from trex_gui.devices.trex.views.pages.motors.speed_entry import SpeedEntry
 from trex_gui.devices.trex.views.pages.motors.speed_slider import SpeedSlider
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.elided_label import ElidedLabel
 
 FULL_SPEED = 127
@@ -36,48 +37,36 @@ class DriveControl(QWidget):
         self._two_way = two_way
         lowest = -FULL_SPEED if two_way else 0
 
-        self._title = QLabel(self)
-        self._title.setObjectName(f"{name}Title")
-        font = self._title.font()
-        font.setBold(True)
-        self._title.setFont(font)
-        self._slider = SpeedSlider(lowest, self)
-        self._slider.setObjectName(f"{name}Slider")
-        self._entry = SpeedEntry(self)
-        self._entry.setObjectName(f"{name}Entry")
+        self._title = ui.label(self, f"{name}Title", bold=True)
+        self._slider = ui.named(SpeedSlider(lowest, self), f"{name}Slider")
+        self._entry = ui.named(SpeedEntry(self), f"{name}Entry")
         self._entry.setRange(-FULL_SPEED, FULL_SPEED)
         self._entry.setMinimumWidth(self._entry.sizeHint().width() + 8)  # as wide with any range
         self._entry.setRange(lowest, FULL_SPEED)
         for widget in (self._slider, self._entry):
             widget.installEventFilter(self)
-        self._zero = QPushButton(self.tr("Zero"), self)
-        self._zero.setObjectName(f"{name}Zero")
-        self._zero.setToolTip(self.tr("Speed 0: the motor is not driven and coasts"))
-        self._brake = QPushButton(self.tr("Brake"), self)
-        self._brake.setObjectName(f"{name}Brake")
-        self._bar = OutputBar(self, bipolar=two_way)
-        self._bar.setObjectName(f"{name}Channel")
+        self._zero = ui.button(
+            self,
+            f"{name}Zero",
+            self.tr("Zero"),
+            tip=self.tr("Speed 0: the motor is not driven and coasts"),
+            on_click=self._on_zero_clicked,
+        )
+        self._brake = ui.button(self, f"{name}Brake", self.tr("Brake"), on_click=self.brake_wanted)
+        self._bar = ui.named(OutputBar(self, bipolar=two_way), f"{name}Channel")
         self._bar.hide()
-        self._asked = QLabel(self)
-        self._asked.setObjectName(f"{name}Asked")
-        self._reported = ElidedLabel(self.tr("Board: serial in control, 10.00 A…"), self)
-        self._reported.setObjectName(f"{name}Reported")
+        self._asked = ui.label(self, f"{name}Asked")
+        self._reported = ui.named(
+            ElidedLabel(self.tr("Board: serial in control, 10.00 A…"), self), f"{name}Reported"
+        )
         self._reported.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for button in (self._zero, self._brake):
             button.setMinimumWidth(button.fontMetrics().horizontalAdvance(button.text()) + 20)
         if not two_way:
             self._brake.hide()
 
-        layout = QGridLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setHorizontalSpacing(8)
-        layout.setVerticalSpacing(2)
-        words = QHBoxLayout()
-        words.setSpacing(10)
-        words.addWidget(self._title)
-        words.addWidget(self._asked)
-        words.addStretch(1)
-        words.addWidget(self._reported)
+        layout = ui.grid(self, margins=0, spacing=(8, 2))
+        words = ui.row(self._title, self._asked, 1, self._reported, spacing=10)
         layout.addLayout(words, 0, 0, 1, 4)
         layout.addWidget(self._slider, 1, 0)
         layout.addWidget(self._entry, 1, 1, Qt.AlignmentFlag.AlignTop)
@@ -92,8 +81,6 @@ class DriveControl(QWidget):
         self._slider.grabbed.connect(self.grabbed)
         self._slider.released.connect(self.released)
         self._entry.chosen.connect(self._on_entry_chosen)
-        self._zero.clicked.connect(self._on_zero_clicked)
-        self._brake.clicked.connect(self.brake_wanted)
         self.set_title(title)
 
     @property

@@ -3,7 +3,7 @@
 from html import escape
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from trex_gui.devices.trex.model.driving.drive_status import (
     DriveBlocker,
@@ -13,6 +13,7 @@ from trex_gui.devices.trex.model.driving.drive_status import (
 )
 from trex_gui.ui.theme.icons import icon, set_icon
 from trex_gui.ui.theme.theme import theme, tint
+from trex_gui.ui.widgets import builders as ui
 
 _LINES = 2
 
@@ -31,29 +32,23 @@ class Head(QWidget):
         self._blocker = DriveBlocker.NO_BOARD
         self._shown = ("", "")
         self._sign = QLabel(self)
-        self._text = QLabel(self)
-        self._text.setObjectName("motorsReason")
-        self._text.setWordWrap(True)
+        self._text = ui.label(self, "motorsReason", wrap=True)
         self._text.setTextFormat(Qt.TextFormat.RichText)
         self._text.setMinimumHeight(_LINES * self._text.fontMetrics().lineSpacing())
         self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
-        self._run = QPushButton(self.tr("Run motor"), self)
-        self._run.setObjectName("motorsRunButton")
-        self._run.setToolTip(self.tr("Let what you do on this page move the motors"))
-        font = self._run.font()
-        font.setBold(True)
-        self._run.setFont(font)
+        self._run = ui.button(
+            self,
+            "motorsRunButton",
+            self.tr("Run motor"),
+            tip=self.tr("Let what you do on this page move the motors"),
+            on_click=self.run_wanted,
+        )
+        ui.set_bold(self._run)
         tint(self._run, "run")
         set_icon(self._run, "run", "run_text")
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(10)
-        layout.addWidget(self._sign)
-        layout.addWidget(self._text, 1)
-        layout.addWidget(self._run)
+        ui.row(self._sign, (self._text, 1), self._run, into=self, margins=0, spacing=10)
 
-        self._run.clicked.connect(self.run_wanted)
         theme().changed.connect(self._on_theme_changed)
         self._on_theme_changed()
 

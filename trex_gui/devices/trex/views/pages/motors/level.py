@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QSlider, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.pages.motors.speed_entry import SpeedEntry
+from trex_gui.ui.widgets import builders as ui
 
 
 class _StrengthEntry(SpeedEntry):
@@ -31,13 +32,11 @@ class Level(QObject):
     def __init__(self, title: str, name: str, lowest: int, parent: QWidget) -> None:
         super().__init__(parent)
         self._label = QLabel(title, parent)
-        self._slider = QSlider(Qt.Orientation.Horizontal, parent)
-        self._slider.setObjectName(f"{name}Slider")
+        self._slider = ui.named(QSlider(Qt.Orientation.Horizontal, parent), f"{name}Slider")
         self._slider.setRange(lowest, FULL_SCALE)
         self._slider.setPageStep(16)
         self._slider.setMinimumWidth(90)
-        self._entry = _StrengthEntry(parent)
-        self._entry.setObjectName(f"{name}Entry")
+        self._entry = ui.named(_StrengthEntry(parent), f"{name}Entry")
         self._entry.setRange(lowest, FULL_SCALE)
         self._label.setBuddy(self._entry)
         plain = title.replace("&", "")

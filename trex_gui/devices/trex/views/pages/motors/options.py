@@ -2,10 +2,7 @@
 
 from PySide6.QtCore import QSettings, Signal, Slot
 from PySide6.QtWidgets import (
-    QCheckBox,
-    QGridLayout,
     QGroupBox,
-    QHBoxLayout,
     QLabel,
     QRadioButton,
     QSizePolicy,
@@ -18,6 +15,7 @@ from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.pages.motors.level import Level
 from trex_gui.devices.trex.views.pages.motors.speed_entry import SpeedEntry
+from trex_gui.ui.widgets import builders as ui
 
 _SPACING = 6  # pixels
 
@@ -39,33 +37,36 @@ class Options(QGroupBox):
         self._joint = False
         self._store = QSettings(self)
 
-        self._accelerate = QRadioButton(self.tr("&Accelerate along the board's ramp"), self)
-        self._accelerate.setObjectName("accelerateButton")
-        self._accelerate.setToolTip(
-            self.tr("Speeds grow as Acceleration says, reversing waits for the brake duration")
+        self._accelerate = ui.named(
+            QRadioButton(self.tr("&Accelerate along the board's ramp"), self),
+            "accelerateButton",
+            tip=self.tr("Speeds grow as Acceleration says, reversing waits for the brake duration"),
         )
-        self._set = QRadioButton(self.tr("Se&t at once"), self)
-        self._set.setObjectName("setButton")
-        self._set.setToolTip(
-            self.tr("Bypasses ramp and brake duration, and for a moment also the current limit")
+        self._set = ui.named(
+            QRadioButton(self.tr("Se&t at once"), self),
+            "setButton",
+            tip=self.tr(
+                "Bypasses ramp and brake duration, and for a moment also the current limit"
+            ),
         )
         self._accelerate.setChecked(motors.accelerate)
         self._set.setChecked(not motors.accelerate)
-        self._return = QCheckBox(self.tr("Return slider to &zero when it is released"), self)
-        self._return.setObjectName("returnToZero")
-        self._return.setToolTip(
-            self.tr("A slider drives only while you hold it; letting go brakes its motor")
+        self._return = ui.check_box(
+            self,
+            "returnToZero",
+            self.tr("Return slider to &zero when it is released"),
+            tip=self.tr("A slider drives only while you hold it; letting go brakes its motor"),
         )
-        self._link = QCheckBox(self.tr("&Link both motors"), self)
-        self._link.setObjectName("linkMotors")
-        self._keys = QCheckBox(self.tr("Drive with arrow &keys or WASD"), self)
-        self._keys.setObjectName("driveWithKeys")
-        self._keys.setToolTip(
-            self.tr(
+        self._link = ui.check_box(self, "linkMotors", self.tr("&Link both motors"))
+        self._keys = ui.check_box(
+            self,
+            "driveWithKeys",
+            self.tr("Drive with arrow &keys or WASD"),
+            tip=self.tr(
                 "Keys drive while they are held, wherever the focus is on this page, except in "
                 "number fields, tables and lists; sliders get no arrow keys meanwhile. In the pad "
                 "they always do."
-            )
+            ),
         )
         self._ceiling = Level(self.tr("&Speed ceiling"), "ceiling", 1, self)
         self._ceiling.explain(self.tr("No greater speed is sent; full on pad and keys means this"))
@@ -78,9 +79,11 @@ class Options(QGroupBox):
             )
         )
         lock_name = QLabel(self.tr("L&ock after Stop"), self)
-        self._lock = SpeedEntry(self)
-        self._lock.setObjectName("lockoutEntry")
-        self._lock.setAccessibleName(self.tr("Seconds that Run motor is locked after Stop"))
+        self._lock = ui.named(
+            SpeedEntry(self),
+            "lockoutEntry",
+            accessible=self.tr("Seconds that Run motor is locked after Stop"),
+        )
         self._lock.setRange(0, round(LONGEST))
         self._lock.setSuffix(self.tr(" s"))
         self._lock.setSpecialValueText(self.tr("none (0 s)"))
@@ -99,24 +102,15 @@ class Options(QGroupBox):
         for widget in (self._accelerate, self._set, self._keys):
             how.addWidget(widget)
         how.addStretch(1)
-        hold = QGridLayout()
-        hold.setHorizontalSpacing(2 * _SPACING)
-        hold.setVerticalSpacing(_SPACING)
+        hold = ui.grid(spacing=(2 * _SPACING, _SPACING))
         self._ceiling.add_to(hold, 0)
         self._brake.add_to(hold, 1)
-        checks = QHBoxLayout()
-        checks.setSpacing(3 * _SPACING)
-        checks.addWidget(self._return)
-        checks.addWidget(self._link)
-        checks.addStretch(1)
+        checks = ui.row(self._return, self._link, 1, spacing=3 * _SPACING)
         hold.addWidget(lock_name, 2, 0)
         hold.addWidget(self._lock, 2, 2)
         hold.addLayout(checks, 3, 0, 1, 3)
         hold.setColumnStretch(1, 1)
-        layout = QHBoxLayout(self)
-        layout.setSpacing(4 * _SPACING)
-        layout.addLayout(how)
-        layout.addLayout(hold, 1)
+        ui.row(how, (hold, 1), into=self, spacing=4 * _SPACING)
 
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 

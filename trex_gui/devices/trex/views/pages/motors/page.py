@@ -4,7 +4,7 @@ from functools import partial
 
 from PySide6.QtCore import QEvent, Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QGridLayout, QGroupBox, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QGroupBox, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.drive_status import drive_inputs
@@ -26,6 +26,7 @@ from trex_gui.devices.trex.views.pages.motors.options import Options
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.visibility import only_when_visible
 
 _AUXILIARY = 3
@@ -71,24 +72,14 @@ class MotorsPage(QWidget):
         self._facts = Facts(device.parameters, self)
         self._keys = KeyDriver(self._key_drive, device.motors, self, self._pad)
 
-        drive = QHBoxLayout(self._drive_box)
-        drive.setSpacing(16)
-        drive.addWidget(self._pad)
-        column = QVBoxLayout()
-        column.setSpacing(8)
-        for control in self._controls.values():
-            column.addWidget(control)
-        column.addStretch(1)
+        drive = ui.row(self._pad, into=self._drive_box, spacing=16)
+        column = ui.column(*self._controls.values(), 1, spacing=8)
         drive.addLayout(column, 1)
         self._docks = QGridLayout()
         self.dock(GamepadPanel(device, self))
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._head)
-        layout.addWidget(self._drive_box)
-        layout.addWidget(self._options)
-        layout.addWidget(self._facts)
-        layout.addLayout(self._docks)
-        layout.addStretch(1)
+        ui.column(
+            self._head, self._drive_box, self._options, self._facts, self._docks, 1, into=self
+        )
 
         self._forget_holder.timeout.connect(self._on_event_over)
         self._head.run_wanted.connect(self._motors.arm)
