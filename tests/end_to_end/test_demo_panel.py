@@ -20,7 +20,7 @@ from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.widgets.stick_slider import StickSlider
+from trex_gui.ui.widgets.sliders import StickSlider
 
 CONTROLS = {
     *("demoPower", "demoPowerCycle", "demoBattery", "demoMode", "demoMix", "demoSoGround"),

@@ -6,8 +6,14 @@ from hypothesis import strategies as st
 
 from tests.support.pads import PAD
 from trex_gui.gamepad.pads import Pad
-from trex_gui.gamepad.profile import Axis, GamepadProfile, Style, default_profile, read_profile
-from trex_gui.gamepad.shaping import shape
+from trex_gui.gamepad.profile import (
+    Axis,
+    GamepadProfile,
+    Style,
+    default_profile,
+    read_profile,
+    shape,
+)
 
 ZONES = st.floats(0, 0.5)
 PARTS = st.floats(0, 1)

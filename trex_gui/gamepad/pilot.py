@@ -4,8 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from trex_gui.gamepad.pads import PadState
-from trex_gui.gamepad.profile import Axis, GamepadProfile, Style
-from trex_gui.gamepad.shaping import is_at_rest, shape
+from trex_gui.gamepad.profile import Axis, GamepadProfile, Style, is_at_rest, shape
 
 
 class Waits(Enum):

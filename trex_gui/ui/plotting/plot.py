@@ -27,8 +27,8 @@ from trex_gui.ui.plotting.marks import (
     Readout,
 )
 from trex_gui.ui.widgets.bar import MINUS
+from trex_gui.ui.widgets.behaviour import FocusFramed
 from trex_gui.ui.widgets.builders import column
-from trex_gui.ui.widgets.focus_frame import FocusFramed
 
 BINS = 500
 """Parts of the width that get two points each."""

@@ -21,7 +21,7 @@ from trex_gui.ui.plotting.marks import charge_text, mean_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import MINUS
-from trex_gui.ui.widgets.header_names import name_headers
+from trex_gui.ui.widgets.behaviour import name_headers
 
 Index = QModelIndex | QPersistentModelIndex
 

@@ -24,7 +24,7 @@ from trex_gui.ui.traffic.saver import TrafficSaver, row_of
 from trex_gui.ui.traffic.table import TrafficTable
 from trex_gui.ui.traffic.table_view import TrafficView
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.visibility import only_when_visible
+from trex_gui.ui.widgets.behaviour import only_when_visible
 
 _TYPING_MS = 200
 

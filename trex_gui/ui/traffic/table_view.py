@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidge
 
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.traffic.table import RECEIVED, SENT, TIME, TOOK, TrafficTable
-from trex_gui.ui.widgets.header_names import name_headers
+from trex_gui.ui.widgets.behaviour import name_headers
 
 _SAMPLES = {
     TIME: "00:00:00.000",

@@ -4,11 +4,12 @@ from collections.abc import Callable, Iterable
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, Qt, SignalInstance
-from PySide6.QtGui import QAction, QIcon, QKeySequence
+from PySide6.QtGui import QAction, QIcon, QKeySequence, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QBoxLayout,
     QCheckBox,
+    QComboBox,
     QDoubleSpinBox,
     QGridLayout,
     QHBoxLayout,
@@ -25,7 +26,21 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
+
+
+class NoWheelComboBox(QComboBox):
+    """The wheel changes it only while it has the focus; else it scrolls what is behind."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
 
 Handler = Callable[..., object] | SignalInstance
 """What a signal is connected to."""

@@ -26,7 +26,7 @@ from trex_gui.devices.aracna.views.demo.gauge import ServoGauge
 from trex_gui.devices.aracna.views.demo.panel import DemoRobotView
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.leds import Lamp
-from trex_gui.ui.widgets.stick_slider import StickSlider
+from trex_gui.ui.widgets.sliders import StickSlider
 
 
 class DemoRobotPanel(WidgetDriver):

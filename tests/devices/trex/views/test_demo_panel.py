@@ -37,10 +37,10 @@ from trex_gui.devices.trex.views.demo.words import (
 from trex_gui.program import Program
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.builders import NoWheelComboBox
+from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.leds import Leds, is_lit
-from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
-from trex_gui.ui.widgets.note import Note
-from trex_gui.ui.widgets.stick_slider import StickSlider
+from trex_gui.ui.widgets.sliders import StickSlider
 
 # --- Words ------------------------------------------------------------------------------
 

@@ -10,9 +10,8 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver
+from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedEntry, SpeedSlider
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
-from trex_gui.devices.trex.views.pages.motors.speed_entry import SpeedEntry
-from trex_gui.devices.trex.views.pages.motors.speed_slider import SpeedSlider
 
 
 class DriveControlsDriver(WidgetDriver):

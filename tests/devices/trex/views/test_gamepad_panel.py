@@ -17,8 +17,8 @@ from tests.support.pads import PAD, HeldPads
 from tests.support.pages.gamepad_panel import GamepadPanelPage, Y
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.driving.gamepad_bar import PartBar
 from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
+from trex_gui.devices.trex.views.driving.gamepad_parts import PartBar
 from trex_gui.gamepad.profile import Axis, Style
 from trex_gui.gamepad.sdl import HOW_TO_INSTALL, SdlPads
 from trex_gui.ui.widgets.leds import Lamp

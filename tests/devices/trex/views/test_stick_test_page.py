@@ -11,7 +11,7 @@ from tests.support.transmitter import Stick
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 
 @pytest.fixture

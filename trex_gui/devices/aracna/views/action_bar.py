@@ -8,7 +8,7 @@ from trex_gui.devices.aracna.model.robot_state import PlayState
 from trex_gui.devices.aracna.views.stop_button import StopSequenceButton
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 _LOOK_MS = 100
 

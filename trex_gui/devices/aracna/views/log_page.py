@@ -19,7 +19,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import Event, EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.widgets.visibility import only_when_visible
+from trex_gui.ui.widgets.behaviour import only_when_visible
 
 _MOST = 500
 

@@ -22,7 +22,7 @@ from trex_gui.devices.aracna.views.robot.words import (
 from trex_gui.devices.aracna.views.stop_button import StopSequenceButton
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _NONE = "–"

@@ -16,8 +16,12 @@ from trex_gui.devices.trex.discovery.diagnosis import suggests_scan
 from trex_gui.devices.trex.discovery.reconnect_candidates import reconnect_candidates
 from trex_gui.devices.trex.model.board_state import in_force
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.model.driving.board_stop import SHUTDOWN, why_the_board_stopped
-from trex_gui.devices.trex.model.driving.drive_controller import AfterStop, DriveController
+from trex_gui.devices.trex.model.driving.drive_controller import (
+    SHUTDOWN,
+    AfterStop,
+    DriveController,
+    why_the_board_stopped,
+)
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.model.errors import ErrorLog
 from trex_gui.devices.trex.model.event_watch import EventWatch

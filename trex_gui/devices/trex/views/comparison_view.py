@@ -25,7 +25,7 @@ from trex_gui.devices.trex.model.settings.comparison_table import (
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.header_names import name_headers
+from trex_gui.ui.widgets.behaviour import name_headers
 
 _ROW_MARGIN = 8
 

@@ -5,8 +5,8 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton, QWidget
 
 from trex_gui.ui.devices.demo.rows import Columns, Rows, side_by_side
 from trex_gui.ui.devices.demo_device import DemoDevice, SnapshotT
-from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
-from trex_gui.ui.widgets.stick_slider import StickSlider
+from trex_gui.ui.widgets.builders import NoWheelComboBox
+from trex_gui.ui.widgets.sliders import StickSlider
 
 _STEPS = 10  # slider positions in a per cent
 _HIGHEST = 5  # per cent of the bytes; more than that is no line any more

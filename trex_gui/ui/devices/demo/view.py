@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QPushButton, QSizePolicy, QVBoxLayout, QWidget
 from trex_gui.ui.devices.demo.dock import DemoUse
 from trex_gui.ui.devices.demo.rows import Rows
 from trex_gui.ui.devices.demo_device import DemoDevice, SnapshotT
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 
 class DemoPanelBody(QWidget, Generic[SnapshotT]):

@@ -5,7 +5,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import StartSimulator
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.model.driving.board_stop import why_the_board_stopped
+from trex_gui.devices.trex.model.driving.drive_controller import why_the_board_stopped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.program import Program

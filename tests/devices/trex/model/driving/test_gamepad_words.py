@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication
 
 from tests.support.pads import PAD
-from trex_gui.devices.trex.model.driving.gamepad_text import GamepadWords
+from trex_gui.devices.trex.model.driving.gamepad import GamepadWords
 
 UNKNOWN = replace(PAD, parts={})
 

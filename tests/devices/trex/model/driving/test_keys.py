@@ -2,7 +2,7 @@
 
 import pytest
 
-from trex_gui.devices.trex.model.driving.keys import TURN_WHILE_GOING, Heading, HeldKeys
+from trex_gui.devices.trex.model.driving.momentary_drive import TURN_WHILE_GOING, Heading, HeldKeys
 
 KEYS = {"W": Heading.FORWARD, "S": Heading.BACK, "A": Heading.LEFT, "D": Heading.RIGHT}
 

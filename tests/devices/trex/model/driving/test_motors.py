@@ -14,9 +14,8 @@ from trex_gui.devices.trex.driving.requests import (
     SetMotors,
     SetpointRequest,
 )
-from trex_gui.devices.trex.model.driving.lockout import remember_lockout
 from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
-from trex_gui.devices.trex.model.driving.motors import LOCKOUT, Motors
+from trex_gui.devices.trex.model.driving.motors import LOCKOUT, Motors, remember_lockout
 from trex_gui.devices.trex.protocol.commands import Drive
 
 

@@ -7,7 +7,7 @@ from trex_gui.devices.aracna.model.demo_snapshot import RobotSnapshot
 from trex_gui.devices.aracna.views.demo.words import columns, power_text
 from trex_gui.ui.devices.demo.rows import Rows, side_by_side
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 
 class RobotPower(Rows[RobotSnapshot]):

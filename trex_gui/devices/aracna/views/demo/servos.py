@@ -10,7 +10,7 @@ from trex_gui.devices.aracna.views.demo.gauge import ServoGauge
 from trex_gui.devices.aracna.views.demo.words import servo_text, tr
 from trex_gui.devices.aracna.views.robot.words import spoken_joint
 from trex_gui.ui.devices.demo.rows import Columns, Rows
-from trex_gui.ui.widgets.stick_slider import StickSlider
+from trex_gui.ui.widgets.sliders import StickSlider
 
 _STEP, _PAGE = 5, 20  # per cent of the speed
 _LEAST = 44  # pixels of a slider

@@ -38,7 +38,7 @@ from trex_gui.devices.aracna.views.poses.name_list import NameList, paint_empty,
 from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import builders
-from trex_gui.ui.widgets.header_names import name_headers
+from trex_gui.ui.widgets.behaviour import name_headers
 
 _Index = QModelIndex | QPersistentModelIndex
 _LINES = 5

@@ -15,7 +15,7 @@ from trex_gui.devices.aracna.views.poses.pose_box import PoseBox
 from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import builders
-from trex_gui.ui.widgets.elided_label import ElidedLabel
+from trex_gui.ui.widgets.labels import ElidedLabel
 
 
 class PosesPanel(QWidget):

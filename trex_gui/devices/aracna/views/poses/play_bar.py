@@ -24,7 +24,7 @@ from trex_gui.devices.aracna.poses.project import Pose, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import Play
 from trex_gui.ui.widgets import builders
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 _MOST_ROUNDS = 999
 _SLOWEST, _FASTEST = 10, 400  # percent

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.protocol.units import HIGHEST
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.press_slider import PressSlider
+from trex_gui.ui.widgets.sliders import PressSlider
 
 _BELOW = 7
 

@@ -8,7 +8,7 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.speeds import FIRST_SPEED
 from trex_gui.devices.aracna.views.robot.words import speed_text as meaning
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 
 class Reports(QWidget):

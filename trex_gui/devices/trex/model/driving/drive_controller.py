@@ -2,11 +2,12 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
 from trex_gui.core.errors import NoReply, StudioError
 from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
     Arm,
@@ -18,6 +19,8 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier
@@ -194,3 +197,29 @@ class DriveController(QObject):
                 "confirmed one; if it is another board, cut the power of the first."
             )
             self._notifier.error.emit(text.format(lost.name or lost.url))
+
+
+SHUTDOWN = ParameterKey.UART_ERROR_SHUTDOWN
+"""The parameter that lets any serial error stop the motors (0x08)."""
+
+
+def why_the_board_stopped(news: LatchedStatus, *, errors_stop: bool) -> str:
+    """Return why the motors are at rest after these bits, for people; empty: they are not.
+
+    A serial timeout stops them always, every other serial error where 0x08 says so
+    (`errors_stop`). The next motor command would start them again: that is a person's to give.
+    """
+    if news.uart & UartError.TIMEOUT:
+        return QCoreApplication.translate(
+            "board_stop",
+            "The board heard nothing for the time of Serial Timeout and stopped its motors.",
+        )
+    if news.uart and errors_stop:
+        names = ", ".join(name for bit, (name, _) in UART_MEANING.items() if news.uart & bit)
+        text = QCoreApplication.translate(
+            "board_stop",
+            "The board stopped its motors because of an error on the line ({0}), as UART-Error "
+            "Shutdown tells it to.",
+        )
+        return text.format(names.lower())
+    return ""

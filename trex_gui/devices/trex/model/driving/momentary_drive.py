@@ -1,9 +1,11 @@
-"""A control that drives both motors while it is held: pad or keys."""
+"""Driving both motors with a control that is held: forward and turn, mixing, held keys."""
+
+from enum import Enum, auto
 
 from PySide6.QtCore import QObject
 
-from trex_gui.devices.trex.model.driving.mixing import mix
 from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
 
 class MomentaryDrive(QObject):
@@ -53,3 +55,66 @@ class MomentaryDrive(QObject):
     def lose(self, reason: str) -> None:
         """Stop and disarm: nobody can see any more what is held."""
         self._motors.abort(self._name, reason)
+
+
+def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
+    """Return the speeds of motors 1 and 2 for a wish of -1 to 1 each way.
+
+    Motor 1 is the left one: turning right (positive) adds to it. That is the board's own mixing
+    of channels (forward plus turn, forward minus turn; inferred there, reference section 3), so a
+    robot turns the same way by pad and by stick. Where a sum is beyond full speed both are made
+    smaller in proportion: the robot keeps the curve that was asked for, instead of losing it as
+    by clipping. `ceiling` (1 to 127) is the speed that a full wish means.
+    """
+    left, right = forward + turn, forward - turn
+    scale = ceiling / max(1.0, abs(left), abs(right))
+    return round(left * scale), round(right * scale)
+
+
+TURN_WHILE_GOING = 0.5
+"""How much of a turn is wished while a key for forward or back is held, too.
+
+With a full turn one side would stand still; half of one leaves a curve that can be steered.
+"""
+
+
+class Heading(Enum):
+    """What a key is for."""
+
+    FORWARD = auto()
+    BACK = auto()
+    LEFT = auto()
+    RIGHT = auto()
+
+
+class HeldKeys:
+    """The keys that are down; two for the same heading count once, opposite ones cancel."""
+
+    def __init__(self) -> None:
+        self._down: dict[int, Heading] = {}
+
+    def press(self, key: int, heading: Heading) -> None:
+        """Take a key that went down; `key` tells it from all others, whatever it is called."""
+        self._down[key] = heading
+
+    def release(self, key: int) -> bool:
+        """Take a key that went up; return whether it was one of those held."""
+        return self._down.pop(key, None) is not None
+
+    def clear(self) -> None:
+        """Let go of all."""
+        self._down.clear()
+
+    def __bool__(self) -> bool:
+        return bool(self._down)
+
+    @property
+    def wish(self) -> tuple[float, float]:
+        """Forward and turn, -1 to 1 each; forward and right are positive."""
+        forward = self._along(Heading.FORWARD, Heading.BACK)
+        turn = self._along(Heading.RIGHT, Heading.LEFT)
+        return forward, turn * TURN_WHILE_GOING if forward else turn
+
+    def _along(self, there: Heading, back: Heading) -> float:
+        held = set(self._down.values())
+        return float((there in held) - (back in held))

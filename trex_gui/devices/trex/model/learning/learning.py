@@ -6,13 +6,18 @@ from enum import Enum, auto
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.learning.channel import LearnedChannel
-from trex_gui.devices.trex.model.learning.channels import LearnedChannels
-from trex_gui.devices.trex.model.learning.edits import edit_what_is_chosen, has_edit, other_edits
+from trex_gui.devices.trex.model.learning.channels import LearnedChannel, LearnedChannels
 from trex_gui.devices.trex.model.learning.measured_inputs import Counts, MeasuredInputs
-from trex_gui.devices.trex.model.learning.pending_values import PendingLearnedValues
-from trex_gui.devices.trex.model.learning.preconditions import CalibrationPreconditions
-from trex_gui.devices.trex.model.learning.standstill_check import StandstillCheck
+from trex_gui.devices.trex.model.learning.pending_values import (
+    PendingLearnedValues,
+    edit_what_is_chosen,
+    has_edit,
+    other_edits,
+)
+from trex_gui.devices.trex.model.learning.preconditions import (
+    CalibrationPreconditions,
+    StandstillCheck,
+)
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource

@@ -11,16 +11,17 @@ from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.traces import current_limit
+from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.bench.figures_table import FiguresTable
 from trex_gui.devices.trex.views.bench.files import BenchFiles
 from trex_gui.devices.trex.views.bench.hold_button import HoldButton
 from trex_gui.devices.trex.views.bench.plan_form import PlanForm
 from trex_gui.devices.trex.views.bench.tuning import Tuning
-from trex_gui.devices.trex.views.stop_button import StopButton
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import tint
+from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import (
     button,
     column,
@@ -32,9 +33,8 @@ from trex_gui.ui.widgets.builders import (
     set_bold,
     spin_box,
 )
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
-from trex_gui.ui.widgets.visibility import only_when_visible
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.bench.plot import BenchPlot

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.model.demo.snapshot import STICK_ENDS, DemoChannel, D
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.demo.words import columns, input_roles
 from trex_gui.ui.devices.demo.rows import Rows, side_by_side
-from trex_gui.ui.widgets.stick_slider import StickSlider
+from trex_gui.ui.widgets.sliders import StickSlider
 
 _STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}
 """Slider positions in a µs, and in a V."""

@@ -7,7 +7,7 @@ from trex_gui.devices.trex.model.demo.board import DemoBoard
 from trex_gui.devices.trex.model.demo.snapshot import DemoMotor, DemoSnapshot
 from trex_gui.devices.trex.views.demo.words import columns, motor_text
 from trex_gui.ui.devices.demo.rows import Rows
-from trex_gui.ui.widgets.stick_slider import StickSlider
+from trex_gui.ui.widgets.sliders import StickSlider
 
 _STEPS = 10  # slider positions in an ampere
 

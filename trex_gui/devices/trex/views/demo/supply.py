@@ -8,9 +8,9 @@ from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
 from trex_gui.devices.trex.views.demo.words import columns, jumper_hint
 from trex_gui.ui.devices.demo.rows import Rows, side_by_side
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
-from trex_gui.ui.widgets.note import Note
-from trex_gui.ui.widgets.stick_slider import StickSlider
+from trex_gui.ui.widgets.builders import NoWheelComboBox
+from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.sliders import StickSlider
 
 _STEPS = 10  # slider positions in a volt
 _LOWEST, _HIGHEST, _USUAL = 4.0, 16.0, 12.0  # V; below about 6 a TReX resets

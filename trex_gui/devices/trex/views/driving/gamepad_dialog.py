@@ -14,19 +14,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.driving.gamepad import Gamepad
-from trex_gui.devices.trex.model.driving.gamepad_text import GamepadWords
-from trex_gui.devices.trex.model.driving.mixing import mix
+from trex_gui.devices.trex.model.driving.gamepad import Gamepad, GamepadWords
+from trex_gui.devices.trex.model.driving.momentary_drive import mix
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.views.driving.gamepad_bar import PartBar
-from trex_gui.devices.trex.views.driving.gamepad_live import GamepadLive
-from trex_gui.devices.trex.views.driving.gamepad_rows import PartRow
+from trex_gui.devices.trex.views.driving.gamepad_parts import GamepadLive, PartBar, PartRow
 from trex_gui.gamepad.detection import InputDetector
 from trex_gui.gamepad.pads import Pad
-from trex_gui.gamepad.profile import GamepadProfile, Style, default_profile
-from trex_gui.gamepad.shaping import WIDEST_DEAD_ZONE
+from trex_gui.gamepad.profile import WIDEST_DEAD_ZONE, GamepadProfile, Style, default_profile
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 
 class GamepadDialog(QDialog):

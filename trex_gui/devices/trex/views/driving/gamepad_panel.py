@@ -10,13 +10,13 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.gamepad import Gamepad
-from trex_gui.devices.trex.views.driving.gamepad_bar import PartBar
 from trex_gui.devices.trex.views.driving.gamepad_dialog import GamepadDialog
+from trex_gui.devices.trex.views.driving.gamepad_parts import PartBar
 from trex_gui.gamepad.pads import PadSource
 from trex_gui.gamepad.sdl import SdlPads
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.builders import NoWheelComboBox
+from trex_gui.ui.widgets.labels import Note
 
 
 class GamepadPanel(QGroupBox):

@@ -13,8 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.driving.keys import Heading, HeldKeys
-from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
+from trex_gui.devices.trex.model.driving.momentary_drive import Heading, HeldKeys, MomentaryDrive
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.views.driving.press_monitor import PressMonitor
 

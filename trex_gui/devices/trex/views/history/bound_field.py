@@ -5,8 +5,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSpinBox, QWidge
 
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory
+from trex_gui.ui.widgets.builders import NoWheelComboBox
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
-from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 
 _MOST = 999_999
 

@@ -21,11 +21,11 @@ from trex_gui.core.files.text_files import load, save
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
 from trex_gui.devices.trex.settings.history import Snapshot
+from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.history.bound_field import BoundField
 from trex_gui.devices.trex.views.history.pane import SnapshotPane
 from trex_gui.devices.trex.views.history.present_choice import FILTER, FOLDER
 from trex_gui.devices.trex.views.history.snapshot_list import SnapshotList
-from trex_gui.devices.trex.views.stop_button import StopButton
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.banner import Banner

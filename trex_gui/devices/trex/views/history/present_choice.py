@@ -15,7 +15,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
+from trex_gui.ui.widgets.builders import NoWheelComboBox
 
 FOLDER = "settings/folder"
 FILTER = "Text files (*.txt);;All files (*)"

@@ -32,7 +32,7 @@ from trex_gui.devices.trex.model.settings.snapshots import (
 from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.header_names import name_headers
+from trex_gui.ui.widgets.behaviour import name_headers
 
 _WIDEST = 34  # characters of a column, to begin with
 

@@ -6,17 +6,15 @@ from PySide6.QtCore import QEvent, Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.learning.channel import LearnedChannel
+from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.views.learning.channel_rows import ChannelRows
-from trex_gui.devices.trex.views.learning.rest_page import RestPage
+from trex_gui.devices.trex.views.learning.measuring_pages import ChannelRows, RestPage, TravelPage
 from trex_gui.devices.trex.views.learning.review_page import ReviewPage
 from trex_gui.devices.trex.views.learning.step_strip import StepStrip
 from trex_gui.devices.trex.views.learning.test_page import TestPage
-from trex_gui.devices.trex.views.learning.travel_page import TravelPage
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _PAGES: dict[LearningStep, type[RestPage | TravelPage | ReviewPage | TestPage]] = {

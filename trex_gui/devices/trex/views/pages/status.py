@@ -20,8 +20,7 @@ from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.header_names import name_headers
-from trex_gui.ui.widgets.visibility import only_when_visible
+from trex_gui.ui.widgets.behaviour import name_headers, only_when_visible
 
 _NAME, _COUNT, _LAST, _MEANING = range(4)
 

@@ -14,8 +14,8 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import factory_settings, serial_defaults
+from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
-from trex_gui.devices.trex.views.stop_button import StopButton
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 

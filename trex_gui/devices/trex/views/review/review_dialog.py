@@ -21,12 +21,12 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.review.power_cycle_panel import PowerCyclePanel
-from trex_gui.devices.trex.views.stop_button import StopButton
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 
 class _Phase(Enum):

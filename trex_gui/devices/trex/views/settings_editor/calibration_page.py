@@ -31,7 +31,7 @@ from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.ui.theme.icons import icon, set_icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 Index = QModelIndex | QPersistentModelIndex
 

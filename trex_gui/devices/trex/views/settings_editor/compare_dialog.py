@@ -12,7 +12,7 @@ from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 
 class CompareDialog(QDialog):

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.document import factory_settings
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 
 class NewDialog(QDialog):

@@ -15,6 +15,7 @@ from trex_gui.devices.trex.model.settings.linter import SettingsLinter
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.rules import LintFinding
+from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.calibration_page import CalibrationEditor
 from trex_gui.devices.trex.views.settings_editor.compare_dialog import CompareDialog
@@ -22,7 +23,6 @@ from trex_gui.devices.trex.views.settings_editor.editor_actions import build_edi
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
-from trex_gui.devices.trex.views.stop_button import StopButton
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions

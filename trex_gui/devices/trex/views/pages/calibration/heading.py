@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.builders import button, column, label, named, row
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 _KEY = ParameterKey.CHANNEL_INPUT_SOURCE
 _SOURCES = (InputSource.RC, InputSource.ANALOG)

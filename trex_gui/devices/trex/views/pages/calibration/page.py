@@ -21,7 +21,7 @@ from trex_gui.devices.trex.views.pages.calibration.live import CurveLegend, Live
 from trex_gui.devices.trex.views.pages.calibration.options import ChannelOptions
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.builders import button, column, label, named, row
-from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.labels import Note
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.views.output_bar import OutputBar
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.visibility import only_when_visible
+from trex_gui.ui.widgets.behaviour import only_when_visible
 
 _CHANNEL, _INPUT, _BAR, _OUTPUT = range(4)
 

@@ -1,13 +1,207 @@
-"""One motor's hand-hold: slider, entry box, brake, and what the board reports beside it."""
+"""The controls of one motor: slider, entry box, zero and brake, and what the board reports."""
 
-from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QEvent, QObject, QRect, QSignalBlocker, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtWidgets import QSpinBox, QWidget
 
+from trex_gui.devices.trex.views.driving.press_monitor import PressMonitor
 from trex_gui.devices.trex.views.output_bar import OutputBar
-from trex_gui.devices.trex.views.pages.motors.speed_entry import SpeedEntry
-from trex_gui.devices.trex.views.pages.motors.speed_slider import SpeedSlider
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.elided_label import ElidedLabel
+from trex_gui.ui.widgets.labels import ElidedLabel
+from trex_gui.ui.widgets.sliders import PressSlider
+
+_MARKS = (-127, -64, 0, 64, 127)
+
+_MOVING_KEYS = {
+    *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down),
+    *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
+}
+
+
+class SpeedSlider(PressSlider):
+    """Horizontal, from `lowest` to 127; the groove is filled from zero to the handle.
+
+    Qt's own slider fills from the left end and has no tick at zero for such a range. Home is
+    zero, and End does nothing: one key must not mean full speed.
+
+    Signals:
+        grabbed: a mouse button or a key that moves it went down.
+        released: that is over, or cannot be told any more: the focus is gone, or it is hidden,
+            disabled, or covered by a menu or a dialog.
+    """
+
+    def __init__(self, lowest: int, parent: QWidget | None = None) -> None:
+        super().__init__(lowest, 127, parent)
+        self._ceiling = 127
+        self._watch = PressMonitor(self)
+        self.setPageStep(16)
+
+        self._watch.lost.connect(self.let_go)
+        self.grabbed.connect(self._watch.begin)
+        self.released.connect(self._watch.end)
+
+    def set_ceiling(self, ceiling: int) -> None:
+        """Show up to which speed, 1-127, it is of use, either way."""
+        if ceiling != self._ceiling:
+            self._ceiling = ceiling
+            self.update()
+
+    # --- Hands --------------------------------------------------------------------------
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Let go where the button went up unseen."""
+        if self.isSliderDown() and not event.buttons() & Qt.MouseButton.LeftButton:
+            self.let_go()
+        super().mouseMoveEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        match event.key():
+            case Qt.Key.Key_Home | Qt.Key.Key_0:
+                self.setValue(0)
+            case Qt.Key.Key_End:
+                pass
+            case key if key in _MOVING_KEYS:
+                if event.isAutoRepeat() and not self.held:
+                    return  # it was let go meanwhile; the key has to go down anew
+                self.grab_handle()
+                super().keyPressEvent(event)
+            case _:
+                super().keyPressEvent(event)
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        """Let go with any key: what went down as an arrow may go up as a digit (Num Lock)."""
+        super().keyReleaseEvent(event)
+        if not event.isAutoRepeat() and not self.isSliderDown():
+            self.let_go()
+
+    # --- Looks --------------------------------------------------------------------------
+
+    def sizeHint(self) -> QSize:
+        hint = super().sizeHint()
+        return QSize(max(hint.width(), 240), hint.height() + self.fontMetrics().height() + 10)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(150, self.sizeHint().height())
+
+    def room_below(self) -> int:
+        """Leave room for the numbers."""
+        return self.fontMetrics().height() + 6
+
+    def paint_groove(self, painter: QPainter, handle: QRect) -> None:
+        """Paint the groove, its useful part, and the fill from zero."""
+        middle = handle.center().y()
+        left, right = self.x_of(self.minimum(), handle), self.x_of(self.maximum(), handle)
+        groove = QRect(left, middle - 3, right - left, 7)
+        painter.setPen(QPen(theme().color("track_edge")))
+        painter.setBrush(theme().color("track_off"))
+        painter.drawRoundedRect(groove, 3, 3)
+        if self.isEnabled():  # as far as the ceiling lets it go
+            start = self.x_of(max(-self._ceiling, self.minimum()), handle)
+            end = self.x_of(self._ceiling, handle)
+            painter.setBrush(theme().color("track"))
+            painter.drawRoundedRect(QRect(start, middle - 3, end - start, 7), 3, 3)
+        if not self.isEnabled():
+            return
+        zero, here = self.x_of(0, handle), handle.center().x()
+        name = "bar_negative" if self.sliderPosition() < 0 else "bar"
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme().color(name))
+        painter.drawRect(QRect(min(zero, here), middle - 2, abs(here - zero), 5))
+
+    def paint_below(self, painter: QPainter, handle: QRect) -> None:
+        """Paint ticks and numbers."""
+        painter.setPen(self.palette().color(self.foregroundRole()))
+        metrics = self.fontMetrics()
+        top = handle.bottom() + 2
+        for value in _MARKS:
+            if value < self.minimum():
+                continue
+            x = self.x_of(value, handle)
+            painter.drawLine(x, top, x, top + 4)
+            text = f"+{value}" if value > 0 and self.minimum() < 0 else str(value)
+            text = text.replace("-", "−")
+            width = metrics.horizontalAdvance(text)
+            place = min(max(x - width // 2, 0), self.width() - width)
+            painter.drawText(place, top + 6 + metrics.ascent(), text)
+
+
+class SpeedEntry(QSpinBox):
+    """Asks for a speed on Enter and on steps.
+
+    Qt's own box takes a half-typed number, too, when it loses the focus or is hidden: a motor
+    would start because a person looked at another page. Here the number is given up, and the
+    speed in force comes back.
+
+    Signals:
+        chosen: the speed that a person entered or stepped to.
+    """
+
+    chosen = Signal(int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._wish = 0
+        self._is_typed = False
+        self.setKeyboardTracking(False)
+        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+        self.lineEdit().textEdited.connect(self._on_edited)
+        self.valueChanged.connect(self._on_value_changed)
+
+    def set_limits(self, lowest: int, highest: int) -> None:
+        """Offer these speeds; a half-typed number is given up when they are others."""
+        if (lowest, highest) != (self.minimum(), self.maximum()):
+            with QSignalBlocker(self):
+                self.setRange(lowest, highest)
+            self.put(self._wish)
+
+    def show_wish(self, speed: int) -> None:
+        """Show the speed in force, now or when no half-typed number is in the box any more."""
+        self._wish = speed
+        if not self._is_typed:
+            self.put(speed)
+
+    def put(self, speed: int) -> None:
+        """Show a speed, whatever was typed, without asking for it."""
+        self._wish = speed
+        self._is_typed = False
+        with QSignalBlocker(self):
+            self.setValue(speed)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        is_entered = event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}
+        is_meant = is_entered and self._is_typed and self.hasAcceptableInput()
+        super().keyPressEvent(event)
+        if is_meant and self._is_typed:  # the number that was there before: Qt is silent
+            self._on_value_changed(self.value())
+        elif is_entered:
+            self.put(self._wish)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        self.put(self._wish)
+        super().focusOutEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self.put(self._wish)
+        super().hideEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() in {QEvent.Type.WindowDeactivate, QEvent.Type.Close}:
+            self.put(self._wish)
+        return super().event(event)
+
+    @Slot()
+    def _on_edited(self) -> None:
+        self._is_typed = True
+
+    @Slot(int)
+    def _on_value_changed(self, speed: int) -> None:
+        self._wish = speed
+        self._is_typed = False
+        self.chosen.emit(speed)
+
 
 FULL_SPEED = 127
 

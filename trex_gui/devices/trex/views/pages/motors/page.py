@@ -7,9 +7,8 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QWidget
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.drive_status import drive_inputs
+from trex_gui.devices.trex.model.driving.drive_status import SafeStartWatch, drive_inputs
 from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
-from trex_gui.devices.trex.model.driving.safe_start import SafeStartWatch
 from trex_gui.devices.trex.model.driving.setpoint_text import (
     auxiliary_report_text,
     channel_text,
@@ -20,14 +19,13 @@ from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.driving.key_driver import KeyDriver
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
-from trex_gui.devices.trex.views.pages.motors.facts import Facts
-from trex_gui.devices.trex.views.pages.motors.head import Head
 from trex_gui.devices.trex.views.pages.motors.options import Options
+from trex_gui.devices.trex.views.pages.motors.status_lines import Facts, Head
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.visibility import only_when_visible
+from trex_gui.ui.widgets.behaviour import only_when_visible
 
 _AUXILIARY = 3
 """The auxiliary motor among the controls: it goes by the number of its channel."""

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
 from trex_gui.devices.trex.model.parameters.parameters import Column, Role
 from trex_gui.devices.trex.views.pages.parameters.delegate import ParameterDelegate, ResetDelegate
-from trex_gui.ui.widgets.header_names import name_headers
+from trex_gui.ui.widgets.behaviour import name_headers
 
 Index = QModelIndex | QPersistentModelIndex
 

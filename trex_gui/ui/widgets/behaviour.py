@@ -1,0 +1,58 @@
+"""Behaviour that widgets share: focus frame, header names, no work while hidden."""
+
+from collections.abc import Callable
+from functools import wraps
+from typing import TypeVar
+
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtGui import QFocusEvent, QPainter, QPaintEvent
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
+
+from trex_gui.ui.theme.theme import theme
+
+
+class FocusFramed(QWidget):
+    """Leaves a pixel of margin to the frame, for whoever lays it out."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.hasFocus():
+            with QPainter(self) as painter:
+                painter.setPen(theme().color("highlight"))
+                painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.update()
+
+
+def name_headers(view: QAbstractItemView) -> None:
+    """Say of each header what it is; which table it belongs to says the table."""
+    for header in view.findChildren(QHeaderView, options=Qt.FindChildOption.FindDirectChildrenOnly):
+        across = header.orientation() is Qt.Orientation.Horizontal
+        header.setAccessibleName(_tr("Columns") if across else _tr("Rows"))
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("header_names", text)
+
+
+WidgetT = TypeVar("WidgetT", bound=QWidget)
+
+
+def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], None]:
+    """Let a slot do its work only while its widget can be seen.
+
+    The widget calls the slot again from its `showEvent`.
+    """
+
+    @wraps(slot)
+    def guarded(widget: WidgetT) -> None:
+        if widget.isVisible():
+            slot(widget)
+
+    return guarded

@@ -1,0 +1,199 @@
+"""Sliders: a painted groove, one that reports being held, one with a rest position."""
+
+from PySide6.QtCore import QEvent, QRect, QSignalBlocker, QSize, Qt, Signal, Slot
+from PySide6.QtGui import (
+    QFocusEvent,
+    QHideEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
+
+from trex_gui.ui.theme.theme import theme
+
+
+class PaintedSlider(QSlider):
+    """Horizontal; whoever derives from it paints the groove, and what stands below the handle."""
+
+    def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
+        super().__init__(Qt.Orientation.Horizontal, parent)
+        self.setRange(lowest, highest)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        theme().changed.connect(self.update)
+
+    def room_below(self) -> int:
+        """Return the pixels of height below groove and handle."""
+        return 0
+
+    def paint_groove(self, painter: QPainter, handle: QRect) -> None:
+        """Paint what lies under the handle; `x_of` says where a value is."""
+        raise NotImplementedError
+
+    def paint_below(self, painter: QPainter, handle: QRect) -> None:
+        """Paint what stands below the handle; nothing, where nothing does."""
+
+    def initStyleOption(self, option: QStyleOptionSlider) -> None:
+        """Keep groove and handle, painted or clicked on, above what stands below."""
+        super().initStyleOption(option)
+        option.rect = self.rect().adjusted(0, 0, 0, -self.room_below())
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        option = QStyleOptionSlider()
+        self.initStyleOption(option)
+        slider, part = QStyle.ComplexControl.CC_Slider, QStyle.SubControl.SC_SliderHandle
+        handle = self.style().subControlRect(slider, option, part, self)
+        option.subControls = part
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            self.paint_groove(painter, handle)
+            self.style().drawComplexControl(slider, option, painter, self)
+            self.paint_below(painter, handle)
+
+    def x_of(self, value: int, handle: QRect) -> int:
+        """Return where the middle of a handle of this size is at a value."""
+        room = self.width() - handle.width()
+        return handle.width() // 2 + QStyle.sliderPositionFromValue(
+            self.minimum(), self.maximum(), value, room
+        )
+
+
+class PressSlider(PaintedSlider):
+    """One that is pressed with the left button only, and let go where a hold cannot be told.
+
+    Signals:
+        grabbed: a hand is on it.
+        released: that is over, or cannot be told any more: the focus is gone, or it is hidden,
+            disabled, or another window is in front.
+    """
+
+    grabbed = Signal()
+    released = Signal()
+
+    def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
+        super().__init__(lowest, highest, parent)
+        self._held = False
+
+    @property
+    def held(self) -> bool:
+        """Whether a hand is on it."""
+        return self._held
+
+    @Slot()
+    def let_go(self) -> None:
+        """End a hold, whatever the hand does; it has to press anew."""
+        if self._held:
+            self._held = False
+            self.setSliderDown(False)
+            self.setRepeatAction(QSlider.SliderAction.SliderNoAction)
+            self.released.emit()
+
+    def grab_handle(self) -> None:
+        """Take note of a hand."""
+        if not self._held:
+            self._held = True
+            self.grabbed.emit()
+
+    # --- Hands --------------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Take the left button only: a middle one would make Qt jump to where it is."""
+        if event.button() is not Qt.MouseButton.LeftButton:
+            event.ignore()
+            return
+        self.grab_handle()
+        super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._held:  # one that was let go meanwhile is not to follow the mouse
+            super().mouseMoveEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() is not Qt.MouseButton.LeftButton:
+            event.ignore()
+            return
+        super().mouseReleaseEvent(event)
+        self.let_go()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() in {QEvent.Type.UngrabMouse, QEvent.Type.WindowDeactivate}:
+            self.let_go()
+        return super().event(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        self.let_go()
+        super().focusOutEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self.let_go()
+        super().hideEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.EnabledChange and not self.isEnabled():
+            self.let_go()
+        super().changeEvent(event)
+
+
+class StickSlider(PaintedSlider):
+    """Horizontal; `rest` is where its fill begins.
+
+    `follow` shows what is so and leaves the hand alone; `valueChanged` is what a person did.
+    """
+
+    def __init__(
+        self, lowest: int, highest: int, rest: int, color: str, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(lowest, highest, parent)
+        self._rest = rest
+        self._color = color
+        self.setValue(rest)
+
+    def set_scale(self, lowest: int, highest: int, rest: int) -> None:
+        """Change the range; nothing is announced."""
+        if (lowest, highest, rest) != (self.minimum(), self.maximum(), self._rest):
+            self._rest = rest
+            with QSignalBlocker(self):
+                self.setRange(lowest, highest)
+            self.update()
+
+    def follow(self, value: int) -> None:
+        """Show a value that no person chose, unless a person holds the handle."""
+        if not self.isSliderDown() and value != self.value():
+            with QSignalBlocker(self):
+                self.setValue(value)
+
+    def sizeHint(self) -> QSize:
+        return QSize(120, super().sizeHint().height())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(60, super().minimumSizeHint().height())
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() is Qt.MouseButton.LeftButton:
+            self.setSliderDown(False)
+            self.setValue(self._rest)
+            event.accept()
+
+    def paint_groove(self, painter: QPainter, handle: QRect) -> None:
+        """Paint the groove, the fill from rest, and a mark there."""
+        color = theme().color
+        middle = handle.center().y()
+        left, right = self.x_of(self.minimum(), handle), self.x_of(self.maximum(), handle)
+        painter.setPen(QPen(color("track_edge")))
+        painter.setBrush(color("track" if self.isEnabled() else "track_off"))
+        painter.drawRoundedRect(QRect(left, middle - 2, right - left, 5), 2, 2)
+        rest, here = self.x_of(self._rest, handle), handle.center().x()
+        if self.isEnabled():
+            start, end = max(min(rest, here), left + 2), max(rest, here)
+            painter.fillRect(start, middle - 1, max(end - start, 0), 4, color(self._color))
+        if self.minimum() < self._rest < self.maximum():
+            painter.fillRect(rest, middle - 6, 1, 13, color("mark"))
