@@ -8,7 +8,7 @@ from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -50,7 +50,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
 ) -> None:
     device = connected_window.device
     edit(connected_window, serial_timeout=15)
-    device.calibrations.edit(2, CALIBRATION)
+    device.calibrations.edit(CalibrationKey.RC_CHANNEL_2, CALIBRATION)
     review.open()
     timeout, calibration = review.rows()
     assert timeout == ["Serial Timeout", "off", "1.5 s", "0 → 15"]
@@ -90,7 +90,7 @@ def test_review_reports_stored_and_failed_settings(
 ) -> None:
     window, device = connected_window, connected_window.device
     edit(window, serial_timeout=15)
-    device.calibrations.edit(2, CALIBRATION)
+    device.calibrations.edit(CalibrationKey.RC_CHANNEL_2, CALIBRATION)
     review.write()
     assert [len(row) for row in review.rows()] == [len(ComparisonColumn)] * 2
     assert [row[-1] for row in review.rows()] == ["stored"] * 2
@@ -350,7 +350,7 @@ def test_calibration_of_inactive_input_source_stays_pending(
     power: SimulatedPower,
 ) -> None:
     device = connected_window.device
-    device.calibrations.edit(2, CALIBRATION)
+    device.calibrations.edit(CalibrationKey.RC_CHANNEL_2, CALIBRATION)
     edit(connected_window, channel_input_source=1)
     review.open()
     review.toggle("Calibration of RC channel 2")
@@ -368,4 +368,4 @@ def test_calibration_of_inactive_input_source_stays_pending(
     review.click("writeButton")
     review.wait(lambda: stored(simulator, "channel_input_source") == 0 and not device.applying)
     power.cycle()
-    assert list(device.calibrations.pending) == [(2, CALIBRATION)]
+    assert list(device.calibrations.pending) == [(CalibrationKey.RC_CHANNEL_2, CALIBRATION)]

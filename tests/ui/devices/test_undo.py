@@ -12,7 +12,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.calibration.calibrations import Calibrations
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 
@@ -32,7 +32,7 @@ def device(qtbot: QtBot) -> Device:
 
 def test_undo_order_spans_parameters_and_calibrations(device: Device) -> None:
     device.parameters.edit("serial_timeout", 5)
-    device.calibrations.edit(2, NEW)
+    device.calibrations.edit(CalibrationKey.RC_CHANNEL_2, NEW)
     device.parameters.edit("motor_mode", 1)
     assert device.undo.undoText() == "Motor Mode"
     device.undo.undo()
@@ -41,42 +41,46 @@ def test_undo_order_spans_parameters_and_calibrations(device: Device) -> None:
     assert not device.calibrations.pending
     assert device.parameters.pending == (("serial_timeout", 5),)
     device.undo.redo()
-    assert device.calibrations.pending == ((2, NEW),)
+    assert device.calibrations.pending == ((CalibrationKey.RC_CHANNEL_2, NEW),)
 
 
 def test_edits_of_one_run_are_one_step(device: Device) -> None:
     run = object()
     for minimum in (2501, 2502, 2503):
-        device.calibrations.edit(1, replace(OLD, minimum=minimum), run=run)
+        device.calibrations.edit(
+            CalibrationKey.RC_CHANNEL_1, replace(OLD, minimum=minimum), run=run
+        )
     assert device.undo.count() == 1
     device.undo.undo()
     assert not device.calibrations.pending
     device.undo.redo()
-    assert device.calibrations.pending == ((1, replace(OLD, minimum=2503)),)
+    assert device.calibrations.pending == (
+        (CalibrationKey.RC_CHANNEL_1, replace(OLD, minimum=2503)),
+    )
 
 
 @pytest.mark.parametrize("between", ["another run", "another channel", "another kind", "no run"])
 def test_intervening_edit_splits_a_run(device: Device, between: str) -> None:
     run = object()
-    device.calibrations.edit(1, NEW, run=run)
+    device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW, run=run)
     match between:
         case "another run":
             run = object()
         case "another channel":
-            device.calibrations.edit(2, NEW, run=run)
+            device.calibrations.edit(CalibrationKey.RC_CHANNEL_2, NEW, run=run)
         case "another kind":
             device.parameters.edit("serial_timeout", 5)
         case _:
-            device.calibrations.edit(1, replace(NEW, deadband=61))
+            device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, replace(NEW, deadband=61))
     steps = device.undo.count()
-    device.calibrations.edit(1, replace(NEW, deadband=62), run=run)
+    device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, replace(NEW, deadband=62), run=run)
     assert device.undo.count() == steps + 1
 
 
 def test_run_back_to_the_old_value_leaves_no_step(device: Device) -> None:
     run = object()
     device.parameters.edit("serial_timeout", 5)
-    device.calibrations.edit(1, NEW, run=run)
+    device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW, run=run)
     device.calibrations.edit(1, OLD, run=run)
     assert not device.calibrations.pending
     assert device.undo.undoText() == "Serial Timeout"
@@ -85,7 +89,7 @@ def test_run_back_to_the_old_value_leaves_no_step(device: Device) -> None:
 
 def test_discarded_edits_are_restored_by_one_undo(device: Device) -> None:
     device.parameters.edit("serial_timeout", 5)
-    device.calibrations.edit(1, NEW)
+    device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW)
     device.discard_edits()
     assert device.pending == 0
     device.undo.undo()
@@ -116,7 +120,7 @@ def test_rejected_value_leaves_no_step(device: Device) -> None:
     with pytest.raises(BadRequest):
         device.parameters.edit("serial_timeout", 128)
     with pytest.raises(BadRequest):
-        device.calibrations.edit(1, Calibration(5000, 3750, 2500, 0))
+        device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, Calibration(5000, 3750, 2500, 0))
     assert not device.undo.canUndo()
 
 
@@ -134,7 +138,7 @@ def test_reloaded_value_leaves_no_step(device: Device) -> None:
 
 
 def test_undo_does_not_change_the_other_input_source(device: Device) -> None:
-    device.calibrations.edit(1, NEW)
+    device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW)
     analog = Calibration(0, 512, 1023, 20)
     device.calibrations.load("trex", InputSource.ANALOG, dict.fromkeys(range(1, 6), analog))
     device.undo.undo()
@@ -156,7 +160,7 @@ def test_models_without_a_shared_undo_stack_can_be_edited(qtbot: QtBot) -> None:
     parameters.load(SPECS, FACTORY, {}, power_cycled=True)
     calibrations.load("trex", InputSource.RC, {1: OLD})
     parameters.edit("serial_timeout", 5)
-    calibrations.edit(1, NEW)
+    calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW)
     assert parameters.pending
     assert calibrations.pending
 

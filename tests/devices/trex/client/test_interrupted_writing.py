@@ -16,7 +16,11 @@ from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.writing import Skipped, WriteResult, write_all
 from trex_gui.devices.trex.discovery.prober import find
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    DEFAULT_CALIBRATION,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.commands import GetSignature, SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
@@ -33,7 +37,10 @@ _PROBE = 0.0001
 _WITHIN_A_WRITE = 0.0013
 
 CALIBRATIONS = tuple(
-    (channel, Calibration(2400 + channel, 3700 + channel, 5100 + channel, 60 + channel))
+    (
+        CalibrationKey.of(InputSource.RC, channel),
+        Calibration(2400 + channel, 3700 + channel, 5100 + channel, 60 + channel),
+    )
     for channel in CHANNELS
 )
 
@@ -63,7 +70,7 @@ class Case:
     """What is stored, and what is to be."""
 
     parameters: tuple[tuple[str, int], ...]
-    calibrations: tuple[tuple[int, Calibration], ...] = ()
+    calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = ()
     stored: tuple[tuple[str, int], ...] = ()
     firmware: str = "1.2"
     expanded: bool = False
@@ -79,8 +86,8 @@ class Case:
     @property
     def after(self) -> Values:
         values = {**self.before, **dict(self.parameters)}
-        for channel, wanted in self.calibrations:
-            values |= calibration_values(InputSource.RC, channel, wanted)
+        for key, wanted in self.calibrations:
+            values |= calibration_values(key.source, key.channel, wanted)
         return values
 
     def eeprom(self) -> Eeprom:
@@ -211,7 +218,6 @@ class Attempt:
             case.specs,
             case.parameters,
             case.calibrations,
-            source=InputSource.RC,
         )
         return self
 
@@ -229,16 +235,14 @@ class Attempt:
         values: dict[str, int] = {}
         for result in self.results:
             if isinstance(result.stored, int):
-                values[result.what] = result.stored
+                values[result.key] = result.stored
             elif result.stored is not None:
-                channel = int(result.what.removeprefix("channel "))
-                values |= calibration_values(InputSource.RC, channel, result.stored)
+                values |= calibration_values(InputSource.RC, result.channel or 0, result.stored)
         return values
 
     @property
     def wanted(self) -> set[str]:
-        keys = {key for key, _ in self.case.parameters}
-        return keys | {f"channel {channel}" for channel, _ in self.case.calibrations}
+        return {key for key, _ in (*self.case.parameters, *self.case.calibrations)}
 
 
 @cache
@@ -326,7 +330,7 @@ def require_order(attempt: Attempt, *, lost: int) -> None:
     untouched = {name for name in before if before[name] == after[name]}
     assert {name: stored[name] for name in untouched} == {name: before[name] for name in untouched}
     assert attempt.claimed.items() <= stored.items()
-    assert {result.what for result in attempt.results} == attempt.wanted
+    assert {result.key for result in attempt.results} == attempt.wanted
     assert all(str(result.error) for result in attempt.results if result.error is not None)
 
 
@@ -503,7 +507,7 @@ def test_possible_factory_line_settings_are_reported() -> None:
     attempt.at(writes[len(writes) // 2], attempt.stage.line.unplug).run()
     assert attempt.board.eeprom["uart_settings"] == 0x05
     last = attempt.results[-1]
-    assert last.what == "uart_settings"
+    assert last.key == "uart_settings"
     assert isinstance(last.error, NoReply)
     assert str(last.error).endswith(
         "UART Settings may be the factory's meanwhile: the board, switched off and on, then runs "
@@ -514,7 +518,7 @@ def test_possible_factory_line_settings_are_reported() -> None:
 def test_unwritable_line_settings_skip_factory_detour() -> None:
     case = line_and_polynomial(FAST, 0x33, 0x0F, 0x44)
     attempt = Attempt(case).run()
-    errors = {result.what: result.error for result in attempt.results}
+    errors = {result.key: result.error for result in attempt.results}
     assert errors["crc7_polynomial"] is None
     assert isinstance(errors["uart_settings"], BadRequest)
     assert attempt.board.eeprom["uart_settings"] == FAST

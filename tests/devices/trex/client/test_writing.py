@@ -16,7 +16,7 @@ from trex_gui.devices.trex.client.writing import (
     write_calibration,
     write_parameter,
 )
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     GetParameter,
@@ -26,7 +26,7 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -156,7 +156,7 @@ def test_wrong_read_back_of_calibration_is_reported(stage: Stage) -> None:
         return reply
 
     with pytest.raises(BadReply, match="Calibration of channel 2 did not stick"):
-        write_calibration(forgetful, 2, LEARNED)
+        write_calibration(forgetful, CalibrationKey.RC_CHANNEL_2, LEARNED)
 
 
 def test_write_to_unpowered_board_fails(stage: Stage) -> None:
@@ -197,25 +197,34 @@ def test_successful_write_with_crc_is_stored(
 
 @pytest.mark.parametrize("channel", [1, 2, 3, 4, 5])
 def test_calibration_is_stored_and_read_back(stage: Stage, channel: int) -> None:
-    assert write_calibration(stage.client().request, channel, LEARNED) == LEARNED
+    assert (
+        write_calibration(
+            stage.client().request, CalibrationKey.of(InputSource.RC, channel), LEARNED
+        )
+        == LEARNED
+    )
     assert stage.board.calibration(channel) == LEARNED
 
 
 def test_invalid_calibration_is_not_sent(stage: Stage) -> None:
     with pytest.raises(BadRequest, match="minimum 5000 is above neutral"):
-        write_calibration(stage.client().request, 1, Calibration(5000, 3750, 2500, 75))
+        write_calibration(
+            stage.client().request, CalibrationKey.RC_CHANNEL_1, Calibration(5000, 3750, 2500, 75)
+        )
     assert stage.transport.sent == b""
 
 
 def test_calibration_write_with_lost_reply_succeeds(stage: Stage) -> None:
     stage.line.faults.to_drop = 1
-    assert write_calibration(stage.client().request, 1, LEARNED) == LEARNED
+    assert (
+        write_calibration(stage.client().request, CalibrationKey.RC_CHANNEL_1, LEARNED) == LEARNED
+    )
 
 
 def test_calibration_write_needs_serial_mode() -> None:
     stage, settings = staged(mode="rc")
     with pytest.raises(Rejected, match="Calibration of channel 1"):
-        write_calibration(stage.client(settings).request, 1, LEARNED)
+        write_calibration(stage.client(settings).request, CalibrationKey.RC_CHANNEL_1, LEARNED)
 
 
 # --- Several at once --------------------------------------------------------------------
@@ -233,7 +242,9 @@ def test_settings_needing_power_cycle_are_written_last(
 ) -> None:
     wanted = [(spec.key, stage.board.eeprom[spec.key]) for spec in SPECS.readable]
     wanted.reverse()
-    results = write_all(stage.client().request, SPECS, wanted, [(1, LEARNED)])
+    results = write_all(
+        stage.client().request, SPECS, wanted, [(CalibrationKey.RC_CHANNEL_1, LEARNED)]
+    )
     order = written_keys(stage.transport.sent)
     assert order[-4:] == ["motor_mode", "channel_input_source", "crc7_polynomial", "uart_settings"]
     at_once = [SPECS[key] for key in order[:-4]]
@@ -253,17 +264,20 @@ def test_serial_settings_are_written_after_motor_settings(stage: Stage) -> None:
 def test_unknown_setting_is_reported_first(stage: Stage) -> None:
     wanted = [("motor1_acceleration", 1), ("serial_timeout", 1), ("colour", 1)]
     results = write_all(stage.client().request, SPECS, wanted)
-    assert [result.what for result in results if result.error] == ["colour"]
-    assert results[0].what == "colour"
+    assert [result.key for result in results if result.error] == ["colour"]
+    assert results[0].key == "colour"
 
 
 def test_results_contain_read_back_values(stage: Stage) -> None:
     results = write_all(
-        stage.client().request, SPECS, [("serial_timeout", 5)], [(2, LEARNED), (3, LEARNED)]
+        stage.client().request,
+        SPECS,
+        [("serial_timeout", 5)],
+        [(CalibrationKey.RC_CHANNEL_2, LEARNED), (CalibrationKey.RC_CHANNEL_3, LEARNED)],
     )
     assert results == (
-        WriteResult("channel 2", LEARNED),
-        WriteResult("channel 3", LEARNED),
+        WriteResult(CalibrationKey.RC_CHANNEL_2, LEARNED),
+        WriteResult(CalibrationKey.RC_CHANNEL_3, LEARNED),
         WriteResult("serial_timeout", 5),
     )
 
@@ -273,18 +287,20 @@ def test_invalid_values_do_not_block_valid_ones(stage: Stage) -> None:
         stage.client().request,
         SPECS,
         [("motor_mode", 9), ("serial_timeout", 5), ("serial_timout", 5)],
-        [(1, Calibration(9, 5, 1, 0)), (9, LEARNED), (2, LEARNED)],
+        [
+            (CalibrationKey.RC_CHANNEL_1, Calibration(9, 5, 1, 0)),
+            (CalibrationKey.RC_CHANNEL_2, LEARNED),
+        ],
     )
-    errors = {result.what: type(result.error) for result in results}
+    errors = {result.key: type(result.error) for result in results}
     assert errors == {
-        "channel 1": BadRequest,
-        "channel 9": BadRequest,
-        "channel 2": type(None),
+        "rc_channel_1": BadRequest,
+        "rc_channel_2": type(None),
         "motor_mode": BadRequest,
         "serial_timeout": type(None),
         "serial_timout": BadRequest,
     }
-    (misspelt,) = [one.error for one in results if one.what == "serial_timout"]
+    (misspelt,) = [one.error for one in results if one.key == "serial_timout"]
     assert "did you mean serial_timeout?" in str(misspelt)
 
 
@@ -292,7 +308,7 @@ def test_write_ends_when_board_is_not_in_serial_mode() -> None:
     stage, settings = staged(mode="analog")
     client = stage.client(settings)
     wanted = [(spec.key, spec.default) for spec in SPECS.readable]
-    results = write_all(client.request, SPECS, wanted, [(1, LEARNED)])
+    results = write_all(client.request, SPECS, wanted, [(CalibrationKey.RC_CHANNEL_1, LEARNED)])
     assert len(results) == len(wanted) + 1
     assert all(isinstance(result.error, Rejected) for result in results)
     assert client.counters.requests == 1
@@ -333,7 +349,7 @@ def test_progress_counts_each_write(stage: Stage) -> None:
         stage.client().request,
         SPECS,
         [("serial_timeout", 5), ("motor_mode", 1)],
-        [(4, LEARNED)],
+        [(CalibrationKey.RC_CHANNEL_4, LEARNED)],
         lambda *step: steps.append(step),
     )
     assert steps == [
@@ -373,7 +389,7 @@ def test_empty_write_sends_nothing(stage: Stage) -> None:
 @modest
 @given(
     keys=st.lists(st.sampled_from([*(spec.key for spec in SPECS), "nonsense"]), max_size=12),
-    channels=st.lists(st.integers(0, 6), max_size=4),
+    channels=st.lists(st.sampled_from(CHANNELS), max_size=4),
     wire=st.integers(0, 127),
     off_after=st.integers(0, 20),
     mode=st.sampled_from(["serial", "rc"]),
@@ -390,8 +406,8 @@ def test_each_requested_setting_gets_one_result(
         return client.request(command)
 
     parameters = [(key, wire) for key in keys]
-    calibrations = [(channel, LEARNED) for channel in channels]
+    calibrations = [(CalibrationKey.of(InputSource.RC, channel), LEARNED) for channel in channels]
     results = write_all(failing, SPECS, parameters, calibrations)
-    expected = [*keys, *(f"channel {channel}" for channel in channels)]
-    assert sorted(result.what for result in results) == sorted(expected)
+    expected = [*keys, *(key for key, _ in calibrations)]
+    assert sorted(result.key for result in results) == sorted(expected)
     assert all((result.stored is None) is (result.error is not None) for result in results)

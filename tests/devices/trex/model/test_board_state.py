@@ -9,7 +9,11 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing
 from trex_gui.devices.trex.model.board_state import in_force
 from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    DEFAULT_CALIBRATION,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -30,7 +34,9 @@ ORDERED = (WriteResult("factory_reset", 1),)
 
 
 def test_verified_writes_update_the_board_state() -> None:
-    after = after_writing(STATE, [WriteResult("motor_mode", 1), WriteResult("channel 2", LEARNED)])
+    after = after_writing(
+        STATE, [WriteResult("motor_mode", 1), WriteResult(CalibrationKey.RC_CHANNEL_2, LEARNED)]
+    )
     assert after.parameters == {"motor_mode": 1, "serial_timeout": 0}
     assert after.calibrations[2] == LEARNED
     assert after.calibrations[1] == FACTORY
@@ -39,15 +45,17 @@ def test_verified_writes_update_the_board_state() -> None:
 
 
 def test_factory_calibration_counts_as_uncalibrated() -> None:
-    learned = after_writing(STATE, [WriteResult("channel 2", LEARNED)])
-    assert after_writing(learned, [WriteResult("channel 2", FACTORY)]).calibrated == 0
+    learned = after_writing(STATE, [WriteResult(CalibrationKey.RC_CHANNEL_2, LEARNED)])
+    assert (
+        after_writing(learned, [WriteResult(CalibrationKey.RC_CHANNEL_2, FACTORY)]).calibrated == 0
+    )
 
 
 @pytest.mark.parametrize(
     "result",
     [
         WriteResult("motor_mode", error=NoReply("x")),
-        WriteResult("channel 2", error=NoReply("x")),
+        WriteResult(CalibrationKey.RC_CHANNEL_2, error=NoReply("x")),
         WriteResult("factory_reset", 1),  # is no parameter that the board shows
     ],
 )

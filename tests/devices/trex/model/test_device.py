@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -172,7 +172,10 @@ def test_edits_are_applied_and_verified(
     connected.device.calibrations.edit(2, LEARNED)
     assert connected.device.pending == 2
     results = connected.apply()
-    assert set(results) == {WriteResult("channel 2", LEARNED), WriteResult("serial_timeout", 15)}
+    assert set(results) == {
+        WriteResult(CalibrationKey.RC_CHANNEL_2, LEARNED),
+        WriteResult("serial_timeout", 15),
+    }
     assert connected.device.pending == 0
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
     assert connected.device.calibrations.stored(2) == LEARNED

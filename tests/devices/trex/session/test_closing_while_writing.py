@@ -61,7 +61,7 @@ class Writing:
 
     @property
     def results(self) -> dict[str, WriteResult]:
-        return {result.what: result for result in self.attempt.results}
+        return {result.key: result for result in self.attempt.results}
 
     def when(self, kind: type[Report]) -> float:
         (moment,) = [time for time, report in self.reports if isinstance(report, kind)]

@@ -28,7 +28,7 @@ from trex_gui.devices.trex.driving.requests import (
     SetMotors,
     Stop,
 )
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     COMMANDS,
     Drive,
@@ -69,7 +69,7 @@ REQUESTS: list[Request] = [
     Stop(5, lockout=3.0),
     Arm(),
     Heartbeat(),
-    Write(6, (("serial_timeout", 5),), ((1, LEARNED),)),
+    Write(6, (("serial_timeout", 5),), ((CalibrationKey.RC_CHANNEL_1, LEARNED),)),
     Reload(7),
     SetReconnectCandidates((ConnectionSettings("", LineSettings(9600)),)),
     Close(),
@@ -99,7 +99,7 @@ REPORTS: list[Report] = [
     MotorsStopped("x", confirmed=False),
     Batch(SAMPLES, Counters(1, 2, 3, 4, 0.5)),
     Outcome(1, LEARNED),
-    Outcome(2, (WriteResult("channel 1", LEARNED), WriteResult("motor_mode", 1))),
+    Outcome(2, (WriteResult(CalibrationKey.RC_CHANNEL_1, LEARNED), WriteResult("motor_mode", 1))),
     Closed(None),
     Closed(None, may_move=True),
 ]
@@ -151,7 +151,9 @@ def test_error_with_cause_can_be_pickled() -> None:
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
 def test_all_reports_of_session_survive_pickling(model: str) -> None:
     stage, settings = staged(model=model)
-    stage.script.at(1.0, Write(1, (("serial_timeout", 5),), ((1, LEARNED),)))
+    stage.script.at(
+        1.0, Write(1, (("serial_timeout", 5),), ((CalibrationKey.RC_CHANNEL_1, LEARNED),))
+    )
     stage.script.at(1.5, Stop(2)).at(1.6, Reload(3)).at(2.2, stage.board.power_off)
     reports = run_for(stage, 3.0, settings)
     assert {type(report) for report in reports} == {

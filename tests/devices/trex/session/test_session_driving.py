@@ -22,7 +22,7 @@ from trex_gui.core.session.messages import Closed
 from trex_gui.devices.trex.client.telemetry import Control
 from trex_gui.devices.trex.driving.requests import Arm, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.driving.setpoints import REPEATS
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
     Drive,
@@ -175,7 +175,9 @@ def test_stop_overtakes_remaining_parameter_writes(stage: Stage) -> None:
 
 
 def test_stop_overtakes_remaining_calibration_writes(stage: Stage) -> None:
-    wishes = tuple((channel, Calibration(2400, 3700, 5100, 80)) for channel in (1, 2, 3, 4, 5))
+    wishes = tuple(
+        (key, Calibration(2400, 3700, 5100, 80)) for key in CalibrationKey if "rc" in key
+    )
     stage.script.at(1.1, Write(1, calibrations=wishes)).at(1.2, Stop(2))
     run_for(stage, 2.0)
     sent = commands(stage.transport.sent)

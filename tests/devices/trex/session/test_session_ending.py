@@ -21,7 +21,7 @@ from trex_gui.core.errors import PortUnavailable, StudioError
 from trex_gui.core.session.messages import Close, Closed
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
     Drive,
@@ -138,7 +138,7 @@ REQUESTS: list[Request] = [
     Stop(4),
     Reload(5),
     SetAuxiliary(20),
-    Write(6, (), ((1, Calibration(2400, 3750, 5000, 75)),)),
+    Write(6, (), ((CalibrationKey.RC_CHANNEL_1, Calibration(2400, 3750, 5000, 75)),)),
     RunCommand(7, DriveMotor(2, Drive.at(9))),
     Stop(8),
 ]
@@ -268,7 +268,7 @@ def test_each_kind_of_request_gets_an_outcome(stage: Stage) -> None:
     assert found[2].value is None
     written = found[4].value
     assert isinstance(written, Written)
-    assert [(one.what, one.stored) for one in written.results] == [("serial_timeout", 9)]
+    assert [(one.key, one.stored) for one in written.results] == [("serial_timeout", 9)]
 
 
 def test_reload_is_reported_before_its_outcome(stage: Stage) -> None:

@@ -217,7 +217,7 @@ def test_write_to_unresponsive_board_fails_soon_for_each_key(stage: Stage) -> No
     assert outcome.error is None
     assert isinstance(outcome.value, Written)
     results = outcome.value.results
-    assert sorted(one.what for one in results) == sorted(keys)
+    assert sorted(one.key for one in results) == sorted(keys)
     assert all(isinstance(one.error, NoReply) for one in results)
 
 

@@ -21,7 +21,11 @@ from tests.support.pages.calibration import CalibrationPage, calibration_page
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.calibration.moves import Handle
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    DEFAULT_CALIBRATION,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.simulator.mapping import ChannelSetup
@@ -418,7 +422,7 @@ def test_rc_mode_explains_why_nothing_can_be_stored(
 def test_value_that_the_board_rejects_is_explained(page: CalibrationPage) -> None:
     page.device.calibrations.edit(2, Calibration(2400, 3700, 5100, 60))
     error = Rejected("Calibration of channel 2", ResultCode.BAD_VALUE)
-    page.device.applied.emit((WriteResult("channel 2", error=error),))
+    page.device.applied.emit((WriteResult(CalibrationKey.RC_CHANNEL_2, error=error),))
     assert "problem" in page.row(2)
     assert "problem" not in page.row(1)
     assert "code 2" not in page.note

@@ -102,13 +102,11 @@ def set_command(channel: int, **options: Any) -> None:
         counts = {name: _counts(name, value, source) for name, value in given.items()}
         wanted = Calibration(**counts)
         wanted.encode()  # refuses what no board takes, before anything is said or kept
+        key = CalibrationKey.of(source, channel)
         there = settings_of(state)
         is_new = prepare_one(
             state,
-            replace(
-                there,
-                calibrations={**there.calibrations, CalibrationKey.of(source, channel): wanted},
-            ),
+            replace(there, calibrations={**there.calibrations, key: wanted}),
             Context(port_rates=rates, used_by_line=link.line),
             link,
             what=f"Calibration of channel {channel}",
@@ -116,7 +114,7 @@ def set_command(channel: int, **options: Any) -> None:
         )
         if is_new:
             with Interruption():
-                write_calibration(client.request, channel, wanted, source)
+                write_calibration(client.request, key, wanted)
         click.echo(_text(channel, wanted, source))
         if is_new:
             say_what_follows(client, link, state, {})

@@ -235,12 +235,9 @@ def _write(
 ) -> None:
     names = {row.key: row.name for row in rows}
     parameters = [(row.key, row.after) for row in rows if isinstance(row.after, int)]
-    calibrations: list[tuple[int, Calibration]] = []
-    for row in rows:
-        if isinstance(row.after, Calibration):
-            channel = CALIBRATION_KEYS[row.key].channel
-            calibrations.append((channel, row.after))
-            names[f"channel {channel}"] = row.name
+    calibrations = [
+        (CALIBRATION_KEYS[row.key], row.after) for row in rows if isinstance(row.after, Calibration)
+    ]
     with ProgressLine("Writing") as line, Interruption() as interrupted:
         results = write_all(
             client.request,
@@ -248,14 +245,13 @@ def _write(
             parameters,
             calibrations,
             line,
-            source=state.source,
             cancelled=interrupted.__bool__,
         )
     failed = [result for result in results if result.error is not None]
-    stored = {result.what: result.stored for result in results if result.error is None}
+    stored = {result.key: result.stored for result in results if result.error is None}
     _say_failures(failed, names)
     if failed and stored:
-        say(f"Stored: {', '.join(names[what] for what in stored)}.")
+        say(f"Stored: {', '.join(names[key] for key in stored)}.")
     say(f"{len(stored)} of {len(results)} changes are stored and read back.")
     after = {key: wire for key, wire in stored.items() if isinstance(wire, int)}
     say_what_follows(client, chosen, state, after)
@@ -269,7 +265,7 @@ def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:
     said: set[int] = set()
     untried: list[str] = []
     for result in failed:
-        name, text = names[result.what], str(result.error)
+        name, text = names[result.key], str(result.error)
         if id(result.error) in said or isinstance(result.error, Skipped):
             untried.append(name)
             continue

@@ -16,7 +16,12 @@ from trex_gui.devices.trex.client.reading import (
     ask,
     no_progress,
 )
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_KEYS,
+    DEFAULT_CALIBRATION,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.commands import (
     GetCalibration,
     GetMode,
@@ -43,18 +48,17 @@ class Skipped(StudioError):  # noqa: N818 - nothing went wrong
 class WriteResult:
     """How one write went: `stored` is the value that was read back, `error` why not.
 
-    `what` is a parameter's key, or `channel N` for a calibration.
+    `key` is a parameter's key, or a `CalibrationKey`.
     """
 
-    what: str
+    key: str
     stored: int | Calibration | None = None
     error: StudioError | None = None
 
     @property
     def channel(self) -> int | None:
-        """The channel whose calibration was written; `None` for a parameter."""
-        kind, _, number = self.what.partition(" ")
-        return int(number) if kind == "channel" else None
+        """The channel of a calibration; `None` for a parameter."""
+        return CALIBRATION_KEYS[self.key].channel if self.key in CALIBRATION_KEYS else None
 
 
 def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
@@ -89,40 +93,38 @@ def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
     raise BadReply(message)
 
 
-def write_calibration(
-    request: Requester, channel: int, wanted: Calibration, source: InputSource | None = None
-) -> Calibration:
-    """Store one channel's calibration for the source in force; return what was read back.
+def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibration) -> Calibration:
+    """Store a calibration for the input source in force; return what was read back.
 
     A board that was without power for a moment may read another source now. Then nothing
     more is written: its calibrations are others.
 
     Args:
         request: runs transactions.
-        channel: 1 to 5.
+        key: what the calibration is for.
         wanted: the calibration.
-        source: what it is for; `None` for what the board reads now.
 
     Raises:
         BadRequest: minimum, neutral and maximum are not in order; nothing was sent.
         BadReply: the board reads another source, or another value than was written.
         Rejected, NoReply, PortUnavailable: as for `write_parameter`.
     """
-    what = f"Calibration of channel {channel}"
-    command = SetCalibration(channel, wanted)
+    what = f"Calibration of channel {key.channel}"
+    command = SetCalibration(key.channel, wanted)
     command.data()  # what cannot be sent raises here, before anything is asked
-    source = source or _serial_source(request, what)
 
     def require_source() -> None:
-        if (now := _serial_source(request, what)) is not source:
-            message = f"{what} is for {source.value} inputs, but the board reads {now.value} now"
+        if (now := _serial_source(request, what)) is not key.source:
+            message = (
+                f"{what} is for {key.source.value} inputs, but the board reads {now.value} now"
+            )
             raise BadReply(message)
 
     stored = wanted
     for _ in range(ATTEMPTS):
         _write(request, what, command, may_fail=True, before=require_source)
-        stored = ask(request, GetCalibration(channel))
-        if stored == wanted or (stored := ask(request, GetCalibration(channel))) == wanted:
+        stored = ask(request, GetCalibration(key.channel))
+        if stored == wanted or (stored := ask(request, GetCalibration(key.channel))) == wanted:
             return wanted
     message = f"{what} did not stick: the board reads back {stored}"
     raise BadReply(message)
@@ -174,18 +176,17 @@ def write_all(
     request: Requester,
     specs: ParameterSet,
     parameters: Sequence[tuple[str, int]],
-    calibrations: Sequence[tuple[int, Calibration]] = (),
+    calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
     progress: Progress = no_progress,
     *,
-    source: InputSource | None = None,
     cancelled: Callable[[], bool] = _never,
     stored: Callable[[WriteResult], None] = _ignore,
 ) -> tuple[WriteResult, ...]:
     """Store calibrations, then parameters by key, and return how each went.
 
-    Calibrations come first, while the board reads the inputs that they are for: `source`, or
-    what it reads when the first is written. Parameters that act at once come next, those that
-    need a power cycle last and the serial settings after all others.
+    Calibrations come first, while the board reads the inputs that they are for. Parameters
+    that act at once come next, those that need a power cycle last and the serial settings after
+    all others.
 
     Power may go at any moment, and a value that was being written is the factory's then. Yet
     the board must come up at settings at which somebody looks for it: those that it had, those
@@ -201,9 +202,9 @@ def write_all(
     that was verified.
     """
     total = len(parameters) + len(calibrations)
-    work = _Work(request, specs, total, progress, cancelled, stored, source)
-    for channel, wanted in calibrations:
-        work.store_calibration(channel, wanted)
+    work = _Work(request, specs, total, progress, cancelled, stored)
+    for calibration_key, wanted in calibrations:
+        work.store_calibration(calibration_key, wanted)
     ordered = sorted(parameters, key=lambda item: _write_order(specs, item[0]))
     serial = [item for item in ordered if item[0] in {_LINE, _POLYNOMIAL}]
     for key, wire in ordered:
@@ -224,8 +225,8 @@ def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceS
             calibrations[channel] = result.stored
             is_own = result.stored != DEFAULT_CALIBRATION[state.source]
             learned = (learned - {channel}) | ({channel} if is_own else set())
-        elif isinstance(result.stored, int) and result.what in parameters:
-            parameters[result.what] = result.stored
+        elif isinstance(result.stored, int) and result.key in parameters:
+            parameters[result.key] = result.stored
     return replace(
         state, parameters=parameters, calibrations=calibrations, calibrated=channel_mask(learned)
     )
@@ -244,7 +245,6 @@ class _Work:
     """What is written one after the other, and how it went so far.
 
     Attributes:
-        source: which inputs the calibrations are for; `None` before the board was asked.
         hopeless: why nothing more is tried.
     """
 
@@ -254,23 +254,18 @@ class _Work:
     progress: Progress
     cancelled: Callable[[], bool]
     stored: Callable[[WriteResult], None]
-    source: InputSource | None
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None
 
-    def store_calibration(self, channel: int, wanted: Calibration) -> None:
+    def store_calibration(self, key: CalibrationKey, wanted: Calibration) -> None:
         """Store a calibration, unless that is hopeless."""
-        what = f"channel {channel}"
 
         def write() -> Calibration:
-            self._say(f"calibration of {what}")
-            SetCalibration(channel, wanted).data()
-            if self.source is None:
-                self.source = _serial_source(self.request, f"Calibration of {what}")
-            return write_calibration(self.request, channel, wanted, self.source)
+            self._say(f"calibration of channel {key.channel}")
+            return write_calibration(self.request, key, wanted)
 
         self._look_whether_cancelled()
-        self._try(what, write)
+        self._try(key, write)
 
     def store(self, key: str, wire: int, *, may_cancel: bool = True) -> None:
         """Store a parameter, unless that is hopeless."""
@@ -318,7 +313,7 @@ class _Work:
         """Add to a failure that the line settings may be neither the old nor the new ones."""
         spec = self.specs[_LINE]
         for number, result in enumerate(self.results):
-            if result.what == _LINE and result.error is not None:
+            if result.key == _LINE and result.error is not None:
                 message = (
                     f"{result.error} {spec.name} may be the factory's meanwhile: the board, "
                     f"switched off and on, then runs at {spec.text(spec.default)}"
@@ -334,13 +329,13 @@ class _Work:
         if self.fatal_error is None and self.cancelled():
             self.fatal_error = Skipped("The writing was ended before this was tried.")
 
-    def _try(self, what: str, write: Callable[[], int | Calibration]) -> None:
-        result = WriteResult(what, error=self.fatal_error)
+    def _try(self, key: str, write: Callable[[], int | Calibration]) -> None:
+        result = WriteResult(key, error=self.fatal_error)
         if self.fatal_error is None:
             try:
-                result = WriteResult(what, write())
+                result = WriteResult(key, write())
             except _FAILURES as error:
-                result = WriteResult(what, error=error)
+                result = WriteResult(key, error=error)
                 self.fatal_error = _if_hopeless(error)
             else:
                 self.stored(result)

@@ -31,7 +31,7 @@ from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
 from trex_gui.devices.trex.model.telemetry import Telemetry
-from trex_gui.devices.trex.protocol.calibration import CalibrationKey
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import (
@@ -167,15 +167,12 @@ class Device(QObject):
         """What the line has seen since it was opened."""
         return self._connection.counters
 
-    def key_of(self, what: str) -> str:
-        """Return the key, as a settings file spells it, of what a `WriteResult` is about."""
-        channel = WriteResult(what).channel
-        return what if channel is None else CalibrationKey.of(self.calibrations.source, channel)
-
-    def name_of(self, what: str) -> str:
-        """Return the name for people of what a `WriteResult` is about."""
-        index = self.parameters.index_of(what, Column.NAME)
-        return str(index.data()) if index.isValid() else what
+    def name_of(self, key: str) -> str:
+        """Return the name of a parameter or of a calibrated channel."""
+        if key in CALIBRATION_KEYS:
+            return CALIBRATION_KEYS[key].label
+        index = self.parameters.index_of(key, Column.NAME)
+        return str(index.data()) if index.isValid() else key
 
     @property
     def is_joint(self) -> bool:
@@ -344,7 +341,7 @@ class Device(QObject):
         if self._state is not None:
             self._reset_order.note_written(results, self._state.parameters)
         self.link_changed.emit()
-        names = tuple(self.name_of(result.what) for result in results)
+        names = tuple(self.name_of(result.key) for result in results)
         self._event_watch.note_applied(results, names)
         self.applied.emit(results)
 

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.requests import MotorRequest, MotorsStopped
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
@@ -30,7 +30,7 @@ class RunCommand:
 
 @dataclass(frozen=True, slots=True)
 class Write:
-    """Store parameters (key, wire value) and calibrations (channel, values).
+    """Store parameters (key, wire value) and calibrations (key, values).
 
     See `writing.write_all` for the order and for what follows from an error. The value of the
     `Outcome` is a `Written`.
@@ -38,7 +38,7 @@ class Write:
 
     id: int
     parameters: tuple[tuple[str, int], ...] = ()
-    calibrations: tuple[tuple[int, Calibration], ...] = ()
+    calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -294,7 +294,6 @@ class TrexSession:
             job.parameters,
             job.calibrations,
             self._progress,
-            source=self._state.source,
             cancelled=self._is_closing,
             stored=self._note_stored,
         )

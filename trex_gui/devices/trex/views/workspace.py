@@ -262,13 +262,13 @@ class TrexWorkspace(Workspace):
         failed = [result for result in results if result.error is not None]
         if not failed:
             self.notifier.cleared.emit()
-            if any(result.what == ParameterKey.FACTORY_RESET for result in results):
+            if any(result.key == ParameterKey.FACTORY_RESET for result in results):
                 self._on_power_cycle_wanted()
             elif not self._review.isVisible():
                 text = self.tr("{0} settings are stored and read back equal.")
                 self.notifier.info.emit(text.format(len(results)))
             return
-        names = ", ".join(self._device.name_of(result.what) for result in failed)
+        names = ", ".join(self._device.name_of(result.key) for result in failed)
         reasons = " ".join(dict.fromkeys(sentence(result.error) for result in failed))
         self.notifier.error.emit(self.tr("Not stored: {0}. {1}").format(names, reasons))
 

@@ -40,26 +40,29 @@ def test_loaded_calibrations_are_stored(model: Calibrations) -> None:
 
 def test_edit_is_pending_and_emits_signals(model: Calibrations, qtbot: QtBot) -> None:
     with qtbot.waitSignals([model.changed, model.pending_changed]):
-        model.edit(2, LEARNED)
-    model.edit(1, OTHER)
-    assert model.pending == ((1, OTHER), (2, LEARNED))
+        model.edit(CalibrationKey.RC_CHANNEL_2, LEARNED)
+    model.edit(CalibrationKey.RC_CHANNEL_1, OTHER)
+    assert model.pending == (
+        (CalibrationKey.RC_CHANNEL_1, OTHER),
+        (CalibrationKey.RC_CHANNEL_2, LEARNED),
+    )
     assert model.stored(2) == DEFAULT_CALIBRATION[InputSource.RC]
 
 
 def test_edit_to_stored_value_is_not_pending(model: Calibrations) -> None:
-    model.edit(2, LEARNED)
-    model.edit(2, DEFAULT_CALIBRATION[InputSource.RC])
+    model.edit(CalibrationKey.RC_CHANNEL_2, LEARNED)
+    model.edit(CalibrationKey.RC_CHANNEL_2, DEFAULT_CALIBRATION[InputSource.RC])
     assert model.pending == ()
 
 
 def test_inconsistent_calibration_is_rejected(model: Calibrations) -> None:
     with pytest.raises(BadRequest, match="calibration of channel 4: minimum 9 is above neutral 5"):
-        model.edit(4, Calibration(9, 5, 10, 0))
+        model.edit(CalibrationKey.RC_CHANNEL_4, Calibration(9, 5, 10, 0))
     assert model.pending == ()
 
 
 def test_discard_drops_all_edits(model: Calibrations, qtbot: QtBot) -> None:
-    model.edit(1, LEARNED)
+    model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     with qtbot.waitSignal(model.pending_changed) as pending:
         model.discard_edits()
     assert pending.args == [0]
@@ -71,39 +74,42 @@ def test_written_edit_is_stored_and_failed_edit_stays_pending(model: Calibration
     model.edit(2, LEARNED)
     model.note_stored(stored(InputSource.RC) | {1: LEARNED})
     assert model.stored(1) == LEARNED
-    assert model.pending == ((2, LEARNED),)
+    assert model.pending == ((CalibrationKey.RC_CHANNEL_2, LEARNED),)
 
 
 def test_edit_made_during_the_write_stays_pending(model: Calibrations) -> None:
     model.edit(1, OTHER)
     model.note_stored({1: LEARNED})
-    assert model.pending == ((1, OTHER),)
+    assert model.pending == ((CalibrationKey.RC_CHANNEL_1, OTHER),)
 
 
 def test_edit_survives_reload_of_the_same_source(model: Calibrations) -> None:
-    model.edit(1, LEARNED)
+    model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     model.load("trex", InputSource.RC, stored(InputSource.RC))
-    assert model.pending == ((1, LEARNED),)
+    assert model.pending == ((CalibrationKey.RC_CHANNEL_1, LEARNED),)
 
 
 def test_edit_equal_to_reloaded_value_is_dropped(model: Calibrations) -> None:
-    model.edit(1, LEARNED)
+    model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     model.load("trex", InputSource.RC, stored(InputSource.RC) | {1: LEARNED})
     assert model.pending == ()
 
 
 def test_edit_is_kept_while_the_other_source_is_active(model: Calibrations) -> None:
-    model.edit(1, LEARNED)
+    model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     model.load("trex", InputSource.ANALOG, stored(InputSource.ANALOG))
     seen = [(model.pending, model.out_of_reach)]
     assert model.all_shown == model.all_stored
     model.load("trex", InputSource.RC, stored(InputSource.RC))
     seen.append((model.pending, model.out_of_reach))
-    assert seen == [((), (CalibrationKey.RC_CHANNEL_1,)), (((1, LEARNED),), ())]
+    assert seen == [
+        ((), (CalibrationKey.RC_CHANNEL_1,)),
+        (((CalibrationKey.RC_CHANNEL_1, LEARNED),), ()),
+    ]
 
 
 def test_edit_is_dropped_for_another_model(model: Calibrations) -> None:
-    model.edit(1, LEARNED)
+    model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     model.load("trexjr", InputSource.RC, stored(InputSource.RC))
     assert model.edited == {}
 
@@ -128,17 +134,17 @@ def test_calibration_is_left_out_of_a_file_and_restored(file: Calibrations) -> N
     assert file.shown(2) is None
     assert file.left_out == {CalibrationKey.RC_CHANNEL_2}
     assert file.all_shown == {CalibrationKey.ANALOG_CHANNEL_3: OTHER}
-    file.edit(2, LEARNED)
+    file.edit(CalibrationKey.RC_CHANNEL_2, LEARNED)
     assert not file.left_out
     assert not file.edited
     file.leave_out(2)
-    file.edit(1, LEARNED)
+    file.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     file.discard_edits()
     assert file.all_shown == file.all_stored
 
 
 def test_leaving_out_an_added_calibration_is_not_an_edit(file: Calibrations) -> None:
-    file.edit(1, LEARNED)
+    file.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     file.leave_out(1)
     assert not file.edited
     assert not file.left_out
@@ -174,11 +180,14 @@ def test_restoring_one_channel_can_be_undone(qtbot: QtBot) -> None:
     undo = QUndoStack()
     model = Calibrations(undo=undo)
     model.load("trex", InputSource.RC, stored(InputSource.RC))
-    model.edit(1, LEARNED)
-    model.edit(2, OTHER)
+    model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
+    model.edit(CalibrationKey.RC_CHANNEL_2, OTHER)
     model.restore(1)
-    assert dict(model.pending) == {2: OTHER}
+    assert dict(model.pending) == {CalibrationKey.RC_CHANNEL_2: OTHER}
     undo.undo()
-    assert dict(model.pending) == {1: LEARNED, 2: OTHER}
+    assert dict(model.pending) == {
+        CalibrationKey.RC_CHANNEL_1: LEARNED,
+        CalibrationKey.RC_CHANNEL_2: OTHER,
+    }
     model.restore(3)  # not edited: no step
     assert undo.canRedo()

@@ -57,7 +57,7 @@ def test_import_takes_only_calibrations_of_the_input_source(
     path.write_text(write_settings(there), encoding="utf-8")
     count, left_out = take_calibrations(draft, path, "a file")
     assert count == 1
-    assert draft.calibrations.pending == ((2, OTHER),)
+    assert draft.calibrations.pending == ((CalibrationKey.RC_CHANNEL_2, OTHER),)
     assert draft.parameters.pending == ()
     assert any("analog" in words for words in left_out)
     draft.undo.undo()

@@ -13,7 +13,9 @@ from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
+from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 UNPROVED = "not sure that the motors stand"
@@ -476,9 +478,9 @@ def test_only_written_channels_request_a_test(
     values = {c.number: c.choice.calibration for c in setup.learning.channels if c.choice}
     setup.learning.take()
     results = tuple(
-        WriteResult(f"channel {number}", error=NoReply("no answer"))
+        WriteResult(CalibrationKey.of(InputSource.RC, number), error=NoReply("no answer"))
         if number in failed
-        else WriteResult(f"channel {number}", value)
+        else WriteResult(CalibrationKey.of(InputSource.RC, number), value)
         for number, value in values.items()
     )
     setup.device.calibrations.note_stored(

@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.parameters.parameters import Column, ParameterModel, Role
+from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
 
 SPECS = parameters_of("trex", "1.2")
@@ -267,7 +268,9 @@ def test_successful_write_clears_the_problem(model: ParameterModel) -> None:
 
 
 def test_results_of_other_keys_are_ignored(model: ParameterModel) -> None:
-    model.note_results([WriteResult("channel 1", error=NoReply("x")), WriteResult("nonsense", 1)])
+    model.note_results(
+        [WriteResult(CalibrationKey.RC_CHANNEL_1, error=NoReply("x")), WriteResult("nonsense", 1)]
+    )
     assert model.pending == ()
 
 

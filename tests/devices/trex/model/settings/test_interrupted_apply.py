@@ -86,8 +86,8 @@ class InterruptedApply:
 
     def require_named(self) -> None:
         """Whatever is not stored was told, and what was told to be stored is."""
-        told = {result.what: result for result in self.results}
-        assert set(told) == {*WANTED, f"channel {CHANNEL}"}
+        told = {result.key: result for result in self.results}
+        assert set(told) == {*WANTED, f"rc_channel_{CHANNEL}"}
         for key, wire in WANTED.items():
             if told[key].error is None:
                 assert self.stored[key] == wire
@@ -99,7 +99,7 @@ class InterruptedApply:
         waiting = dict(self.device.parameters.pending)
         stored = self.stored
         assert waiting == {key: wire for key, wire in WANTED.items() if stored[key] != wire}
-        waits = CHANNEL in dict(self.device.calibrations.pending)
+        waits = CHANNEL in {key.channel for key, _ in self.device.calibrations.pending}
         assert waits == (self.device.calibrations.stored(CHANNEL) != LEARNED)
 
     def finish(self) -> None:

@@ -45,10 +45,9 @@ class Calibrations(QObject):
         return self._source
 
     @property
-    def pending(self) -> tuple[tuple[int, Calibration], ...]:
-        """What Apply would write: channel and calibration, of the input source in force."""
-        edits = sorted(self._edited.items(), key=lambda item: item[0].channel)
-        return tuple((key.channel, c) for key, c in edits if key.source is self._source)
+    def pending(self) -> tuple[tuple[CalibrationKey, Calibration], ...]:
+        """What Apply would write: the edits for the input source in force, by channel."""
+        return tuple((k, self._edited[k]) for k in sorted(self._edited) if k.source is self._source)
 
     @property
     def edited(self) -> dict[CalibrationKey, Calibration]:

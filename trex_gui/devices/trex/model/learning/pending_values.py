@@ -46,7 +46,7 @@ def other_edits(device: Device, numbers: Sequence[int]) -> int:
 
 
 def _has_calibration(device: Device, number: int) -> bool:
-    return any(channel == number for channel, _ in device.calibrations.pending)
+    return any(key.channel == number for key, _ in device.calibrations.pending)
 
 
 def _turned(device: Device) -> set[int]:
@@ -103,7 +103,7 @@ class PendingLearnedValues(QObject):
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         good = [result for result in results if result.error is None]
         written = {result.channel for result in good}
-        is_turned = any(result.what == _REVERSED for result in good)
+        is_turned = any(result.key == _REVERSED for result in good)
         found = tuple(
             number
             for number, value in self._waiting.items()

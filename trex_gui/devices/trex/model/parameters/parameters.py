@@ -93,13 +93,13 @@ class ParameterModel(ParameterTree):
     def note_results(self, results: Sequence[WriteResult]) -> None:
         """Take the reasons of failed writes."""
         for result in results:
-            if result.what not in self.text.specs:
+            if result.key not in self.text.specs:
                 continue
             if result.error is None:
-                self._problems.pop(result.what, None)
+                self._problems.pop(result.key, None)
             else:
-                self._problems[result.what] = str(result.error)
-            self._announce(result.what)
+                self._problems[result.key] = str(result.error)
+            self._announce(result.key)
 
     # --- What is known ------------------------------------------------------------------
 

@@ -70,9 +70,9 @@ class Apply(QObject):
             if only is None or key in only
         )
         calibrations = tuple(
-            (channel, wanted)
-            for channel, wanted in self._draft.calibrations.pending
-            if only is None or CalibrationKey.of(state.source, channel) in only
+            (key, wanted)
+            for key, wanted in self._draft.calibrations.pending
+            if only is None or key in only
         )
         count = len(parameters) + len(calibrations)
         reason = self.tr("Apply of 1 setting")
@@ -107,7 +107,7 @@ class Apply(QObject):
         link: ConnectionSettings | None,
         reason: str,
         parameters: tuple[tuple[str, int], ...],
-        calibrations: tuple[tuple[int, Calibration], ...],
+        calibrations: tuple[tuple[CalibrationKey, Calibration], ...],
     ) -> bool:
         if self._running or not self._keep(state, link, reason):
             return False

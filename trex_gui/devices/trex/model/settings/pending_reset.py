@@ -20,7 +20,7 @@ class PendingReset:
     def note_written(self, results: Sequence[WriteResult], stored: Mapping[str, int]) -> None:
         """Look for the order among what was written to a board that stores these parameters."""
         if any(
-            result.what == ParameterKey.FACTORY_RESET and result.error is None for result in results
+            result.key == ParameterKey.FACTORY_RESET and result.error is None for result in results
         ):
             self._given_at = dict(stored)
 

@@ -185,7 +185,7 @@ class ReviewDialog(QDialog):
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         if self._phase is not _Phase.WRITING:
             return
-        keys = [self._device.key_of(result.what) for result in results]
+        keys = [result.key for result in results]
         if not self._wanted.issuperset(keys):
             return  # the result of something else, such as an order to reset
         self._rows.show_outcomes(dict(zip(keys, self._outcomes(results), strict=True)))

@@ -115,14 +115,14 @@ class ParametersPage(QWidget):
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         failed = [result for result in results if result.error is not None]
-        if any(result.what == ParameterKey.FACTORY_RESET for result in results):
+        if any(result.key == ParameterKey.FACTORY_RESET for result in results):
             text = self.tr("Not taken by the board: {0}").format(failed[0].error) if failed else ""
             self._notice.setText(
                 text or self.tr("The factory's values stand here after the next power cycle.")
             )
             return
         if failed:
-            self._table.show_parameter(failed[0].what)
+            self._table.show_parameter(failed[0].key)
             text = self.tr("{0} of {1} did not stick; they are marked below.").format(
                 len(failed), len(results)
             )
