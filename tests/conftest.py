@@ -24,6 +24,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.matrix import LONG_FACTOR
 from tests.support.patient import PatientQtBot
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, SimulatorProcess, StartSimulator
 from tests.support.virtual import Stage
 from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
@@ -32,8 +33,8 @@ from tests.support.window import WindowDriver
 from trex_gui.composition import build
 from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import use_runtime
 from trex_gui.ui.theme.theme import theme
 
@@ -281,12 +282,12 @@ def program(qtbot: QtBot, qapp: QApplication) -> Iterator[Program]:
     program = build()
     program.window.show()
     yield program
-    program.device.discard_edits()
+    trex(program).device.discard_edits()
     program.window.close()
     # Windows that live on would all be painted anew with each change of theme.
     program.window.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    assert program.device.link is ConnectionState.DISCONNECTED
+    assert trex(program).device.link is ConnectionState.DISCONNECTED
 
 
 @pytest.fixture

@@ -14,8 +14,8 @@ from tests.support.window import WindowDriver
 from trex_gui import __version__
 from trex_gui.app import main
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.program import Program
-from trex_gui.tour import Tour
+from trex_gui.ui.program import Program
+from trex_gui.ui.tour import Tour
 
 
 def run(*arguments: str, timeout: float = 50) -> subprocess.CompletedProcess[str]:
@@ -104,7 +104,7 @@ def test_settings_file_is_opened_when_board_connects(
 ) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
-    window.program.open_when_connected(path)
+    window.program.open_named(path, connecting=True)
     window.device.connect_to(ConnectionSettings(simulator.url))
     window.wait(lambda: window.has("takeChangesButton"))
     window.click("takeChangesButton")

@@ -7,7 +7,7 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
-from trex_gui import __version__
+from trex_gui import __version__, composition
 
 UNCONFIRMED_STOP = 1
 """The exit code where motors may still turn: they were driven, and no stop is proved."""
@@ -40,9 +40,9 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     parser.add_argument("--demo", action="store_true", help="connect to the simulated board")
     parser.add_argument(
         "--device",
-        choices=("trex", "aracna"),
-        help="what --demo simulates and --port leads to (default: a TReX, and what was found on "
-        "that port)",
+        choices=[plugin.key for plugin in composition.PLUGINS],
+        help="what --demo simulates and --port leads to (default: a "
+        f"{composition.PLUGINS[0].name}, and what was found on that port)",
     )
     parser.add_argument(
         "--settings",
@@ -82,7 +82,6 @@ def main(argv: list[str] | None = None) -> int:
     from PySide6.QtCore import Qt, QTimer  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
-    from trex_gui.composition import build  # noqa: PLC0415
     from trex_gui.core.timing import Timeouts  # noqa: PLC0415
     from trex_gui.supervisor import SafetySupervisor  # noqa: PLC0415
     from trex_gui.ui.theme.theme import theme  # noqa: PLC0415
@@ -98,7 +97,7 @@ def main(argv: list[str] | None = None) -> int:
     theme().install(app)
     collector = GuiThreadCollector(app)
     collector.setObjectName("collector")
-    program = build(Timeouts(extra=arguments.timeout))
+    program = composition.build(Timeouts(extra=arguments.timeout))
     program.window.show()
     watching = SafetySupervisor(program, app)
 
@@ -107,15 +106,14 @@ def main(argv: list[str] | None = None) -> int:
     QTimer.singleShot(_LOAD_PLOTS_MS, lambda: import_module("trex_gui.ui.plotting.panel"))
 
     if arguments.tour is not None:
-        from trex_gui.tour import Tour  # noqa: PLC0415
+        from trex_gui.ui.tour import Tour  # noqa: PLC0415
 
         tour = Tour(program, arguments.tour)
         tour.finished.connect(lambda ok: program.end() if ok else app.exit(1))
         QTimer.singleShot(0, tour.start)
-    if arguments.tour is not None:
-        QTimer.singleShot(0, lambda: program.connect_to_demo("trex"))
     elif arguments.demo:
-        QTimer.singleShot(0, lambda: program.connect_to_demo(arguments.device or "trex"))
+        device = arguments.device or composition.PLUGINS[0].key
+        QTimer.singleShot(0, lambda: program.connect_to_demo(device))
     elif arguments.port:
         QTimer.singleShot(0, lambda: program.connect_to_port(arguments.port, arguments.device))
     if arguments.settings is not None:

@@ -8,7 +8,7 @@ from trex_gui.devices.aracna.plugin import ARACNA
 from trex_gui.devices.trex.plugin import TREX
 
 if TYPE_CHECKING:
-    from trex_gui.program import Program
+    from trex_gui.ui.program import Program
 
 PLUGINS: tuple[DevicePlugin, ...] = (
     TREX,
@@ -19,6 +19,6 @@ PLUGINS: tuple[DevicePlugin, ...] = (
 
 def build(timeouts: Timeouts | None = None) -> "Program":
     """Build models and window; nothing is connected yet."""
-    from trex_gui.program import build as build_program  # noqa: PLC0415 - trexcmd needs no Qt
+    from trex_gui.ui.program import Program  # noqa: PLC0415 - trexcmd starts without Qt
 
-    return build_program(timeouts)
+    return Program(PLUGINS, timeouts)

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
 
-from trex_gui.program import Program
 from trex_gui.system.exceptions import ExceptionWatch
 from trex_gui.system.signals import SignalWatch
 from trex_gui.system.stopper import StopBroadcaster
 from trex_gui.system.wake import SuspendDetector
+from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import now
 
 if TYPE_CHECKING:
@@ -67,9 +67,9 @@ class SafetySupervisor(QObject):
             return None
         events = SessionEvents(parent=self)
         events.leaving.connect(self._stopper.stop)
-        device = self._program.device
+        manager = self._program.device_manager
         self._sleep_delay = SleepDelay(
-            lambda: device.may_move,
+            lambda: manager.may_move,
             parent=self,
             patience=self._program.timeouts.sleep_delay,
         )

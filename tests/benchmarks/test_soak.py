@@ -10,8 +10,9 @@ import time
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.program import Program
+from tests.support.program import trex
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.program import Program
 
 _FRAMES = 20_000
 
@@ -19,9 +20,9 @@ _FRAMES = 20_000
 def test_20000_frames_keep_references_to_none(
     program: Program, qtbot: QtBot, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    program.connector.connect_to(program.ports.demo)
-    qtbot.waitUntil(lambda: program.device.link is ConnectionState.CONNECTED, timeout=20_000)
-    motors = program.device.motors
+    trex(program).controller.connect_to(program.ports.demo_of("trex"))
+    qtbot.waitUntil(lambda: trex(program).device.link is ConnectionState.CONNECTED, timeout=20_000)
+    motors = trex(program).device.motors
     motors.arm()
     motors.set_speed(1, 100)
     tabs = program.window.pages
@@ -31,7 +32,7 @@ def test_20000_frames_keep_references_to_none(
             tabs.setCurrentIndex(frame // 50 % tabs.count())
             qtbot.wait(1)
         page = tabs.currentWidget()
-        program.device.telemetry.updated.emit()
+        trex(program).device.telemetry.updated.emit()
         page.repaint()
     drift = sys.getrefcount(None) - before
     seconds = time.perf_counter() - begun

@@ -10,6 +10,7 @@ _PROBE = """
 import sys, time
 begun = time.perf_counter()
 from PySide6.QtWidgets import QApplication
+from tests.support.program import trex
 from trex_gui.ui.theme.theme import theme
 from trex_gui.composition import build
 app = QApplication([])
@@ -19,8 +20,8 @@ program = build()
 program.window.show()
 app.processEvents()
 shown = time.perf_counter()
-program.connector.connect_to(program.ports.demo)
-while program.device.telemetry.raw is None:
+trex(program).controller.connect_to(program.ports.demo_of("trex"))
+while trex(program).device.telemetry.raw is None:
     app.processEvents()
 live = time.perf_counter()
 program.end()

@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import trex
 from tests.support.simulator import StartSimulator
 from tests.support.virtual import Stage
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
@@ -20,8 +21,8 @@ from trex_gui.devices.trex.session.messages import Batch, Report
 from trex_gui.devices.trex.session.polling import rates
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.program import Program
 
 _SECONDS = 8.0
 _KINDS = {"currents": Currents, "raw": Raw, "remapped": Remapped, "control": Control}
@@ -66,9 +67,9 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
         program.window.hide()
 
     reports: list[Report] = []
-    program.device.connect_to(settings)
-    qtbot.waitUntil(lambda: program.device.link is ConnectionState.CONNECTED, timeout=20_000)
-    program.device._connection.reported.connect(reports.append)
+    trex(program).device.connect_to(settings)
+    qtbot.waitUntil(lambda: trex(program).device.link is ConnectionState.CONNECTED, timeout=20_000)
+    trex(program).device._connection.reported.connect(reports.append)
     qtbot.wait(round(_SECONDS * 1000))
     read = {name: count / _SECONDS for name, count in _count(reports).items()}
 

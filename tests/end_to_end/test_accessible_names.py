@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QWidget
 
 from tests.devices.trex.recording.samples import an_hour, write
 from tests.support.accessible_names import assert_named, is_part, takes_part
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
@@ -41,8 +42,8 @@ def test_window_has_accessible_names_with_and_without_board(
 
 def test_recording_window_has_accessible_names(window: WindowDriver, tmp_path: Path) -> None:
     write(tmp_path / "minute.trexrec", list(an_hour(60)))
-    window.program.workspace.recordings.open_file(tmp_path / "minute.trexrec")
-    recording = window.program.workspace.recordings.windows[0]
+    trex(window.program).workspace.recordings.open_file(tmp_path / "minute.trexrec")
+    recording = trex(window.program).workspace.recordings.windows[0]
     window.wait(lambda: recording.playback.is_loaded)
     assert_named(recording)
     recording.close()

@@ -6,6 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSlider, QWidget
 
 from tests.support.pages.parameters import ParametersPage
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -211,7 +212,7 @@ def test_board_that_does_not_reply_is_stopped(
 def test_missing_and_busy_ports_are_reported(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
-    connector, ports = window.program.connector, window.program.ports
+    connector, ports = trex(window.program).controller, window.program.ports
     connector.connect_to(ports.add_typed("/dev/ttyNothing7"))
     window.wait_for_text("bannerText", "There is no port /dev/ttyNothing7")
     assert window.device.link is ConnectionState.DISCONNECTED

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from tests.support.demo_panels import reached_by_tab, stand_in_order
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
@@ -36,7 +37,7 @@ class DemoPanel(WidgetDriver):
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.find(QDockWidget, "demoPanel"), window.qtbot)
         self._window = window
-        self._demo = window.program.connector.demo_board
+        self._demo = trex(window.program).controller.demo_board
 
     @property
     def board(self) -> DemoSnapshot:
@@ -76,7 +77,7 @@ class DemoPanel(WidgetDriver):
 def panel(window: WindowDriver) -> DemoPanel:
     """The panel, with the Demo TReX connected."""
     window.connect_to_demo()
-    window.wait(lambda: window.program.connector.demo_board.snapshot is not None)
+    window.wait(lambda: trex(window.program).controller.demo_board.snapshot is not None)
     panel = DemoPanel(window)
     assert panel.root.isVisible()
     return panel
@@ -122,7 +123,7 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
     page.wait_for_text("channel3Input", "µs")
 
     panel.click("demoAutomatic")
-    assert window.program.connector.demo_board.automatic == set(CHANNELS)
+    assert trex(window.program).controller.demo_board.automatic == set(CHANNELS)
     slider = panel.find(StickSlider, "demoInput1")
     before = slider.value()
     panel.wait(lambda: slider.value() != before)
@@ -239,11 +240,11 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
     window.click("connectButton")
     panel.wait_for(ConnectionState.CONNECTED)
     panel.wait(lambda: panel.text("demoState").startswith("Serial mode."))
-    assert window.program.connector.port == window.program.ports.demo
+    assert trex(window.program).controller.port == window.program.ports.demo_of("trex")
 
     panel.pull_cable()
     panel.plug_cable()
-    window.select("portCombo", window.program.ports.demo)
+    window.select("portCombo", window.program.ports.demo_of("trex"))
     panel.wait_for(ConnectionState.CONNECTED)
 
     panel.click("demoPower")
@@ -258,8 +259,8 @@ def test_choosing_unplugged_demo_disconnects_other_board(
     panel.pull_cable()
     window.connect(quick_simulator.url)
     assert panel.root.isHidden()
-    connector = window.program.connector
-    connector.connect_to(window.program.ports.demo)
+    connector = trex(window.program).controller
+    connector.connect_to(window.program.ports.demo_of("trex"))
     panel.wait_for(ConnectionState.DISCONNECTED)
     assert connector.port is None
     assert "Tick “Plugged in” on its panel" in window.text("bannerText")

@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox
 
 from tests.support.pages.settings import HistoryDialog, ReviewDialog
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.snapshots import take
 from tests.support.window import WindowDriver
@@ -143,7 +144,7 @@ def test_history_dialog_follows_connection_state(
     quick_simulator.do("line unplug")
     dialog.wait(lambda: not dialog.is_enabled("restoreButton"))
     window.wait(lambda: device.link is not ConnectionState.CONNECTED)
-    window.program.connector.disconnect_port()
+    trex(window.program).controller.leave()
     dialog.wait_for_text("restoreNote", "No board is connected")
     dialog.wait(lambda: combo.currentText().startswith("snapshot of"))
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("off", "0.5 s")})

@@ -16,6 +16,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 from tests.devices.trex.recording.samples import an_hour, read_file, write, write_an_hour
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.core.timing import Timeouts
@@ -29,7 +30,7 @@ def indicator(window: WindowDriver) -> RecordIndicator:
 
 def record(window: WindowDriver, path: Path) -> None:
     """Record until there is something in the file, and end it with the button."""
-    recordings = window.program.workspace.recordings
+    recordings = trex(window.program).workspace.recordings
     recordings.record(path)
     window.wait(indicator(window).isVisible)
     wait_for_samples(window, 300)
@@ -46,7 +47,7 @@ def wait_for_samples(window: WindowDriver, count: int) -> None:
 def test_indicator_shows_time_and_size_on_every_page(
     connected_window: WindowDriver, tmp_path: Path
 ) -> None:
-    window, recordings = connected_window, connected_window.program.workspace.recordings
+    window, recordings = connected_window, trex(connected_window.program).workspace.recordings
     assert not indicator(window).isVisible()
     recordings.record(tmp_path / "a.trexrec")
     window.wait(lambda: "Recording  0:00:" in window.text("recordText"))
@@ -65,7 +66,7 @@ def test_indicator_shows_time_and_size_on_every_page(
 
 def test_recording_opens_without_a_board(connected_window: WindowDriver, tmp_path: Path) -> None:
     path = tmp_path / "session.trexrec"
-    window, recordings = connected_window, connected_window.program.workspace.recordings
+    window, recordings = connected_window, trex(connected_window.program).workspace.recordings
     record(window, path)
     window.disconnect()
     recordings.open_file(path)
@@ -79,7 +80,7 @@ def test_recording_opens_without_a_board(connected_window: WindowDriver, tmp_pat
     recordings.open_file(path)
     assert recordings.windows == [opened]
     player.click("settingsInForceButton")
-    (editor,) = window.program.workspace.files.editors
+    (editor,) = trex(window.program).workspace.files.editors
     assert editor.document.readable
     editor.close()
     opened.close()
@@ -97,7 +98,7 @@ def test_recording_dropped_onto_window_opens(window: WindowDriver, tmp_path: Pat
     QApplication.sendEvent(window.window, enter)
     assert enter.isAccepted()
     QApplication.sendEvent(window.window, QDropEvent(QPointF(9, 9), copy, data, left, none))
-    (opened,) = window.program.workspace.recordings.windows
+    (opened,) = trex(window.program).workspace.recordings.windows
     window.wait(lambda: opened.playback.is_loaded)
     opened.close()
 
@@ -107,9 +108,9 @@ def test_invalid_recording_is_rejected_with_its_file_name(
 ) -> None:
     path = tmp_path / "none.trexrec"
     path.write_text("nothing of the kind")
-    window.program.workspace.recordings.open_file(path)
+    trex(window.program).workspace.recordings.open_file(path)
     assert "none.trexrec: This is not a TReX Studio recording" in window.text("bannerText")
-    assert window.program.workspace.recordings.windows == []
+    assert trex(window.program).workspace.recordings.windows == []
 
 
 def test_record_action_is_disabled_without_a_board(window: WindowDriver, tmp_path: Path) -> None:
@@ -121,7 +122,7 @@ def test_recording_is_complete_after_window_closes(
     connected_window: WindowDriver, tmp_path: Path, assert_complete: Callable[[Path], None]
 ) -> None:
     path = tmp_path / "a.trexrec"
-    connected_window.program.workspace.recordings.record(path)
+    trex(connected_window.program).workspace.recordings.record(path)
     wait_for_samples(connected_window, 100)
     connected_window.window.close()
     assert_complete(path)
@@ -187,7 +188,7 @@ def test_esc_in_file_dialog_stops_motors(window: WindowDriver, choose: str) -> N
         QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
 
     QTimer.singleShot(100, press_esc)
-    getattr(window.program.workspace.recordings, choose)()
+    getattr(trex(window.program).workspace.recordings, choose)()
     assert stops == ["stop"]
 
 
@@ -211,7 +212,7 @@ def test_stop_reaches_board_while_recording_to_full_disk(
     full_disk: None,
 ) -> None:
     window, device = connected_window, connected_window.device
-    window.program.workspace.recordings.record(tmp_path / "a.trexrec")
+    trex(window.program).workspace.recordings.record(tmp_path / "a.trexrec")
     device.motors.arm()
     device.motors.accelerate = False
     device.motors.set_speed(1, 60)
@@ -244,8 +245,8 @@ def test_motor_keeps_running_while_hour_is_opened(
     def turns_while_it_is_opened() -> bool:
         window.wait(turns)
         begin = now()
-        window.program.workspace.recordings.open_file(tmp_path / "hour.trexrec")
-        (opened,) = window.program.workspace.recordings.windows
+        trex(window.program).workspace.recordings.open_file(tmp_path / "hour.trexrec")
+        (opened,) = trex(window.program).workspace.recordings.windows
         # Longer than the silence of a window that stops armed motors.
         window.wait(lambda: now() > begin + 2 * Timeouts().heartbeat)
         was_opened_meanwhile = not opened.playback.is_loaded
@@ -257,7 +258,7 @@ def test_motor_keeps_running_while_hour_is_opened(
 
     # A computer with far too much to do may stop them by itself, but hardly each time.
     assert any(turns_while_it_is_opened() for _ in range(6)), seen
-    assert window.program.workspace.recordings.windows == []
+    assert trex(window.program).workspace.recordings.windows == []
     motors.press_stop()
     window.wait(lambda: quick_simulator.show()["motors"][0]["direction"] == "brake")
 
@@ -267,8 +268,8 @@ def test_shutdown_while_recording_loads_ends_its_thread(
     window: WindowDriver, tmp_path: Path
 ) -> None:
     write_an_hour(tmp_path / "hour.trexrec", 10)
-    window.program.workspace.recordings.open_file(tmp_path / "hour.trexrec")
-    (opened,) = window.program.workspace.recordings.windows
+    trex(window.program).workspace.recordings.open_file(tmp_path / "hour.trexrec")
+    (opened,) = trex(window.program).workspace.recordings.windows
     thread = WidgetDriver(opened, window.qtbot).find_only(QThread)
     window.wait(lambda: opened.playback.progress > 0)
     assert thread.isRunning()

@@ -8,6 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.session.helpers import among, moving, outcomes, run_for, samples
 from tests.devices.trex.session.test_schedule import on_line, simulate
+from tests.support.program import new_controller
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, PortUnavailable
@@ -15,10 +16,10 @@ from trex_gui.core.session.messages import Closed
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import write_parameter
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
-from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
+from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -29,7 +30,6 @@ from trex_gui.devices.trex.session.messages import Connected, Reload, Request, R
 from trex_gui.devices.trex.session.polling import rates
 from trex_gui.devices.trex.simulator.motors import MotorDirection as EmulatedDirection
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.simulator_process import Simulator
 from trex_gui.ui.runtime import runtime
 
@@ -169,7 +169,7 @@ def test_closing_connection_is_never_reported_connected(
 
 
 def test_stopping_simulator_reports_no_failure(qtbot: QtBot) -> None:
-    simulator = Simulator()
+    simulator = Simulator(TREX)
     failures: list[str] = []
     simulator.failed.connect(failures.append)
     with qtbot.waitSignal(simulator.ready):
@@ -210,7 +210,7 @@ def test_calibration_edits_do_not_carry_over_to_other_model(
 
 def test_invalid_stored_polynomial_is_dropped_without_crc(qtbot: QtBot) -> None:
     QSettings().setValue("line/polynomial", 3)
-    settings = Connector(Device(), Ports()).settings
+    settings = new_controller(Device()).settings
     assert settings.polynomial >= 0x80
 
 

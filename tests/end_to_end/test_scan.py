@@ -6,6 +6,7 @@ import pytest
 from PySide6.QtWidgets import QProgressBar, QToolButton
 
 from tests.support.pages.find_dialog import FindBoardDialog
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.client.client import TrexClient
@@ -31,7 +32,7 @@ def _no_other_ports(monkeypatch: pytest.MonkeyPatch) -> None:
 def dialog(_no_other_ports: None, window: WindowDriver) -> FindBoardDialog:
     window.trigger("find")
     dialog = window.find(FindDialog, "findDialog")
-    return FindBoardDialog(dialog, window.program.connector.finder, window.qtbot)
+    return FindBoardDialog(dialog, window.program.device_manager.scanner, window.qtbot)
 
 
 def store(simulator: SimulatedDevice, line: LineSettings) -> None:
@@ -108,7 +109,7 @@ def test_search_ends_when_cancelled_or_dialog_closes(
     dialog.wait(lambda: dialog.finder.done > 1)
     dialog.click("findCancelButton")
     dialog.wait_for_end()
-    assert dialog.text("findProgressText") == "The search was broken off."
+    assert dialog.text("findProgressText") == "Search cancelled."
     assert dialog.is_enabled("findStartButton")
     assert not dialog.has("findText0")
 
@@ -116,7 +117,7 @@ def test_search_ends_when_cancelled_or_dialog_closes(
     assert dialog.is_searching()
     dialog.click("findCloseButton")
     dialog.wait_for_end()
-    assert dialog.finder.summary == "The search was broken off."
+    assert dialog.finder.summary == "Search cancelled."
 
     dialog.search(window, quick_simulator.url)
     assert dialog.is_searching()
@@ -133,7 +134,7 @@ def test_search_without_board_reports_why_none_was_found(
 ) -> None:
     url = quick_simulator.url
     quick_simulator.do("power off")
-    window.program.connector.connect_to(window.program.ports.add_typed(url))
+    trex(window.program).controller.connect_to(window.program.ports.add_typed(url))
     window.wait_for_text("bannerText", " Find a board (Ctrl+Shift+F) tries every setting.")
     assert window.device.link is ConnectionState.DISCONNECTED
 

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QAbstractButton, QPushButton, QWidget
 
 from tests.devices.trex.recording.samples import an_hour, write
 from tests.support.pages.motors import BRAKE, MotorsPage
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.core.files.text_files import save
@@ -17,8 +18,8 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 
 def open_playback(window: WindowDriver, folder: Path) -> QWidget:
     write(folder / "a.trexrec", list(an_hour(5)))
-    window.program.workspace.recordings.open_file(folder / "a.trexrec")
-    (playback,) = window.program.workspace.recordings.windows
+    trex(window.program).workspace.recordings.open_file(folder / "a.trexrec")
+    (playback,) = trex(window.program).workspace.recordings.windows
     return playback
 
 
@@ -26,7 +27,7 @@ def open_editor(window: WindowDriver, folder: Path) -> QWidget:
     shown = window.device.draft.shown
     assert shown is not None
     save(folder / "a.txt", write_settings(shown))
-    editor = window.program.workspace.files.edit_file(folder / "a.txt")
+    editor = trex(window.program).workspace.files.edit_file(folder / "a.txt")
     assert editor is not None
     return editor
 

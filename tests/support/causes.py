@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WindowDriver
-from trex_gui.program import Program
 from trex_gui.supervisor import SafetySupervisor
 from trex_gui.system.session_events import SessionEvents
+from trex_gui.ui.program import Program
 
 
 class Causes:

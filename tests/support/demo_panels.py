@@ -7,14 +7,16 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
+from trex_gui.core.plugin import DevicePlugin
+from trex_gui.devices.trex.plugin import TREX
 from trex_gui.ui.devices.simulator_process import Simulator
 
 
 class Overheard(Simulator):
     """A simulator whose control lines are written down."""
 
-    def __init__(self, *arguments: str) -> None:
-        super().__init__(arguments=arguments or ("--demo",))
+    def __init__(self, plugin: DevicePlugin = TREX) -> None:
+        super().__init__(plugin)
         self.lines: list[str] = []
 
     def send(self, line: str, then: Callable[[str], None] | None = None) -> None:

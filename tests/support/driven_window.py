@@ -16,12 +16,13 @@ from PySide6.QtCore import QObject, QSocketNotifier, QTimer
 from PySide6.QtGui import QAction
 
 from tests.support.patient import PATIENT
+from tests.support.program import trex
 from trex_gui import app, composition
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.session import session
-from trex_gui.program import Program
 from trex_gui.system.wake import SuspendDetector
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.program import Program
 
 SPEEDS = {1: 60, 2: -60}
 AUXILIARY = 50
@@ -38,7 +39,7 @@ class Driver(QObject):
     def __init__(self, program: Program) -> None:
         super().__init__(program.window)
         self._program = program
-        self._motors = program.device.motors
+        self._motors = trex(program).device.motors
         self._has_driven = False
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._drive_as_soon_as_possible)
@@ -51,7 +52,7 @@ class Driver(QObject):
 
     def _drive_as_soon_as_possible(self) -> None:
         if (
-            self._program.device.link is not ConnectionState.CONNECTED
+            trex(self._program).device.link is not ConnectionState.CONNECTED
             or not self._motors.is_available
         ):
             return

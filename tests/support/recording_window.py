@@ -12,11 +12,12 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer
 
 from tests.support.patient import PATIENT
+from tests.support.program import trex
 from trex_gui import app, composition
 from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.core.timing import Timeouts
-from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.program import Program
 
 ENOUGH = 100  # samples
 
@@ -34,10 +35,10 @@ class Recording(QObject):
         self._timer.start(20)
 
     def _look(self) -> None:
-        recorder = self._program.workspace.recordings.recorder
-        if self._program.device.link is not ConnectionState.CONNECTED:
+        recorder = trex(self._program).workspace.recordings.recorder
+        if trex(self._program).device.link is not ConnectionState.CONNECTED:
             return
-        samples = self._program.device.telemetry.samples
+        samples = trex(self._program).device.telemetry.samples
         if recorder.recording and samples > self._samples + ENOUGH:
             self._timer.stop()
             sys.stdout.write("recording\n")

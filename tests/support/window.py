@@ -26,8 +26,9 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from trex_gui.program import Program
+from tests.support.program import aracna, trex
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.program import Program
 
 ObjectT = TypeVar("ObjectT", bound=QObject)
 
@@ -177,9 +178,9 @@ class WindowDriver(WidgetDriver):
         super().__init__(program.window, qtbot)
         self.program = program
         self.window = program.window
-        self.device = program.device
-        self.motors = program.device.motors
-        self.robot = program.robot
+        self.device = trex(program).device
+        self.motors = trex(program).device.motors
+        self.robot = aracna(program).robot
 
     # --- Connect ------------------------------------------------------------------------
 

@@ -75,6 +75,11 @@ class DevicePlugin:
         port_reports: how the command line reports one.
         commands: its commands of trexcmd by name.
         simulator: how trex-sim simulates one.
+        simulator_arguments: arguments of trex-sim that simulate one for the port list.
+        controller: makes its controller and model: `DeviceController`, called as
+            (plugin, notifier, ports, scanner, timeouts).
+        workspace: makes its workspace: `Workspace`, called as (controller, window).
+        tour: yields its steps of the screenshot tour, called as (tour, controller).
     """
 
     key: str
@@ -83,3 +88,7 @@ class DevicePlugin:
     port_reports: Lazy[PortReports]
     commands: Mapping[str, CommandInfo]
     simulator: "Lazy[SimulatorPlugin]"
+    simulator_arguments: tuple[str, ...]
+    controller: Lazy[Callable[..., Any]]
+    workspace: Lazy[Callable[..., Any]]
+    tour: Lazy[Callable[..., Any]]

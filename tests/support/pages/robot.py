@@ -20,10 +20,11 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import aracna
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.devices.aracna.session.messages import Moving, SpeedsHeld
-from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.program import Program
 
 ROBOT_PAGE, POSES_PAGE, LOG_PAGE = range(3)
 
@@ -39,7 +40,7 @@ class RobotWindow(WindowDriver):
 
     def __init__(self, program: Program, qtbot: QtBot) -> None:
         super().__init__(program, qtbot)
-        self.simulator = program.robot_way.simulator
+        self.simulator = aracna(program).controller.simulator
         self.goals: list[tuple[int, ...]] = []
         self.speeds: list[tuple[int, ...]] = []
         self._silences = 0
@@ -141,7 +142,7 @@ class RobotWindow(WindowDriver):
     def show_page(self, index: int) -> None:
         """Turn to a page of the robot by its menu entry."""
         self.trigger(f"aracna_page{index}")
-        assert self.program.aracna.pages.currentIndex() == index
+        assert aracna(self.program).workspace.pages.currentIndex() == index
 
     def choose_row(self, list_name: str, text: str) -> None:
         """Choose the row of a list that begins with a text."""

@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QMessageBox, QTableView, QTableWidget, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
@@ -110,7 +111,7 @@ class SettingsFiles:
 
     def __init__(self, window: WindowDriver) -> None:
         self._window = window
-        self.files = window.program.workspace.files
+        self.files = trex(window.program).workspace.files
 
     def load(self, path: Path, data: str | bytes | None = None) -> LoadDialog:
         """Open a file, written with `data` before if given; return the dialog that it opens."""

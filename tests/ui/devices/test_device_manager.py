@@ -1,17 +1,20 @@
 """One device at a time, whatever kind it is of."""
 
+from typing import cast
+
 import pytest
 from PySide6.QtCore import QObject, Signal
 
+from tests.support.program import new_plugin
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.device_kind import DeviceKind
-from trex_gui.ui.devices.device_manager import DeviceManager
+from trex_gui.ui.devices.device_manager import Controller, DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind
+from trex_gui.ui.devices.scanner import DeviceScanner
 
 
 class FakeDevice(QObject):
-    """A device whose connection does what the test says; see `device_manager.Way`."""
+    """A device whose connection does what the test says; see `DeviceController`."""
 
     changed = Signal()
     progressed = Signal(int, int, str)
@@ -19,7 +22,7 @@ class FakeDevice(QObject):
 
     def __init__(self, key: str) -> None:
         super().__init__()
-        self.kind = DeviceKind(key, key.title())
+        self.plugin = new_plugin(key, key.title())
         self.link = ConnectionState.DISCONNECTED
         self.starting = False
         self.port: Port | None = None
@@ -45,10 +48,13 @@ class FakeDevice(QObject):
     def press_stop(self) -> None:
         self.done.append("stop")
 
+    def stop_now(self, *, ending: bool = False) -> None:
+        self.done.append("end" if ending else "stop now")
+
     def stop_because(self, reason: str) -> str:
         self.done.append(f"stop: {reason}")
         return (
-            f"{reason}, so {self.kind.name} is told."
+            f"{reason}, so {self.plugin.name} is told."
             if self.link is not ConnectionState.DISCONNECTED
             else ""
         )
@@ -58,7 +64,7 @@ class FakeDevice(QObject):
 
     def shut_down(self) -> bool:
         self.done.append("shut down")
-        return self.kind.key != "first"
+        return self.plugin.key != "first"
 
     def become(self, link: ConnectionState) -> None:
         self.link = link
@@ -76,13 +82,13 @@ def devices(qapp: QObject) -> tuple[FakeDevice, FakeDevice]:
 
 @pytest.fixture
 def board(devices: tuple[FakeDevice, FakeDevice]) -> DeviceManager:
-    return DeviceManager(devices)
+    return DeviceManager(cast("list[Controller]", list(devices)), DeviceScanner())
 
 
 def test_first_device_is_current_by_default(
     board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
-    assert board.current is devices[0]
+    assert board.current.plugin.key == "first"
     assert board.is_idle
     board.connect_to(port("a", "first"))
     assert devices[0].done == ["connect a"]
@@ -96,10 +102,10 @@ def test_previous_device_disconnects_before_the_next_connects(
     board.connect_to(port("a", "first"))
     board.connect_to(port("b", "second"))
     assert first.done[-1] == "leave"
-    assert (second.done, board.current) == ([], first)
+    assert (second.done, board.current.plugin.key) == ([], "first")
     first.become(ConnectionState.DISCONNECTED)
     assert second.done == ["connect b"]
-    assert board.current is second
+    assert board.current.plugin.key == "second"
 
 
 def test_idle_previous_device_is_left_too(
@@ -204,3 +210,11 @@ def test_unconnected_stop_is_reported_only_if_reason_is_news(
     assert told == []
     board.stop_because("The roof fell in", is_news=True)
     assert told == ["The roof fell in."]
+
+
+def test_emergency_stop_reaches_every_device(
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
+) -> None:
+    board.stop_now()
+    board.stop_now(ending=True)
+    assert [device.done for device in devices] == [["stop now", "end"]] * 2

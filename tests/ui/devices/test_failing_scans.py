@@ -7,6 +7,7 @@ from tests.support.simulator import SimulatedDevice
 from trex_gui.core.discovery import scan
 from trex_gui.core.discovery.prober import Prober, ProberInfo
 from trex_gui.core.transport.settings import PortSettings
+from trex_gui.devices.trex.plugin import TREX
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator_process import Simulator
@@ -14,12 +15,14 @@ from trex_gui.ui.workers.scan_worker import ScanWorker
 
 
 def at(url: str) -> Port:
-    return Port(PortKind.TYPED, url, url)
+    return Port(PortKind.TYPED, url, url, "trex")
 
 
 @pytest.fixture
 def finder(qtbot: QtBot) -> DeviceScanner:
-    return DeviceScanner(Simulator())
+    finder = DeviceScanner()
+    finder.add(TREX, Simulator(TREX))
+    return finder
 
 
 def test_internal_error_is_listed_and_the_scan_continues(
@@ -28,15 +31,13 @@ def test_internal_error_is_listed_and_the_scan_continues(
     def odd(settings: PortSettings, *, full: bool, known: bool) -> Prober:
         raise ZeroDivisionError("on purpose")
 
-    finder.also("odd", ProberInfo("Odd", odd), Simulator(), "the odd one")
+    finder._probers["odd"] = ProberInfo("Odd", odd)
     finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
     qtbot.waitUntil(lambda: not finder.running)
     first, second = finder.findings
     assert "was ended by a fault of the program (ZeroDivisionError: on purpose)" in first.text
     assert second.text.startswith("There is no port /dev/ttyNothing9.")
-    assert finder.summary == (
-        "No board was found. 1 port was not searched: a fault of the program."
-    )
+    assert finder.summary == ("No board was found. 1 port could not be searched (internal error).")
 
 
 def test_ports_left_unscanned_are_counted(
@@ -45,9 +46,7 @@ def test_ports_left_unscanned_are_counted(
     monkeypatch.setattr(ScanWorker, "run", lambda _worker: None)  # as a thread that dies
     finder.start([at("/dev/ttyNothing8"), at("/dev/ttyNothing9")])
     qtbot.waitUntil(lambda: not finder.running)
-    assert finder.summary == (
-        "No board was found. 2 ports were not searched: a fault of the program."
-    )
+    assert finder.summary == ("No board was found. 2 ports could not be searched (internal error).")
 
 
 def test_scan_without_internal_error_mentions_none(finder: DeviceScanner, qtbot: QtBot) -> None:

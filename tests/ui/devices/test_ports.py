@@ -6,7 +6,9 @@ import pytest
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
-from trex_gui.ui.devices.device_kind import TREX, DeviceKind
+from tests.support.program import new_plugin
+from trex_gui.core.plugin import DevicePlugin
+from trex_gui.devices.trex.plugin import TREX
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 
 
@@ -31,8 +33,8 @@ Make = Callable[..., Ports]
 def make(qtbot: QtBot, computer: list[ListPortInfo]) -> Iterator[Make]:
     made: list[Ports] = []
 
-    def new(*kinds: DeviceKind) -> Ports:
-        made.append(Ports(kinds=kinds or (TREX,)))
+    def new(*plugins: DevicePlugin) -> Ports:
+        made.append(Ports(plugins or (TREX,)))
         return made[-1]
 
     yield new
@@ -47,7 +49,7 @@ def urls(ports: Ports) -> list[str]:
 def test_demo_board_is_listed_without_any_port(make: Make) -> None:
     ports = make()
     assert [entry.kind for entry in ports.entries] == [PortKind.DEMO]
-    assert ports.demo.kind is PortKind.DEMO
+    assert ports.demo_of("trex").kind is PortKind.DEMO
     assert ports.preferred is None
 
 
@@ -93,7 +95,7 @@ def test_unchanged_list_emits_no_signal(make: Make, qtbot: QtBot) -> None:
 
 def test_typed_address_is_saved(make: Make) -> None:
     typed = make().add_typed("  /dev/pts/7 ")
-    assert typed == Port(PortKind.TYPED, "/dev/pts/7", "/dev/pts/7")
+    assert typed == Port(PortKind.TYPED, "/dev/pts/7", "/dev/pts/7", "trex")
     assert urls(make()) == ["/dev/pts/7", ""]
 
 
@@ -179,14 +181,14 @@ def test_missing_last_used_port_is_not_preferred(make: Make, computer: list[List
 
 # --- Kinds of devices -------------------------------------------------------------------
 
-WALKER = DeviceKind("walker", "Walker")
+WALKER = new_plugin("walker", "Walker")
 
 
 def test_each_device_kind_has_a_demo_port(make: Make) -> None:
     ports = make(TREX, WALKER)
     labels = [port.label for port in ports.entries if port.kind is PortKind.DEMO]
     assert labels == ["Demo TReX (no hardware)", "Demo Walker (no hardware)"]
-    assert ports.demo.device == "trex"
+    assert ports.demo_of("trex").device == "trex"
     assert ports.demo_of("walker").label == "Demo Walker (no hardware)"
 
 
@@ -212,4 +214,4 @@ def test_unknown_saved_device_kind_becomes_trex(make: Make) -> None:
 
 def test_device_kind_of_a_demo_port_cannot_change(make: Make) -> None:
     ports = make(TREX, WALKER)
-    assert ports.lead_to(ports.demo, "walker") == ports.demo
+    assert ports.lead_to(ports.demo_of("trex"), "walker") == ports.demo_of("trex")

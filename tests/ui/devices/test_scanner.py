@@ -5,13 +5,14 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import new_controller, new_ports, scanner_of
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.ports import Port, PortKind, Ports
+from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator_process import Simulator
 
@@ -25,15 +26,16 @@ def until(qtbot: QtBot) -> Until:
 
 @pytest.fixture
 def finder(qtbot: QtBot) -> Iterator[DeviceScanner]:
-    simulator = Simulator()
-    finder = DeviceScanner(simulator)
+    simulator = Simulator(TREX)
+    finder = DeviceScanner()
+    finder.add(TREX, simulator)
     yield finder
     assert finder.shut_down()
     simulator.stop()
 
 
 def at(url: str) -> Port:
-    return Port(PortKind.TYPED, url, url)
+    return Port(PortKind.TYPED, url, url, "trex")
 
 
 def test_found_board_is_listed_with_port_and_settings(
@@ -70,7 +72,7 @@ def test_scan_reports_progress_until_cancelled(
     assert f"Looking for TReX at 115200 8N1 on {quick_simulator.url} …" in texts
     assert (1, 176) in [(done, total) for done, total, _ in seen]
     assert finder.findings == ()
-    assert finder.summary == "The search was broken off."
+    assert finder.summary == "Search cancelled."
     assert finder.text == ""
 
 
@@ -113,29 +115,29 @@ def test_scan_emits_nothing_after_shutdown(
 def test_connecting_to_a_scanned_port_ends_the_scan_first(
     quick_simulator: SimulatedDevice, until: Until
 ) -> None:
-    device, ports = Device(), Ports()
-    connector = Connector(device, ports)
+    device, ports = Device(), new_ports()
+    connector = new_controller(device, ports)
     port = ports.add_typed(quick_simulator.url)
     quick_simulator.do("line mute on")
-    connector.finder.start([port])
-    until(lambda: connector.finder.done > 0)
+    scanner_of(connector).start([port])
+    until(lambda: scanner_of(connector).done > 0)
     quick_simulator.do("line mute off")
     connector.connect_to(port)
     assert connector.port is None
     until(lambda: device.link is ConnectionState.CONNECTED)
-    assert not connector.finder.running
+    assert not scanner_of(connector).running
     connector.shut_down()
 
 
 def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
-    device, ports = Device(), Ports()
-    connector = Connector(device, ports)
+    device, ports = Device(), new_ports()
+    connector = new_controller(device, ports)
     connector.simulator.start()
     until(lambda: connector.simulator.url != "")
-    connector.finder.start([ports.demo])
-    until(lambda: not connector.finder.running)
-    (finding,) = connector.finder.findings
-    assert finding.text == "TReX 1.2 on the simulated board at 19200 8N1, device 7."
+    scanner_of(connector).start([ports.demo_of("trex")])
+    until(lambda: not scanner_of(connector).running)
+    (finding,) = scanner_of(connector).findings
+    assert finding.text == "TReX 1.2 on the simulated TReX at 19200 8N1, device 7."
     assert finding.found is not None
     connector.connect_with(finding.port, finding.found.settings)
     until(lambda: device.link is ConnectionState.CONNECTED)

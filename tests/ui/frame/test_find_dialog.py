@@ -8,9 +8,9 @@ from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.pages.find_dialog import FindBoardDialog
-from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.controller import TrexController
+from tests.support.program import new_controller, scanner_of
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.plugin import TREX
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
@@ -31,7 +31,7 @@ def listed(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
 
 @pytest.fixture
 def ports(qtbot: QtBot, listed: list[ListPortInfo]) -> Iterator[Ports]:
-    ports = Ports()
+    ports = Ports([TREX])
     yield ports
     ports.deleteLater()
 
@@ -39,11 +39,12 @@ def ports(qtbot: QtBot, listed: list[ListPortInfo]) -> Iterator[Ports]:
 @pytest.fixture
 def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindBoardDialog]:
     device = Device()
-    connector = Connector(device, ports)
-    dialog = FindDialog(DeviceManager([TrexController(device, connector)]), ports, connector)
+    controller = new_controller(device, ports)
+    manager = DeviceManager([controller], scanner_of(controller))
+    dialog = FindDialog(manager, ports)
     qtbot.addWidget(dialog)
-    yield FindBoardDialog(dialog, connector.finder, qtbot)
-    connector.shut_down()
+    yield FindBoardDialog(dialog, manager.scanner, qtbot)
+    manager.shut_down()
 
 
 def test_every_local_port_is_checked(dialog: FindBoardDialog) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import new_controller, scanner_of
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.session.messages import Close, Closed
@@ -13,11 +14,12 @@ from trex_gui.core.session.request_queue import RequestQueue
 from trex_gui.devices.aracna.model.connection import RobotConnection
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Halt
-from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.ports import Port, PortKind, Ports
+from trex_gui.ui.devices.device_manager import DeviceManager
+from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers import orphaned_threads
 from trex_gui.ui.workers.scan_worker import ScanWorker
@@ -153,30 +155,32 @@ def test_confirmed_stop_clears_may_move_after_shutdown(
 
 
 @pytest.fixture
-def connector(qtbot: QtBot) -> Iterator[Connector]:
-    connector = Connector(Device(), Ports())
-    yield connector
-    qtbot.waitUntil(connector.shut_down)
+def manager(qtbot: QtBot) -> Iterator[DeviceManager]:
+    controller = new_controller(Device())
+    manager = DeviceManager([controller], scanner_of(controller))
+    yield manager
+    qtbot.waitUntil(manager.shut_down)
 
 
 def test_shutdown_closes_the_line_before_waiting_for_a_scan(
-    connector: Connector,
+    manager: DeviceManager,
     quick_simulator: SimulatedDevice,
     qtbot: QtBot,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    device, links = connector._device, list[ConnectionState]()
+    controller, links = manager.current, list[ConnectionState]()
+    assert isinstance(controller, TrexController)
     close = ScanWorker.close
 
     def note_and_close(worker: ScanWorker) -> bool:
-        links.append(device.link)
+        links.append(controller.link)
         return close(worker)
 
-    device.connect_to(ConnectionSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
+    controller.device.connect_to(ConnectionSettings(quick_simulator.url))
+    qtbot.waitUntil(lambda: controller.link is ConnectionState.CONNECTED)
     monkeypatch.setattr(ScanWorker, "close", note_and_close)
-    connector.finder.start([Port(PortKind.TYPED, "/dev/ttyNothing9", "/dev/ttyNothing9")])
-    connector.shut_down()
+    manager.scanner.start([Port(PortKind.TYPED, "/dev/ttyNothing9", "/dev/ttyNothing9", "trex")])
+    manager.shut_down()
     assert links
     assert ConnectionState.CONNECTED not in links
 

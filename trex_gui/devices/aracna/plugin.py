@@ -9,6 +9,10 @@ ARACNA = DevicePlugin(
     name="Aracna",
     prober=Lazy(f"{_HERE}.discovery:ARACNA_PROBER"),
     port_reports=Lazy(f"{_HERE}.cli.scan:PORT_REPORTS"),
+    simulator_arguments=("--aracna",),
+    controller=Lazy(f"{_HERE}.model.controller:make_controller"),
+    workspace=Lazy(f"{_HERE}.views.workspace:AracnaWorkspace"),
+    tour=Lazy(f"{_HERE}.views.tour:tour_steps"),
     commands={
         "aracna": CommandInfo(
             Lazy(f"{_HERE}.cli.commands:aracna"), "Query an Aracna, move it, play its poses."

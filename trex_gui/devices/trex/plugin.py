@@ -14,6 +14,10 @@ TREX = DevicePlugin(
     name="TReX",
     prober=Lazy(f"{_HERE}.discovery.prober:TREX_PROBER"),
     port_reports=Lazy(f"{_HERE}.cli.scan:PORT_REPORTS"),
+    simulator_arguments=("--demo",),
+    controller=Lazy(f"{_HERE}.model.controller:make_controller"),
+    workspace=Lazy(f"{_HERE}.views.workspace:TrexWorkspace"),
+    tour=Lazy(f"{_HERE}.views.tour:tour_steps"),
     commands={
         "status": _command(
             "status:status", "Show what the board is, how it is set, what it measures."

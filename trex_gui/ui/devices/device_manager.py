@@ -2,122 +2,17 @@
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Protocol
+from typing import Any
 
-from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.device_kind import DeviceKind
+from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.ports import Port
+from trex_gui.ui.devices.scanner import DeviceScanner
 
-
-class DeviceController(Protocol):
-    """How one kind of device is reached."""
-
-    @property
-    def changed(self) -> SignalInstance:
-        """Told when anything of what stands below is other than it was."""
-        ...
-
-    @property
-    def progressed(self) -> SignalInstance:
-        """Steps done, steps in all, what comes next."""
-        ...
-
-    @property
-    def stop_reported(self) -> SignalInstance:
-        """What `stop_because` has come to, in sentences, where more is known by now."""
-        ...
-
-    @property
-    def kind(self) -> DeviceKind:
-        """The kind of device."""
-        ...
-
-    @property
-    def link(self) -> ConnectionState:
-        """How things stand."""
-        ...
-
-    @property
-    def status(self) -> str:
-        """How things stand, as a sentence."""
-        ...
-
-    @property
-    def starting(self) -> bool:
-        """Whether the simulated device is being started, and will be connected to."""
-        ...
-
-    @property
-    def port(self) -> Port | None:
-        """The port that is connected, or about to be."""
-        ...
-
-    @property
-    def demo_in_use(self) -> bool:
-        """Whether the simulated device was chosen last, and not given up since."""
-        ...
-
-    @property
-    def has_line_settings(self) -> bool:
-        """Whether a person chooses how the line is set."""
-        ...
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether leaving now would cut something off."""
-        ...
-
-    @property
-    def line_text(self) -> str:
-        """How the line is set, for the next connection, in short."""
-        ...
-
-    def connect_to(self, port: Port) -> None:
-        """Connect to a port that leads to a device of this kind."""
-        ...
-
-    def connect_with(self, port: Port, settings: PortSettings) -> None:
-        """Connect to a port at which a device was found with these settings."""
-        ...
-
-    def leave(self) -> None:
-        """Stop what moves, as far as that can be done, and close the line."""
-        ...
-
-    def press_stop(self) -> None:
-        """Stop, because a person wants it."""
-        ...
-
-    def stop_because(self, reason: str) -> str:
-        """Stop, as far as that can be done, because of something that nobody asked for.
-
-        `reason` is a clause without a full stop: "The screen was locked". Return what the stop
-        means for this device, no more than is known, in sentences that begin with the reason;
-        empty where there is nothing that could be stopped.
-        """
-        ...
-
-    @property
-    def unconfirmed_stop(self) -> str:
-        """What people have to know of motors that may turn though the line is closed.
-
-        In sentences; empty where every stop that was asked for is proved.
-        """
-        ...
-
-    def begin_to_shut_down(self) -> None:
-        """Stop what can be stopped, and let the line end, for the end of the program.
-
-        Waits for nobody.
-        """
-        ...
-
-    def shut_down(self) -> bool:
-        """Close the line for the end of the program; return whether it ended in time."""
-        ...
+Controller = DeviceController[Any]
 
 
 class DeviceManager(QObject):
@@ -136,19 +31,25 @@ class DeviceManager(QObject):
     current_changed = Signal()
     stop_reported = Signal(str)
 
-    def __init__(self, ways: Sequence[DeviceController], parent: QObject | None = None) -> None:
-        """Choose among `ways`; the first is in use until another one is asked for."""
+    def __init__(
+        self,
+        controllers: Sequence[Controller],
+        scanner: DeviceScanner,
+        parent: QObject | None = None,
+    ) -> None:
+        """Use the first of the controllers until another device is chosen."""
         super().__init__(parent)
-        self._ways = {way.kind.key: way for way in ways}
-        self._current = ways[0]
+        self.scanner = scanner
+        self._controllers = {controller.plugin.key: controller for controller in controllers}
+        self._current = controllers[0]
         self._next: Callable[[], None] | None = None
-        for way in ways:
-            way.changed.connect(self._on_changed)
-            way.progressed.connect(self.progressed)
-            way.stop_reported.connect(partial(self._on_stop_reported, way))
+        for controller in controllers:
+            controller.changed.connect(self._on_changed)
+            controller.progressed.connect(self.progressed)
+            controller.stop_reported.connect(partial(self._on_stop_reported, controller))
 
     @property
-    def current(self) -> DeviceController:
+    def current(self) -> Controller:
         """The device that is connected, or was last."""
         return self._current
 
@@ -159,32 +60,32 @@ class DeviceManager(QObject):
 
     def connect_to(self, port: Port) -> None:
         """Connect to a port; a device of another kind is left first."""
-        way = self._ways[port.device]
-        self._switch_to(way, lambda: way.connect_to(port))
+        controller = self._controllers[port.device]
+        self._switch_to(controller, lambda: controller.connect_to(port))
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         """Connect to a port at which a device was found with these settings."""
-        way = self._ways[port.device]
-        self._switch_to(way, lambda: way.connect_with(port, settings))
+        controller = self._controllers[port.device]
+        self._switch_to(controller, lambda: controller.connect_with(port, settings))
 
     def switch_to(self, device: str) -> bool:
         """Use another kind of device from now on, and connect to none.
 
         Return whether it is in use: nothing that is connected is left for it.
         """
-        way = self._ways[device]
-        if way is not self._current and self.is_idle:
-            self._switch_to(way, lambda: None)
-        return way is self._current
+        controller = self._controllers[device]
+        if controller is not self._current and self.is_idle:
+            self._switch_to(controller, lambda: None)
+        return controller is self._current
 
-    def _switch_to(self, way: DeviceController, then: Callable[[], None]) -> None:
+    def _switch_to(self, controller: Controller, then: Callable[[], None]) -> None:
         self._next = None
-        if way is not self._current:
+        if controller is not self._current:
             self._current.leave()  # an idle one may be waiting for a search to end, too
             if not self.is_idle:
-                self._next = lambda: self._switch_to(way, then)
+                self._next = lambda: self._switch_to(controller, then)
                 return
-            self._current = way
+            self._current = controller
             self.current_changed.emit()
         then()
 
@@ -195,8 +96,8 @@ class DeviceManager(QObject):
 
     def press_stop(self) -> None:
         """Stop every device that may listen."""
-        for way in self._ways.values():
-            way.press_stop()
+        for controller in self._controllers.values():
+            controller.press_stop()
 
     def stop_because(self, reason: str, *, is_news: bool = False) -> None:
         """Stop every device that may listen, because of something that nobody asked for.
@@ -204,14 +105,17 @@ class DeviceManager(QObject):
         What that means is for each device to say, the one in use first. Where none has anything to
         say the reason is told alone, but only where it `is_news` by itself.
         """
-        texts = {way.kind.key: way.stop_because(reason) for way in self._ways.values()}
-        told = [texts.pop(self._current.kind.key), *texts.values()]
+        texts = {
+            controller.plugin.key: controller.stop_because(reason)
+            for controller in self._controllers.values()
+        }
+        told = [texts.pop(self._current.plugin.key), *texts.values()]
         text = "\n".join(filter(None, told)) or (f"{reason}." if is_news else "")
         if text:
             self.stop_reported.emit(text)
 
-    def _on_stop_reported(self, way: DeviceController, text: str) -> None:
-        if way is self._current:
+    def _on_stop_reported(self, controller: Controller, text: str) -> None:
+        if controller is self._current:
             self.stop_reported.emit(text)
 
     @property
@@ -220,17 +124,31 @@ class DeviceManager(QObject):
 
         In sentences; empty where there is nothing to know.
         """
-        return "\n".join(filter(None, (way.unconfirmed_stop for way in self._ways.values())))
+        return "\n".join(
+            filter(None, (controller.unconfirmed_stop for controller in self._controllers.values()))
+        )
+
+    @property
+    def may_move(self) -> bool:
+        """Whether motors of any device may be moving."""
+        return any(controller.may_move for controller in self._controllers.values())
+
+    def stop_now(self, *, ending: bool = False) -> None:
+        """Stop every device, from any thread; close the ports if the program is `ending`."""
+        for controller in self._controllers.values():
+            controller.stop_now(ending=ending)
 
     def shut_down(self) -> bool:
-        """Close every line; return whether all ended in time.
+        """Close every line and end a scan; return whether all ended in time.
 
-        None waits for another: each is told before the first is waited for.
+        All are told to end before the first is waited for.
         """
         self._next = None
-        for way in self._ways.values():
-            way.begin_to_shut_down()
-        ends = [way.shut_down() for way in self._ways.values()]  # each, whatever the others do
+        for controller in self._controllers.values():
+            controller.begin_to_shut_down()
+        self.scanner.cancel()
+        ends = [controller.shut_down() for controller in self._controllers.values()]
+        ends.append(self.scanner.shut_down())
         return all(ends)
 
     @Slot()

@@ -7,7 +7,7 @@ from enum import Enum, auto
 from PySide6.QtCore import QObject, QSettings, Signal, Slot
 from serial.tools import list_ports
 
-from trex_gui.ui.devices.device_kind import TREX, DeviceKind
+from trex_gui.core.plugin import DevicePlugin
 from trex_gui.ui.runtime import runtime
 
 _INTERVAL_MS = 1500
@@ -36,7 +36,7 @@ class Port:
     kind: PortKind
     url: str
     label: str
-    device: str = TREX.key
+    device: str
 
 
 class Ports(QObject):
@@ -44,7 +44,7 @@ class Ports(QObject):
 
     Serial ports of this computer come first, then addresses that were typed in (pseudo
     terminals and network ports are in no list), then a simulated device of each kind. A port
-    leads to a TReX unless another kind was found there, or chosen.
+    leads to the first kind unless another one was found there, or chosen.
 
     Signals:
         changed: the entries are others.
@@ -52,11 +52,9 @@ class Ports(QObject):
 
     changed = Signal()
 
-    def __init__(
-        self, parent: QObject | None = None, kinds: Sequence[DeviceKind] = (TREX,)
-    ) -> None:
+    def __init__(self, plugins: Sequence[DevicePlugin], parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._kinds = tuple(kinds)
+        self.plugins = tuple(plugins)
         self._settings = QSettings(self)
         self._typed = self._read_typed()
         self._entries: tuple[Port, ...] = ()
@@ -70,16 +68,6 @@ class Ports(QObject):
     def entries(self) -> tuple[Port, ...]:
         """Every port that can be connected to."""
         return self._entries
-
-    @property
-    def kinds(self) -> tuple[DeviceKind, ...]:
-        """The kinds of devices that a port may lead to."""
-        return self._kinds
-
-    @property
-    def demo(self) -> Port:
-        """The simulated TReX."""
-        return self.demo_of(TREX.key)
 
     def demo_of(self, device: str) -> Port:
         """Return the entry of the simulated device of a kind."""
@@ -108,9 +96,9 @@ class Ports(QObject):
         entries += [
             self._entry(PortKind.TYPED, url, url) for url in self._typed if url not in present
         ]
-        for kind in self._kinds:
-            label = self.tr("Demo {0} (no hardware)").format(kind.name)
-            entries.append(Port(PortKind.DEMO, "", label, kind.key))
+        for plugin in self.plugins:
+            label = self.tr("Demo {0} (no hardware)").format(plugin.name)
+            entries.append(Port(PortKind.DEMO, "", label, plugin.key))
         if tuple(entries) != self._entries:
             self._entries = tuple(entries)
             self.changed.emit()
@@ -129,7 +117,7 @@ class Ports(QObject):
         if port.kind is PortKind.DEMO or device == port.device:
             return port
         known = {url: key for url, key in self._known_kinds().items() if url != port.url}
-        if device != TREX.key:
+        if device != self.plugins[0].key:
             known[port.url] = device
         lines = [f"{key} {url}" for url, key in known.items()]
         self._settings.setValue(_LEADS_TO, "\n".join(lines[-_MANY:]))
@@ -140,13 +128,13 @@ class Ports(QObject):
         """Return the keys of the kinds that ports lead to, by address."""
         lines = str(self._settings.value(_LEADS_TO, "")).splitlines()
         words = [line.split(" ", 1) for line in lines if " " in line]
-        keys = {kind.key for kind in self._kinds}
+        keys = {plugin.key for plugin in self.plugins}
         return {url: key for key, url in words if key in keys}
 
     def _entry(self, kind: PortKind, url: str, label: str) -> Port:
-        device = self._known_kinds().get(url, TREX.key)
-        if device != TREX.key:
-            name = next(kind.name for kind in self._kinds if kind.key == device)
+        device = self._known_kinds().get(url, self.plugins[0].key)
+        if device != self.plugins[0].key:
+            name = next(plugin.name for plugin in self.plugins if plugin.key == device)
             label = self.tr("{0}: {1}").format(name, label)
         return Port(kind, url, label, device)
 

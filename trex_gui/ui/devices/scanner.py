@@ -6,10 +6,9 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.discovery.prober import FoundDevice, ProberInfo, ScanProgress
+from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.trex.discovery.prober import TREX_PROBER
-from trex_gui.ui.devices.device_kind import TREX
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.simulator_process import Simulator
 from trex_gui.ui.workers import orphaned_threads
@@ -29,7 +28,7 @@ class ScanFinding:
     port: Port
     text: str
     found: FoundDevice | None = None
-    device: str = TREX.key
+    device: str = ""
 
 
 class DeviceScanner(QObject):
@@ -39,24 +38,19 @@ class DeviceScanner(QObject):
         changed: `running`, `findings` or `summary`.
         progressed: `done`, `total` or `text`.
         finished: the ports are free again.
+        simulators_changed: `can_search` of the port of a simulated device.
     """
 
     changed = Signal()
     progressed = Signal()
     finished = Signal()
+    simulators_changed = Signal()
 
-    def __init__(
-        self,
-        simulator: Simulator,
-        parent: QObject | None = None,
-        *,
-        timeouts: Timeouts | None = None,
-    ) -> None:
+    def __init__(self, parent: QObject | None = None, *, timeouts: Timeouts | None = None) -> None:
         super().__init__(parent)
         self._timeouts = timeouts or Timeouts()
-        self._seeks: dict[str, ProberInfo] = {TREX.key: TREX_PROBER}
-        self._simulators = {TREX.key: simulator}
-        self._demo_names = {TREX.key: self.tr("the simulated board")}
+        self._probers: dict[str, ProberInfo] = {}
+        self._simulators: dict[str, Simulator] = {}
         self._said: dict[str, str] = {}
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
@@ -69,15 +63,12 @@ class DeviceScanner(QObject):
         self._cancelled = False
         self._faults = 0
 
-    def also(self, device: str, seek: ProberInfo, simulator: Simulator, demo_name: str) -> None:
-        """Look for another kind of device, too; see `link.seeking` for the order.
-
-        What it asks must be harmless to the devices of every kind. `demo_name` is what people
-        call the simulated one.
-        """
-        self._seeks[device] = seek
-        self._simulators[device] = simulator
-        self._demo_names[device] = demo_name
+    def add(self, plugin: DevicePlugin, simulator: Simulator) -> None:
+        """Look for another kind of device, too; see `core.discovery.scan` for the order."""
+        self._probers[plugin.key] = plugin.prober.load()
+        self._simulators[plugin.key] = simulator
+        simulator.ready.connect(self.simulators_changed)
+        simulator.ended.connect(self.simulators_changed)
 
     def can_search(self, port: Port) -> bool:
         """Whether there is something to look on: a simulated device has to run."""
@@ -128,7 +119,7 @@ class DeviceScanner(QObject):
         self._summary = ""
         self._cancelled = False
         self._text = self.tr("Opening {0} …").format(_name(self._ports[0]))
-        self._worker = ScanWorker([self._errand(port) for port in self._ports], full=full)
+        self._worker = ScanWorker([self._job(port) for port in self._ports], full=full)
         self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
         self._worker.searched.connect(self._on_searched, Qt.ConnectionType.QueuedConnection)
         self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)
@@ -161,16 +152,15 @@ class DeviceScanner(QObject):
             orphaned_threads.adopt(worker)
         return in_time
 
-    def _errand(self, port: Port) -> ScanJob:
-        """Look for every kind of device, first for what the port is known to lead to."""
+    def _job(self, port: Port) -> ScanJob:
+        """Look for every kind of device, first for the one that the port is known to lead to."""
         if port.kind is not PortKind.DEMO:
             first = self._said.get(port.url, port.device)
-            return ScanJob(
-                PortSettings(port.url, timeouts=self._timeouts), dict(self._seeks), first
-            )
-        url = self._simulators[port.device].url
-        settings = PortSettings(url, name=self._demo_names[port.device], timeouts=self._timeouts)
-        return ScanJob(settings, {port.device: self._seeks[port.device]})
+            settings = PortSettings(port.url, timeouts=self._timeouts)
+            return ScanJob(settings, dict(self._probers), first)
+        simulator = self._simulators[port.device]
+        settings = PortSettings(simulator.url, name=simulator.label, timeouts=self._timeouts)
+        return ScanJob(settings, {port.device: self._probers[port.device]})
 
     @Slot(int, object)
     def _on_stepped(self, index: int, step: ScanProgress) -> None:
@@ -224,7 +214,7 @@ class DeviceScanner(QObject):
 
     def _sum_up(self) -> str:
         if self._cancelled:
-            return self.tr("The search was broken off.")
+            return self.tr("Search cancelled.")
         boards = sum(finding.found is not None for finding in self._findings)
         if boards == 0:
             text = self.tr("No board was found.")
@@ -234,9 +224,9 @@ class DeviceScanner(QObject):
             text = self.tr("{0} boards found.").format(boards)
         missed = self._faults + len(self._ports) - self._searched
         if missed == 1:
-            text += self.tr(" 1 port was not searched: a fault of the program.")
+            text += self.tr(" 1 port could not be searched (internal error).")
         elif missed:
-            text += self.tr(" {0} ports were not searched: a fault of the program.").format(missed)
+            text += self.tr(" {0} ports could not be searched (internal error).").format(missed)
         return text
 
 

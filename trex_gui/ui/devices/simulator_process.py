@@ -1,11 +1,12 @@
-"""The simulated board of the port list: a process of its own, started when it is wanted."""
+"""Process of a simulated device in the port list, started when it is first used."""
 
 import sys
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QProcess, Signal, Slot
 
+from trex_gui.core.plugin import DevicePlugin
 from trex_gui.ui.runtime import runtime
 
 SIMULATOR_ARGUMENT = "--simulator"
@@ -20,24 +21,25 @@ def simulator_command() -> tuple[str, list[str]]:
 
 
 class Simulator(QObject):
-    """Starts the simulator once and keeps it: what was written to it stays while we run.
+    """Starts the simulator once and keeps it running, with what was stored in the device.
+
+    Attributes:
+        label: name of the simulated device in messages.
 
     Signals:
         ready: the address to connect to.
-        failed: why it did not start, for people.
-        ended: it runs no more; answers that were still awaited never come.
+        failed: why it did not start.
+        ended: it has exited; pending replies never come.
     """
 
     ready = Signal(str)
     failed = Signal(str)
     ended = Signal()
 
-    def __init__(
-        self, parent: QObject | None = None, *, arguments: Sequence[str] = ("--demo",)
-    ) -> None:
-        """Start none yet; `arguments` say which board is simulated."""
+    def __init__(self, plugin: DevicePlugin, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._arguments = tuple(arguments)
+        self._arguments = plugin.simulator_arguments
+        self.label = self.tr("the simulated {0}").format(plugin.name)
         self._url = ""
         self._plugged = True
         self._ending = False

@@ -15,9 +15,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
@@ -34,28 +31,25 @@ class ConnectionBar(QWidget):
     last or the only one, then whatever was connected or chosen last, a simulated device too.
 
     Signals:
-        connecting: a person has chosen a port.
+        connecting: the user has chosen a port.
+        line_settings_requested: the user wants to edit them.
         interruption_wanted: what a person wants would cut off the writing of settings; carries
             what does it all the same.
     """
 
     connecting = Signal()
+    line_settings_requested = Signal()
     interruption_wanted = Signal(object)
 
     def __init__(
         self,
         device_manager: DeviceManager,
-        device: Device,
         ports: Ports,
-        connector: Connector,
         parent: QWidget | None = None,
     ) -> None:
-        """Connect by the switchboard; line settings and the search are those of the TReX."""
         super().__init__(parent)
-        self._switchboard = device_manager
-        self._device = device
+        self._manager = device_manager
         self._ports = ports
-        self._connector = connector
 
         self._combo = QComboBox(self)
         self._combo.setObjectName("portCombo")
@@ -106,7 +100,7 @@ class ConnectionBar(QWidget):
 
         self._combo.activated.connect(self._on_activated)
         self._connect.clicked.connect(self.toggle)
-        self._line.clicked.connect(self.edit_line)
+        self._line.clicked.connect(self.line_settings_requested)
         self._find.clicked.connect(self.find_board)
         ports.changed.connect(self._on_ports_changed)
         device_manager.changed.connect(self._on_link_changed)
@@ -120,17 +114,17 @@ class ConnectionBar(QWidget):
     @Slot()
     def toggle(self) -> None:
         """Connect, or disconnect."""
-        if self._switchboard.is_idle:
+        if self._manager.is_idle:
             self.connect_shown()
         else:
             self.leave()
 
     def leave(self) -> None:
         """Disconnect, after a question while settings are being written."""
-        self._when_nothing_is_cut_off(self._switchboard.leave)
+        self._when_nothing_is_cut_off(self._manager.leave)
 
     def _when_nothing_is_cut_off(self, then: Callable[[], object]) -> None:
-        if self._switchboard.current.is_busy:
+        if self._manager.current.is_busy:
             self._on_ports_changed()  # the combo box has the next port already
             self.interruption_wanted.emit(then)
         else:
@@ -138,7 +132,7 @@ class ConnectionBar(QWidget):
 
     def connect_shown(self) -> None:
         """Connect to the port that the list shows; where it shows none let a person choose."""
-        if not self._switchboard.is_idle:
+        if not self._manager.is_idle:
             return
         shown = self._combo.currentData()
         if isinstance(shown, Port):
@@ -148,20 +142,10 @@ class ConnectionBar(QWidget):
             self._combo.showPopup()
 
     @Slot()
-    def edit_line(self) -> None:
-        """Let a person change how this computer talks."""
-        dialog = LineSettingsDialog(self._connector.settings, self)
-        if dialog.exec():
-            self._connector.set_settings(dialog.settings)
-        dialog.deleteLater()
-
-    @Slot()
     def find_board(self) -> None:
         """Show the search for a board whose line settings nobody knows."""
         if self._dialog is None:
-            self._dialog = FindDialog(
-                self._switchboard, self._ports, self._connector, self.window()
-            )
+            self._dialog = FindDialog(self._manager, self._ports, self.window())
         self._dialog.look()
 
     def close_dialogs(self) -> None:
@@ -173,7 +157,7 @@ class ConnectionBar(QWidget):
     def _on_activated(self, index: int) -> None:
         choice = self._combo.itemData(index)
         if isinstance(choice, Port):
-            if choice != self._switchboard.current.port:
+            if choice != self._manager.current.port:
                 self._connect_to(choice)
         elif choice == _OTHER:
             self._ask_for_address()
@@ -183,7 +167,7 @@ class ConnectionBar(QWidget):
     def _leave_for_good(self) -> None:
         """Disconnect, and offer no port: somebody has chosen none."""
         self._chosen, self._wants_none = None, True
-        self._switchboard.leave()
+        self._manager.leave()
 
     def _ask_for_address(self) -> None:
         address, given = QInputDialog.getText(
@@ -203,7 +187,7 @@ class ConnectionBar(QWidget):
         def connect_to() -> None:
             self._chosen, self._wants_none = port, False
             self.connecting.emit()
-            self._switchboard.connect_to(port)
+            self._manager.connect_to(port)
 
         self._when_nothing_is_cut_off(connect_to)
 
@@ -226,7 +210,7 @@ class ConnectionBar(QWidget):
                     break
 
     def _port_to_show(self) -> Port | None:
-        connected, chosen = self._switchboard.current.port, self._chosen
+        connected, chosen = self._manager.current.port, self._chosen
         if connected is not None:
             return connected
         if chosen is None:
@@ -237,19 +221,19 @@ class ConnectionBar(QWidget):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        way = self._switchboard.current
-        link, starting, idle = way.link, way.starting, self._switchboard.is_idle
+        device = self._manager.current
+        link, starting, idle = device.link, device.starting, self._manager.is_idle
         opening = link is ConnectionState.CONNECTING or starting
-        if way.port != self._connected:
-            self._connected = way.port
-            if way.port is not None:
-                self._chosen, self._wants_none = way.port, False
+        if device.port != self._connected:
+            self._connected = device.port
+            if device.port is not None:
+                self._chosen, self._wants_none = device.port, False
             self._on_ports_changed()
-        self._line.setText(way.line_text)
+        self._line.setText(device.line_text)
         self._status.setText(
-            self.tr("Starting the simulated {0} …").format(way.kind.name)
+            self.tr("Starting the simulated {0} …").format(device.plugin.name)
             if starting
-            else way.status
+            else device.status
         )
         self._progress.setVisible(opening)
         if opening:
@@ -257,7 +241,7 @@ class ConnectionBar(QWidget):
         self._connect.setText(self.tr("&Connect") if idle else self.tr("Dis&connect"))
         set_icon(self._connect, "connect" if idle else "disconnect")
         self._connect.setEnabled(link is not ConnectionState.DISCONNECTING)
-        self._line.setEnabled(idle and way.has_line_settings)
+        self._line.setEnabled(idle and device.has_line_settings)
 
     @Slot(int, int, str)
     def _on_progressed(self, done: int, total: int, what: str) -> None:

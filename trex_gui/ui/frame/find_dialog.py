@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import ScanFinding
@@ -34,7 +33,6 @@ class FindDialog(QDialog):
         self,
         device_manager: DeviceManager,
         ports: Ports,
-        connector: Connector,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -42,9 +40,8 @@ class FindDialog(QDialog):
         self.setWindowTitle(self.tr("Find a board"))
         self.resize(620, 480)
         self._ports = ports
-        self._switchboard = device_manager
-        self._connector = connector
-        self._finder = connector.finder
+        self._manager = device_manager
+        self._scanner = device_manager.scanner
         self._ticks: dict[Port, bool] = {}
         self._shown: tuple[ScanFinding, ...] | None = None
         self._connects: dict[QPushButton, Port] = {}
@@ -130,15 +127,13 @@ class FindDialog(QDialog):
         self._list.itemChanged.connect(self._on_item_changed)
         self._disconnect.clicked.connect(device_manager.leave)
         self._start.clicked.connect(self._on_start_clicked)
-        self._cancel.clicked.connect(self._finder.cancel)
+        self._cancel.clicked.connect(self._scanner.cancel)
         close.clicked.connect(self.close)
         ports.changed.connect(self._on_ports_changed)
         device_manager.changed.connect(self._on_ports_changed)
-        connector.demo_changed.connect(self._on_ports_changed)
-        connector.simulator.ready.connect(self._on_ports_changed)
-        connector.simulator.ended.connect(self._on_ports_changed)
-        self._finder.changed.connect(self._on_finder_changed)
-        self._finder.progressed.connect(self._on_progressed)
+        self._scanner.simulators_changed.connect(self._on_ports_changed)
+        self._scanner.changed.connect(self._on_finder_changed)
+        self._scanner.progressed.connect(self._on_progressed)
         self._on_ports_changed()
         self._on_finder_changed()
 
@@ -151,7 +146,7 @@ class FindDialog(QDialog):
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         if not event.spontaneous():  # minimized is not closed
-            self._finder.cancel()
+            self._scanner.cancel()
 
     # --- Which ports --------------------------------------------------------------------
 
@@ -170,7 +165,7 @@ class FindDialog(QDialog):
         with QSignalBlocker(self._list):
             self._list.clear()
             for port in self._ports.entries:
-                if self._finder.can_search(port):
+                if self._scanner.can_search(port):
                     self._list.addItem(self._item(port))
         rows = min(max(self._list.count(), 2), 6)
         height = self._list.sizeHintForRow(0)
@@ -180,7 +175,7 @@ class FindDialog(QDialog):
         self._on_actions_changed()
 
     def _item(self, port: Port) -> QListWidgetItem:
-        is_open = port == self._switchboard.current.port
+        is_open = port == self._manager.current.port
         text = self.tr("{0} – connected to this window") if is_open else "{0}"
         item = QListWidgetItem(text.format(port.label))
         item.setData(_PORT, port)
@@ -197,7 +192,7 @@ class FindDialog(QDialog):
 
     @Slot()
     def _on_actions_changed(self) -> None:
-        running, port = self._finder.running, self._switchboard.current.port
+        running, port = self._scanner.running, self._manager.current.port
         if port is not None:
             self._busy.setText(
                 self.tr("{0} is connected to this window, so it is not searched.").format(
@@ -219,15 +214,15 @@ class FindDialog(QDialog):
 
     @Slot()
     def _on_start_clicked(self) -> None:
-        self._finder.start(self._chosen, full=self._full.isChecked())
+        self._scanner.start(self._chosen, full=self._full.isChecked())
 
     @Slot()
     def _on_progressed(self) -> None:
-        self._progress.setRange(0, self._finder.total)
-        self._progress.setValue(self._finder.done)
+        self._progress.setRange(0, self._scanner.total)
+        self._progress.setValue(self._scanner.done)
         self._tried.setText(
-            self._finder.text
-            or self._finder.summary
+            self._scanner.text
+            or self._scanner.summary
             or self.tr(
                 "The likely settings come first; a port where nobody answers takes about half a "
                 "minute."
@@ -238,8 +233,8 @@ class FindDialog(QDialog):
     def _on_finder_changed(self) -> None:
         self._on_actions_changed()
         self._on_progressed()
-        if self._finder.findings != self._shown:
-            self._shown = self._finder.findings
+        if self._scanner.findings != self._shown:
+            self._shown = self._scanner.findings
             self._show_findings(self._shown)
 
     def _show_findings(self, findings: tuple[ScanFinding, ...]) -> None:
@@ -267,7 +262,7 @@ class FindDialog(QDialog):
             connect.setAutoDefault(False)
             set_icon(connect, "connect")
             connect.clicked.connect(lambda: self._connect(finding))
-            connect.setEnabled(finding.port != self._switchboard.current.port)
+            connect.setEnabled(finding.port != self._manager.current.port)
             self._connects[connect] = finding.port
             layout.addWidget(connect, 0, Qt.AlignmentFlag.AlignVCenter)
         return row
@@ -277,7 +272,7 @@ class FindDialog(QDialog):
         if finding.found is None:
             return
         port = self._ports.lead_to(finding.port, finding.device)
-        self._switchboard.connect_with(port, finding.found.settings)
+        self._manager.connect_with(port, finding.found.settings)
 
 
 _ENABLED = Qt.ItemFlag.ItemIsEnabled

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from trex_gui import __version__
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
+from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.frame.actions import build_menus
 from trex_gui.ui.frame.connection_bar import ConnectionBar
 from trex_gui.ui.frame.escape import EscapeWatch
@@ -39,26 +40,31 @@ class MainWindow(QMainWindow):
     """Shows the desk of the device that is connected, or was last; knows no device itself."""
 
     def __init__(
-        self, device_manager: DeviceManager, notifier: Notifier, parent: QWidget | None = None
+        self,
+        device_manager: DeviceManager,
+        ports: Ports,
+        notifier: Notifier,
+        parent: QWidget | None = None,
     ) -> None:
-        """Make an empty frame; `add_workspaces` puts its desks in."""
+        """Make an empty frame; `add_workspaces` fills it."""
         super().__init__(parent)
         self.setObjectName("mainWindow")
         self.setWindowTitle(self.tr("TReX Studio"))
         self.setWindowIcon(application_icon())
-        self._switchboard = device_manager
+        self._manager = device_manager
         self._notifier = notifier
         self._store = QSettings(self)
         frame = QWidget(self)
         self._banner = Banner(frame, notifier)
+        self._connection = ConnectionBar(device_manager, ports, frame)
         self._question = InlinePrompt(frame)
         self._stack = QStackedWidget(frame)
-        self._rows = QVBoxLayout(frame)
-        self._rows.addWidget(self._banner)
-        self._rows.addWidget(self._question)
-        self._rows.addWidget(self._stack, 1)
+        rows = QVBoxLayout(frame)
+        for widget in (self._connection, self._banner, self._question):
+            rows.addWidget(widget)
+        rows.addWidget(self._stack, 1)
         self.setCentralWidget(frame)
-        self._desks: tuple[Workspace, ...] = ()
+        self._workspaces: tuple[Workspace, ...] = ()
         self._help = HelpDialog(self)
         self._warning = UnconfirmedStopWarning(device_manager, self._question, self)
         # Behind the event: a question about what is dropped must not hold up who dropped it.
@@ -70,11 +76,9 @@ class MainWindow(QMainWindow):
         """Where desks ask what has to be asked."""
         return self._question
 
-    def add_workspaces(self, connection: ConnectionBar, workspaces: Sequence[Workspace]) -> None:
-        """Put the row of the connection in, and a desk for each kind of device; once."""
-        self._connection = connection
-        self._desks = tuple(workspaces)
-        self._rows.insertWidget(0, connection)
+    def add_workspaces(self, workspaces: Sequence[Workspace]) -> None:
+        """Add a workspace for each kind of device, and fill the menus; once."""
+        self._workspaces = tuple(workspaces)
         for workspace in workspaces:
             self._stack.addWidget(workspace)
             for dock in workspace.docks:
@@ -85,15 +89,16 @@ class MainWindow(QMainWindow):
             slots |= workspace.slots()
         self._actions = build_menus(self, slots, [workspace.menus() for workspace in workspaces])
 
-        connection.connecting.connect(self._notifier.cleared)
-        connection.interruption_wanted.connect(self._on_interruption_wanted)
-        self._switchboard.changed.connect(self._on_actions_changed)
-        self._switchboard.current_changed.connect(self._on_device_changed)
-        self._switchboard.stop_reported.connect(self._notifier.delayed_error)
+        self._connection.connecting.connect(self._notifier.cleared)
+        self._connection.line_settings_requested.connect(self._edit_line_settings)
+        self._connection.interruption_wanted.connect(self._on_interruption_wanted)
+        self._manager.changed.connect(self._on_actions_changed)
+        self._manager.current_changed.connect(self._on_device_changed)
+        self._manager.stop_reported.connect(self._notifier.delayed_error)
         theme().changed.connect(self._on_theme_changed)
         app = QApplication.instance()
         if isinstance(app, QApplication):
-            self._escape = EscapeWatch(app, self._switchboard.press_stop, self)
+            self._escape = EscapeWatch(app, self._manager.press_stop, self)
         self._restore()
         self._on_device_changed()
         self._on_theme_changed()
@@ -105,8 +110,8 @@ class MainWindow(QMainWindow):
 
     @property
     def _workspace(self) -> Workspace:
-        key = self._switchboard.current.kind.key
-        return next(workspace for workspace in self._desks if workspace.key == key)
+        key = self._manager.current.plugin.key
+        return next(workspace for workspace in self._workspaces if workspace.key == key)
 
     def _slots(self) -> dict[str, Callable[[], object]]:
         """What each action of the frame does."""
@@ -114,13 +119,17 @@ class MainWindow(QMainWindow):
             "quit": self.close,
             "connect": self._connection.connect_shown,
             "disconnect": self._connection.leave,
-            "line": self._connection.edit_line,
+            "line": self._edit_line_settings,
             "find": self._connection.find_board,
-            "stop": self._switchboard.press_stop,
+            "stop": self._manager.press_stop,
             **{scheme: self._scheme_chooser(scheme) for scheme in _SCHEMES},
             "guide": self._show_help,
             "about": self._show_about,
         }
+
+    @Slot()
+    def _edit_line_settings(self) -> None:
+        self._workspace.edit_line_settings()
 
     # --- Files --------------------------------------------------------------------------
 
@@ -136,15 +145,15 @@ class MainWindow(QMainWindow):
     def open_file(self, path: Path) -> None:
         """Open a file on the desk that it belongs to, unless another device is connected."""
         suffix = path.suffix.lower()
-        for workspace in self._desks:
+        for workspace in self._workspaces:
             for kind in workspace.file_kinds:
                 if suffix in kind.suffixes:
-                    if self._switchboard.switch_to(workspace.key):
+                    if self._manager.switch_to(workspace.key):
                         kind.open(path)
                     else:
                         self._notifier.error.emit(self._why_elsewhere(path, kind.name))
                     return
-        kinds = [kind for workspace in self._desks for kind in workspace.file_kinds]
+        kinds = [kind for workspace in self._workspaces for kind in workspace.file_kinds]
         names = "; ".join(f"{kind.name} ({', '.join(sorted(kind.suffixes))})" for kind in kinds)
         text = self.tr("{0} was not opened: nothing here opens such files. What can be: {1}.")
         self._notifier.error.emit(text.format(path.name, names))
@@ -153,7 +162,7 @@ class MainWindow(QMainWindow):
         return self.tr(
             "{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, "
             "then drop the file again."
-        ).format(path.name, what, self._switchboard.current.kind.name)
+        ).format(path.name, what, self._manager.current.plugin.name)
 
     # --- What has changed ---------------------------------------------------------------
 
@@ -164,7 +173,7 @@ class MainWindow(QMainWindow):
         self._actions["stop"].setText(self._workspace.stop_text)
         self._actions["guide"].setText(self._workspace.help_title)
         self._help.close()
-        for workspace in self._desks:
+        for workspace in self._workspaces:
             for key in workspace.slots():
                 self._actions[key].setVisible(workspace is self._workspace)
         for menu_action in self.menuBar().actions():
@@ -177,11 +186,11 @@ class MainWindow(QMainWindow):
     @Slot()
     def _on_actions_changed(self) -> None:
         """Let every action say whether it can be done now."""
-        way = self._switchboard.current
-        link = way.link
+        device = self._manager.current
+        link = device.link
         enabled_actions = {
             "connect": link is ConnectionState.DISCONNECTED,
-            "line": link is ConnectionState.DISCONNECTED and way.has_line_settings,
+            "line": link is ConnectionState.DISCONNECTED and device.has_line_settings,
             "disconnect": link not in {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING},
             "stop": link
             in {
@@ -204,7 +213,7 @@ class MainWindow(QMainWindow):
                 "stays an edit."
             ),
             PromptAnswer("disconnectYes", self.tr("Disconnect"), then),
-            still=lambda: self._switchboard.current.is_busy,
+            still=lambda: self._manager.current.is_busy,
         )
 
     # --- Appearance, beginning and end --------------------------------------------------
@@ -245,7 +254,7 @@ class MainWindow(QMainWindow):
         state = self._store.value("window/state")
         if isinstance(state, QByteArray):
             self.restoreState(state)
-        for workspace in self._desks:
+        for workspace in self._workspaces:
             workspace.take_actions(self._actions)
         wanted = self._store.value("window/scheme", "system")
         for scheme in _SCHEMES:
@@ -254,22 +263,22 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if not self._warning.given and not all(
-            workspace.may_close(self.close) for workspace in self._desks
+            workspace.may_close(self.close) for workspace in self._workspaces
         ):
             event.ignore()
             return
         state = self.saveState()
-        self._switchboard.shut_down()
+        self._manager.shut_down()
         if self._warning.is_due:
             event.ignore()
             self._warning.give()
             return
         self._store.setValue("window/state", state)
-        for workspace in self._desks:
+        for workspace in self._workspaces:
             workspace.prepare_to_close()
         self._connection.close_dialogs()
         self._help.close()
         self._store.setValue("window/geometry", self.saveGeometry())
-        for workspace in self._desks:
+        for workspace in self._workspaces:
             workspace.finish()
         super().closeEvent(event)

@@ -19,12 +19,15 @@ class FileKind:
     Attributes:
         suffixes: how their names end, in lower case.
         name: what one is called, for people: "a settings file of a TReX".
-        open: opens one, on the desk that is shown.
+        open: opens one, in the workspace that is shown.
+        open_offline: opens one that was named at the start while no device is being connected;
+            `None`: `open` does.
     """
 
     suffixes: Collection[str]
     name: str
     open: Callable[[Path], object]
+    open_offline: Callable[[Path], object] | None = None
 
 
 class Workspace(QWidget):
@@ -106,3 +109,10 @@ class Workspace(QWidget):
 
     def finish(self) -> None:
         """End what goes on when the line is closed: a disk may take its time."""
+
+    def shut_down(self) -> bool:
+        """End every thread, at the end of the program; return whether all ended in time."""
+        return True
+
+    def edit_line_settings(self) -> None:
+        """Let the user edit how this computer talks to the device."""

@@ -4,7 +4,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.pages.robot import RobotWindow
-from trex_gui.program import Program
+from trex_gui.ui.program import Program
 
 
 @pytest.fixture

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from tests.support.accessible_names import assert_named
 from tests.support.demo_panels import reached_by_tab, stand_in_order
 from tests.support.pages.robot import RobotWindow
+from tests.support.program import aracna
 from tests.support.window import WidgetDriver
 from trex_gui.devices.aracna.model.demo_snapshot import RobotSnapshot
 from trex_gui.devices.aracna.views.demo.gauge import ServoGauge
@@ -41,7 +42,7 @@ class DemoRobotPanel(WidgetDriver):
     @property
     def snapshot(self) -> RobotSnapshot:
         """The state that the simulated robot has reported last."""
-        snapshot = self.window.program.robot_way.demo_robot.snapshot
+        snapshot = aracna(self.window.program).controller.demo_robot.snapshot
         assert snapshot is not None
         return snapshot
 
@@ -87,7 +88,7 @@ def panel(connected_window: RobotWindow) -> DemoRobotPanel:
     """The panel of a Demo Aracna that is connected."""
     panel = DemoRobotPanel(connected_window)
     panel.wait(panel.dock.isVisible)
-    panel.wait(lambda: connected_window.program.robot_way.demo_robot.snapshot is not None)
+    panel.wait(lambda: aracna(connected_window.program).controller.demo_robot.snapshot is not None)
     return panel
 
 

@@ -5,6 +5,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from tests.support.pages.robot import RobotWindow
+from tests.support.program import aracna, trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.transport.settings import PortSettings
@@ -21,7 +22,7 @@ def assert_trex_workspace(window: RobotWindow) -> None:
     assert not window.has("aracnaTabs")
     assert window.menus == TREX_MENUS
     assert window.has("demoPanel")
-    assert window.program.connector.demo_in_use
+    assert trex(window.program).controller.demo_in_use
 
 
 def assert_robot_workspace(window: RobotWindow) -> None:
@@ -30,7 +31,7 @@ def assert_robot_workspace(window: RobotWindow) -> None:
     assert not window.has("tabs")
     assert window.menus == ARACNA_MENUS
     assert not window.has("demoPanel")
-    assert not window.program.connector.demo_in_use
+    assert not trex(window.program).controller.demo_in_use
     assert window.text("statusLabel") == "Connected to Aracna: firmware 1, 8 motors."
     assert not window.is_enabled("lineButton")
 
@@ -41,20 +42,23 @@ def press_control(window: RobotWindow, key: Qt.Key) -> None:
 
 def test_workspace_follows_port(window: RobotWindow, qtbot: QtBot) -> None:
     qtbot.waitActive(window.window)
-    workspace, aracna = window.program.workspace.pages, window.program.aracna.pages
+    board_tabs, robot_tabs = (
+        trex(window.program).workspace.pages,
+        aracna(window.program).workspace.pages,
+    )
     window.choose_demo("trex")
     assert_trex_workspace(window)
     assert window.action("stop").text() == "&Stop motor"
     press_control(window, Qt.Key.Key_2)
-    assert (workspace.currentIndex(), aracna.currentIndex()) == (1, 0)
+    assert (board_tabs.currentIndex(), robot_tabs.currentIndex()) == (1, 0)
 
     window.choose_demo()
     assert_robot_workspace(window)
     assert window.action("stop").text() == "&Stop sequence"
     press_control(window, Qt.Key.Key_3)
-    assert (workspace.currentIndex(), aracna.currentIndex()) == (1, 2)
+    assert (board_tabs.currentIndex(), robot_tabs.currentIndex()) == (1, 2)
     press_control(window, Qt.Key.Key_1)
-    assert aracna.currentIndex() == 0
+    assert robot_tabs.currentIndex() == 0
 
     window.choose_demo("trex")
     assert_trex_workspace(window)
@@ -65,9 +69,9 @@ def test_escape_stops_robot_from_each_page(connected_window: RobotWindow) -> Non
     window = connected_window
     halts: list[bool] = []
     window.robot.halted.connect(lambda: halts.append(True))
-    for page in range(window.program.aracna.pages.count()):
+    for page in range(aracna(window.program).workspace.pages.count()):
         before = len(halts)
-        window.program.aracna.pages.setCurrentIndex(page)
+        aracna(window.program).workspace.pages.setCurrentIndex(page)
         window.press_escape()
         assert len(halts) > before, f"page {page}"
 
@@ -86,7 +90,7 @@ def test_newest_device_choice_wins(
 ) -> None:
     program = window.program
     port = program.ports.add_typed(quick_simulator.url)
-    finder = program.connector.finder
+    finder = program.device_manager.scanner
     finder.start([port])
     program.device_manager.connect_to(port)  # waits for the end of the search
     program.connect_to_demo("aracna")
@@ -101,7 +105,7 @@ def test_newest_device_choice_wins(
     window.device.connect_to(settings)
     window.device.disconnect_line()
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
-    assert program.connector.port is None
+    assert trex(program).controller.port is None
     virtual_time.advance(0.5)
     assert window.device.link is ConnectionState.DISCONNECTED, (
         "disconnecting drops the connection to come"

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtWidgets import QMessageBox
 
 from tests.support.pages.robot import POSES_PAGE, RobotWindow
+from tests.support.program import aracna, trex
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 POSES = "Test:8:1024:1024:1024:1024:1024:1024:1024:1024\nPose=low:100,100,100,100,100,100,100,100\n"
@@ -29,11 +30,11 @@ def make(tmp_path: Path) -> Make:
 
 
 def shows_robot(window: RobotWindow) -> bool:
-    return window.program.aracna.isVisible()
+    return aracna(window.program).workspace.isVisible()
 
 
 def poses(window: RobotWindow) -> list[str]:
-    return [pose.name for pose in window.program.library.project.poses]
+    return [pose.name for pose in aracna(window.program).library.project.poses]
 
 
 def banner(window: RobotWindow) -> str:
@@ -61,24 +62,24 @@ def test_dropped_files_open_in_their_workspace(
     window.wait_for_text("bannerText", reason)
 
     monkeypatch.setattr(QMessageBox, "question", cancel)
-    window.program.library.add_pose([200] * 8, "mine")
+    aracna(window.program).library.add_pose([200] * 8, "mine")
     window.drop(make("walk.ppr", POSES))
     window.wait(lambda: asked)
     assert "changes that are not saved" in asked[0]
     assert "mine" in poses(window)
-    window.program.library.undo.undo()
+    aracna(window.program).library.undo.undo()
 
     assert window.drop(make("walk.ppr", POSES))
     window.wait(lambda: poses(window) == ["low"])
     assert len(asked) == 1
     assert shows_robot(window)
-    assert window.program.aracna.pages.currentIndex() == POSES_PAGE
+    assert aracna(window.program).workspace.pages.currentIndex() == POSES_PAGE
     assert banner(window) == "walk.ppr was opened."
 
     assert window.drop(make("rover.yaml", SETTINGS))
-    window.wait(lambda: len(window.program.workspace.files.editors) == 1)
+    window.wait(lambda: len(trex(window.program).workspace.files.editors) == 1)
     assert not shows_robot(window)
-    window.program.workspace.files.close_all()
+    trex(window.program).workspace.files.close_all()
 
 
 def test_dropped_file_of_other_device_is_rejected(window: RobotWindow, make: Make) -> None:
@@ -91,7 +92,7 @@ def test_dropped_file_of_other_device_is_rejected(window: RobotWindow, make: Mak
     window.wait_for_text("bannerText", "rover.txt is a settings file of a TReX.")
     assert window.robot.link is ConnectionState.CONNECTED
     assert shows_robot(window)
-    assert window.program.workspace.files.editors == []
+    assert trex(window.program).workspace.files.editors == []
 
     window.choose_demo("trex")
     assert window.drop(make("other.ppr", OTHER_POSES))
@@ -107,10 +108,10 @@ def test_file_arguments_open_while_robot_connects(window: RobotWindow, make: Mak
     program.connect_to_demo("aracna")
     program.open_named(make("walk.ppr", POSES), connecting=True)
     program.open_named(make("rover.txt", SETTINGS), connecting=True)
-    assert len(program.workspace.files.editors) == 1
+    assert len(trex(program).workspace.files.editors) == 1
     window.wait_until_up()
     assert poses(window) == ["low"]
-    program.workspace.files.close_all()
+    trex(program).workspace.files.close_all()
 
 
 def test_pose_file_argument_opens_only_without_trex(window: RobotWindow, make: Make) -> None:

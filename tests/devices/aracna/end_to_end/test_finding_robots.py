@@ -16,7 +16,7 @@ def robot(start_simulator: StartSimulator) -> SimulatedDevice:
 
 def search(window: RobotWindow, url: str) -> list[str]:
     """Search a port to the end; return what was probed for, in order."""
-    finder = window.program.connector.finder
+    finder = window.program.device_manager.scanner
     texts: list[str] = []
 
     def note() -> None:
@@ -45,7 +45,7 @@ def test_search_finds_aracna_and_trex_and_prefers_earlier_device(
     assert window.text("findText0").startswith(f"Aracna 1 on {robot.url} at 38400 8N1.")
 
     assert kinds(search(window, robot.url)) == ["Aracna"], "a robot was found there before"
-    findings = window.program.connector.finder.findings
+    findings = window.program.device_manager.scanner.findings
     assert [finding.device for finding in findings] == ["aracna"]
     window.click("connectFound0")
     window.wait_until_up()
@@ -77,9 +77,9 @@ def test_search_reports_failed_attempts(window: RobotWindow, robot: SimulatedDev
 
     window.choose_demo()
     window.press_disconnect()
-    finder = window.program.connector.finder
+    finder = window.program.device_manager.scanner
     window.trigger("find")
     finder.start([window.program.ports.demo_of("aracna")])
     window.wait(lambda: not finder.running)
-    assert window.text("findText0") == "Aracna 1 on the simulated robot at 38400 8N1."
+    assert window.text("findText0") == "Aracna 1 on the simulated Aracna at 38400 8N1."
     window.find(QDialog, "findDialog").close()

@@ -65,8 +65,8 @@ def test_connect_uses_last_connected_robot(
     ports = window.program.ports
     port = ports.lead_to(ports.add_typed(robot.url), "aracna")
     ports.note_used(port)
-    ports.note_used(ports.demo)  # no port that a user would want next time
-    assert Ports(kinds=ports.kinds).preferred == port
+    ports.note_used(ports.demo_of("trex"))  # no port that a user would want next time
+    assert Ports(ports.plugins).preferred == port
     ports.changed.emit()
     assert window.port == f"Aracna: {robot.url}"
     window.press_connect()
@@ -95,9 +95,9 @@ def test_port_keeps_device_given_last(window: RobotWindow, robot: SimulatedDevic
     url = "/dev/ttyNothing8"
     program.ports.lead_to(program.ports.add_typed(url), "aracna")
     program.connect_to_port(url)
-    assert program.device_manager.current.kind.key == "aracna"
+    assert program.device_manager.current.plugin.key == "aracna"
     program.connect_to_port(url, "trex")
-    window.wait(lambda: program.device_manager.current.kind.key == "trex")
+    window.wait(lambda: program.device_manager.current.plugin.key == "trex")
     found = program.ports.find(url)
     assert found is not None
     assert found.device == "trex"

@@ -9,6 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.causes import watched
 from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
+from tests.support.program import aracna
 from trex_gui.devices.aracna.session.messages import Moving
 from trex_gui.ui.runtime import now
 
@@ -16,11 +17,13 @@ from trex_gui.ui.runtime import now
 @pytest.fixture
 def window(connected_window: RobotWindow) -> Iterator[RobotWindow]:
     yield connected_window
-    connected_window.program.library.new()  # else the window asks whether to save when it closes
+    aracna(
+        connected_window.program
+    ).library.new()  # else the window asks whether to save when it closes
 
 
 def test_pose_is_captured_renamed_and_moved_to(window: RobotWindow, tmp_path: Path) -> None:
-    library, robot = window.program.library, window.robot
+    library, robot = aracna(window.program).library, window.robot
     window.show_page(POSES_PAGE)
     assert not window.is_enabled("aracnaCapture"), "positions are not known yet"
     window.show_page(ROBOT_PAGE)

@@ -10,6 +10,7 @@ from shiboken6 import isValid
 from tests.devices.aracna import recordings
 from tests.devices.trex.recording import samples
 from tests.support.pages.robot import RobotWindow
+from tests.support.program import aracna, trex
 from tests.support.window import WidgetDriver
 from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
 
@@ -17,7 +18,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-te
 
 
 def opened(window: RobotWindow) -> list[RobotPlaybackWindow]:
-    return window.program.aracna.recordings.windows
+    return aracna(window.program).workspace.recordings.windows
 
 
 def close_recordings(window: RobotWindow) -> None:
@@ -28,7 +29,7 @@ def close_recordings(window: RobotWindow) -> None:
 
 def assert_of_another_device(window: RobotWindow, device: str) -> None:
     assert opened(window) == []
-    assert window.program.workspace.recordings.windows == []
+    assert trex(window.program).workspace.recordings.windows == []
     assert window.has("banner")
     message = window.text("bannerText")
     assert f"a recording of another device: {device}. It opens where" in message
@@ -40,7 +41,7 @@ def test_session_is_recorded_and_opened_from_menu(
     connected_window: RobotWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window, path = connected_window, tmp_path / "walk.trexrec"
-    manager = window.program.aracna.recordings
+    manager = aracna(window.program).workspace.recordings
     assert window.action("aracna_record").isEnabled()
     manager.record(path)
     assert window.has("aracna_recordIndicator")
@@ -76,7 +77,7 @@ def test_open_recording_is_not_overwritten_and_can_stop_robot(
     connected_window: RobotWindow, tmp_path: Path
 ) -> None:
     window, path = connected_window, tmp_path / "walk.trexrec"
-    manager = window.program.aracna.recordings
+    manager = aracna(window.program).workspace.recordings
     recordings.write(path, list(recordings.session(3)))
     before = path.read_bytes()
     manager.open_file(path)
@@ -121,12 +122,12 @@ def test_dropped_recording_opens_only_with_its_device(window: RobotWindow, tmp_p
     assert window.drop(walk)
     [playback] = opened(window)
     window.wait(lambda: playback.playback.is_loaded)
-    assert window.program.workspace.recordings.windows == []
+    assert trex(window.program).workspace.recordings.windows == []
     close_recordings(window)
 
     window.choose_demo("trex")
     assert window.drop(board)
-    [of_board] = window.program.workspace.recordings.windows
+    [of_board] = trex(window.program).workspace.recordings.windows
     window.wait(lambda: of_board.playback.is_loaded)
     of_board.close()
 
@@ -138,7 +139,7 @@ def test_program_exit_ends_recording_loader_thread(
     recordings.hang(monkeypatch)
     path = tmp_path / "long.trexrec"
     recordings.write(path, list(recordings.session(60)))
-    window.program.aracna.recordings.open_file(path)
+    aracna(window.program).workspace.recordings.open_file(path)
     [playback] = opened(window)
     thread = recordings.loader_thread(playback.playback)
     window.wait(lambda: playback.playback.progress > 0)

@@ -1,6 +1,7 @@
 """The transcript of the line to a robot, apart from that of a board."""
 
 from tests.support.pages.robot import RobotWindow
+from tests.support.program import aracna
 from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS
 from trex_gui.ui.traffic.table_view import TrafficView
 
@@ -16,11 +17,11 @@ def wait_for_row(window: RobotWindow, text: str) -> None:
 
 def test_traffic_log_shows_motions_resets_and_faults(connected_window: RobotWindow) -> None:
     window = connected_window
-    pages = window.program.aracna.pages
+    pages = aracna(window.program).workspace.pages
     pages.setCurrentIndex(pages.count() - 1)
     board = window.device.traffic
     assert board.everything.count == 0
-    wait_for_row(window, "Opened the simulated robot")
+    wait_for_row(window, "Opened the simulated Aracna")
     assert window.robot.move((300,) * 8)
     wait_for_row(window, "go to 300, 300, 300, 300, 300, 300, 300, 300 → at ")
     row = column(window, SENT).index(".c300,300,300,300,300,300,300,300\\n")

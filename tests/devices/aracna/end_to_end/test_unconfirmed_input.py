@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QListView, QSpinBox
 
 from tests.support.pages.robot import POSES_PAGE, RobotWindow
+from tests.support.program import aracna
 from trex_gui.devices.aracna.poses.ppr import read_ppr
 
 
@@ -57,7 +58,7 @@ def test_typed_position_is_saved_and_moved_to_before_enter(
     connected_window: RobotWindow, tmp_path: Path
 ) -> None:
     window, path = connected_window, tmp_path / "typed.ppr"
-    window.program.library.save(path)
+    aracna(window.program).library.save(path)
     window.show_page(POSES_PAGE)
     poses = window.find(QListView, "aracnaPoses")
     poses.setCurrentIndex(poses.model().index(0, 0))

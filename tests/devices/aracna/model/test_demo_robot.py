@@ -11,6 +11,7 @@ from tests.support.aracna import AracnaStage
 from tests.support.demo_panels import Overheard
 from trex_gui.devices.aracna.model.demo_robot import DemoRobot, Loss
 from trex_gui.devices.aracna.model.demo_snapshot import DemoServo, RobotSnapshot, read_snapshot
+from trex_gui.devices.aracna.plugin import ARACNA
 from trex_gui.devices.aracna.simulator.control import control
 from trex_gui.devices.aracna.views.demo.words import power_text, servo_text, state_text
 
@@ -145,7 +146,7 @@ pseudo_terminals = pytest.mark.skipif(sys.platform == "win32", reason="needs pse
 
 @pytest.fixture
 def simulator(qtbot: QtBot) -> Iterator[Overheard]:
-    simulator = Overheard("--aracna")
+    simulator = Overheard(ARACNA)
     with qtbot.waitSignal(simulator.ready, timeout=15_000):
         simulator.start()
     yield simulator

@@ -7,9 +7,11 @@ import pytest
 from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import new_controller, new_ports
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -24,14 +26,14 @@ def device(qtbot: QtBot) -> Device:
 
 @pytest.fixture
 def ports(qtbot: QtBot) -> Iterator[Ports]:
-    ports = Ports()
+    ports = new_ports()
     yield ports
     ports.deleteLater()
 
 
 @pytest.fixture
-def connector(device: Device, ports: Ports) -> Iterator[Connector]:
-    connector = Connector(device, ports)
+def connector(device: Device, ports: Ports) -> Iterator[TrexController]:
+    connector = new_controller(device, ports)
     yield connector
     connector.shut_down()
 
@@ -47,20 +49,20 @@ def until(qtbot: QtBot) -> Until:
 # --- Line settings ----------------------------------------------------------------------
 
 
-def test_line_settings_default_to_factory(connector: Connector) -> None:
+def test_line_settings_default_to_factory(connector: TrexController) -> None:
     assert connector.settings == ConnectionSettings("")
 
 
 @pytest.mark.parametrize("number", [None, 0, 7, 127])
 def test_line_settings_are_saved(
-    connector: Connector, device: Device, ports: Ports, qtbot: QtBot, number: int | None
+    connector: TrexController, device: Device, ports: Ports, qtbot: QtBot, number: int | None
 ) -> None:
     line = LineSettings(57600, Detection.CRC7, 2)
     with qtbot.waitSignal(connector.settings_changed):
         connector.set_settings(ConnectionSettings("ignored", line, number, 0x91, name="ignored"))
     expected = ConnectionSettings("", line, number, 0x91)
     assert connector.settings == expected
-    assert Connector(device, ports).settings == expected
+    assert new_controller(device, ports).settings == expected
 
 
 @pytest.mark.parametrize(
@@ -73,18 +75,18 @@ def test_line_settings_are_saved(
     ],
 )
 def test_invalid_saved_line_settings_fall_back_to_factory(
-    device: Device, ports: Ports, key: str, value: object, connector: Connector
+    device: Device, ports: Ports, key: str, value: object, connector: TrexController
 ) -> None:
     connector.set_settings(ConnectionSettings("", LineSettings(57600)))
     QSettings().setValue(key, value)
-    assert Connector(device, ports).settings == ConnectionSettings("")
+    assert new_controller(device, ports).settings == ConnectionSettings("")
 
 
 # --- Connecting -------------------------------------------------------------------------
 
 
 def test_port_is_opened_with_the_chosen_settings(
-    connector: Connector,
+    connector: TrexController,
     device: Device,
     ports: Ports,
     start_simulator: StartSimulator,
@@ -96,18 +98,20 @@ def test_port_is_opened_with_the_chosen_settings(
     until(lambda: device.link is ConnectionState.CONNECTED)
     assert device.settings == ConnectionSettings(url, device_number=7)
     assert connector.port == ports.find(url)
-    assert Ports().preferred == ports.find(url)
+    assert new_ports().preferred == ports.find(url)
 
 
-def test_failed_open_clears_the_port(connector: Connector, device: Device, until: Until) -> None:
-    connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x"))
+def test_failed_open_clears_the_port(
+    connector: TrexController, device: Device, until: Until
+) -> None:
+    connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x", "trex"))
     assert connector.port is not None
     until(lambda: device.link is ConnectionState.DISCONNECTED)
     assert connector.port is None
 
 
 def test_disconnecting_clears_the_port(
-    connector: Connector,
+    connector: TrexController,
     device: Device,
     ports: Ports,
     quick_simulator: SimulatedDevice,
@@ -115,46 +119,46 @@ def test_disconnecting_clears_the_port(
 ) -> None:
     connector.connect_to(ports.add_typed(quick_simulator.url))
     until(lambda: device.link is ConnectionState.CONNECTED)
-    connector.disconnect_port()
+    connector.leave()
     until(lambda: device.link is ConnectionState.DISCONNECTED)
     assert connector.port is None
 
 
 def test_choosing_the_demo_port_starts_the_simulator(
-    connector: Connector, device: Device, ports: Ports, until: Until
+    connector: TrexController, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.set_settings(ConnectionSettings("", LineSettings(115200, Detection.CRC7)))
-    connector.connect_to(ports.demo)
+    connector.connect_to(ports.demo_of("trex"))
     starting: list[bool] = [connector.starting]
     until(lambda: device.link is ConnectionState.CONNECTED)
     assert [*starting, connector.starting] == [True, False]
-    assert connector.port == ports.demo
+    assert connector.port == ports.demo_of("trex")
     assert connector.simulator.url
     assert device.settings is not None
     assert device.settings.line == LineSettings()
 
 
 def test_simulator_keeps_running_after_disconnect(
-    connector: Connector, device: Device, ports: Ports, until: Until
+    connector: TrexController, device: Device, ports: Ports, until: Until
 ) -> None:
-    connector.connect_to(ports.demo)
+    connector.connect_to(ports.demo_of("trex"))
     until(lambda: device.link is ConnectionState.CONNECTED)
     url = connector.simulator.url
-    connector.disconnect_port()
+    connector.leave()
     until(lambda: device.link is ConnectionState.DISCONNECTED)
-    connector.connect_to(ports.demo)
+    connector.connect_to(ports.demo_of("trex"))
     until(lambda: device.link is ConnectionState.CONNECTED)
     assert connector.simulator.url == url
 
 
 def test_later_port_choice_wins_while_the_simulator_starts(
-    connector: Connector,
+    connector: TrexController,
     device: Device,
     ports: Ports,
     quick_simulator: SimulatedDevice,
     until: Until,
 ) -> None:
-    connector.connect_to(ports.demo)
+    connector.connect_to(ports.demo_of("trex"))
     connector.connect_to(ports.add_typed(quick_simulator.url))
     until(lambda: device.link is ConnectionState.CONNECTED and connector.simulator.url != "")
     assert device.settings is not None
@@ -162,19 +166,19 @@ def test_later_port_choice_wins_while_the_simulator_starts(
 
 
 def test_disconnecting_while_the_simulator_starts_cancels(
-    connector: Connector, device: Device, ports: Ports, until: Until
+    connector: TrexController, device: Device, ports: Ports, until: Until
 ) -> None:
-    connector.connect_to(ports.demo)
-    connector.disconnect_port()
+    connector.connect_to(ports.demo_of("trex"))
+    connector.leave()
     assert connector.port is None
     until(lambda: connector.simulator.url != "")
     assert device.link is ConnectionState.DISCONNECTED
 
 
 def test_shutdown_ends_line_and_simulator(
-    connector: Connector, device: Device, ports: Ports, until: Until
+    connector: TrexController, device: Device, ports: Ports, until: Until
 ) -> None:
-    connector.connect_to(ports.demo)
+    connector.connect_to(ports.demo_of("trex"))
     until(lambda: device.link is ConnectionState.CONNECTED)
     connector.shut_down()
     assert connector.simulator.url == ""
@@ -186,7 +190,7 @@ def test_shutdown_ends_line_and_simulator(
 
 @pytest.fixture
 def demo(qtbot: QtBot) -> Iterator[Simulator]:
-    demo = Simulator()
+    demo = Simulator(TREX)
     yield demo
     demo.stop()
 

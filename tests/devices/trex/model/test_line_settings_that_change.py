@@ -5,8 +5,9 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import new_controller, new_ports
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
@@ -31,14 +32,14 @@ def device(qtbot: QtBot) -> Device:
 
 @pytest.fixture
 def ports(qtbot: QtBot) -> Iterator[Ports]:
-    ports = Ports()
+    ports = new_ports()
     yield ports
     ports.deleteLater()
 
 
 @pytest.fixture
-def connector(device: Device, ports: Ports) -> Iterator[Connector]:
-    connector = Connector(device, ports)
+def connector(device: Device, ports: Ports) -> Iterator[TrexController]:
+    connector = new_controller(device, ports)
     yield connector
     connector.shut_down()
 
@@ -72,7 +73,7 @@ def line_of(device: Device) -> LineSettings:
 
 
 def test_reconnect_at_new_line_settings_is_saved(
-    connector: Connector,
+    connector: TrexController,
     device: Device,
     ports: Ports,
     quick_simulator: SimulatedDevice,
@@ -90,9 +91,9 @@ def test_reconnect_at_new_line_settings_is_saved(
     there = ConnectionSettings(quick_simulator.url, NEW, polynomial=0x91)
     assert device.settings == there
     assert connector.settings == ConnectionSettings("", NEW, polynomial=0x91)
-    assert Connector(device, ports).settings == connector.settings
+    assert new_controller(device, ports).settings == connector.settings
     assert device.parameters.active_of(UART) == NEW.to_wire()
-    connector.disconnect_port()
+    connector.leave()
     until(lambda: device.link is ConnectionState.DISCONNECTED)
     connector.connect_to(ports.add_typed(quick_simulator.url))
     until(lambda: device.link is ConnectionState.CONNECTED)
@@ -101,7 +102,7 @@ def test_reconnect_at_new_line_settings_is_saved(
 
 @pytest.mark.parametrize("baud", [4800, 14400, 38400, 76800, 115200])
 def test_board_reconnects_at_a_new_baud_rate(
-    connector: Connector,
+    connector: TrexController,
     device: Device,
     ports: Ports,
     quick_simulator: SimulatedDevice,
@@ -120,26 +121,26 @@ def test_board_reconnects_at_a_new_baud_rate(
 
 
 def test_simulated_board_reconnects_at_its_last_settings(
-    connector: Connector, device: Device, ports: Ports, until: Until
+    connector: TrexController, device: Device, ports: Ports, until: Until
 ) -> None:
-    connector.connect_to(ports.demo)
+    connector.connect_to(ports.demo_of("trex"))
     until(lambda: device.link is ConnectionState.CONNECTED)
     store(device, until, **{UART: NEW.to_wire()})
     device.expect((ConnectionSettings("", NEW),))
     restart(device, until, connector.demo_board.power_cycle)
     assert line_of(device) == NEW
     assert connector.settings == ConnectionSettings("")  # which are for real boards
-    connector.disconnect_port()
+    connector.leave()
     until(lambda: device.link is ConnectionState.DISCONNECTED)
-    connector.connect_to(ports.demo)
+    connector.connect_to(ports.demo_of("trex"))
     until(lambda: device.link is ConnectionState.CONNECTED)
     assert line_of(device) == NEW
 
 
 def test_new_simulated_board_uses_factory_line_settings(
-    connector: Connector, device: Device, ports: Ports, until: Until
+    connector: TrexController, device: Device, ports: Ports, until: Until
 ) -> None:
-    connector.connect_to(ports.demo)
+    connector.connect_to(ports.demo_of("trex"))
     until(lambda: device.link is ConnectionState.CONNECTED)
     store(device, until, **{UART: NEW.to_wire()})
     device.expect((ConnectionSettings("", NEW),))
@@ -148,6 +149,6 @@ def test_new_simulated_board_uses_factory_line_settings(
     assert line_of(device) == LineSettings()
     connector.simulator.stop()
     until(lambda: device.link is ConnectionState.DISCONNECTED)
-    connector.connect_to(ports.demo)
+    connector.connect_to(ports.demo_of("trex"))
     until(lambda: device.link is ConnectionState.CONNECTED)
     assert line_of(device) == LineSettings()

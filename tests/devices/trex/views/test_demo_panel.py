@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import trex
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.composition import build
@@ -34,8 +35,8 @@ from trex_gui.devices.trex.views.demo.words import (
     motor_text,
     state_text,
 )
-from trex_gui.program import Program
 from trex_gui.ui.devices.ports import Port, PortKind
+from trex_gui.ui.program import Program
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import NoWheelComboBox
 from trex_gui.ui.widgets.labels import Note
@@ -326,7 +327,7 @@ def restart(program: Program, qtbot: QtBot) -> Callable[[Program], WindowDriver]
     def again(before: Program) -> WindowDriver:
         before.window.close()
         if before is not program:
-            before.connector.shut_down()
+            trex(before).controller.shut_down()
         after = build()
         qtbot.addWidget(after.window)
         after.window.show()
@@ -336,8 +337,8 @@ def restart(program: Program, qtbot: QtBot) -> Callable[[Program], WindowDriver]
 
 
 def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel: DemoPanel) -> None:
-    connector, action = window.program.connector, window.action("demo")
-    demo = window.program.ports.demo
+    connector, action = trex(window.program).controller, window.action("demo")
+    demo = window.program.ports.demo_of("trex")
     assert panel.isHidden()
     assert not action.isEnabled()
 
@@ -348,18 +349,18 @@ def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel:
     assert action.isChecked()
     assert not window.is_enabled("demoInput1"), "the simulator is being started"
     assert "is being started" in window.text("demoState")
-    connector.disconnect_port()
+    connector.leave()
     assert panel.isHidden()
 
     connector.connect_to(demo)
     assert panel.isVisible()
-    connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x"))
+    connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x", "trex"))
     assert panel.isHidden()
 
     connector.connect_to(demo)
     panel.close()
     assert not action.isChecked()
-    connector.disconnect_port()
+    connector.leave()
     connector.connect_to(demo)
     assert panel.isHidden(), "it was closed"
     action.trigger()
@@ -372,13 +373,13 @@ def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel:
 def test_panel_is_restored_at_the_next_start(
     program: Program, panel: DemoPanel, restart: Callable[[Program], WindowDriver]
 ) -> None:
-    program.connector.connect_to(program.ports.demo)
+    trex(program).controller.connect_to(program.ports.demo_of("trex"))
     program.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, panel)
 
     window = restart(program)
     second = window.program
     assert panel_of(window).isHidden()
-    second.connector.connect_to(second.ports.demo)
+    trex(second).controller.connect_to(second.ports.demo_of("trex"))
     assert panel_of(window).isVisible()
     where = second.window.dockWidgetArea(panel_of(window))
     assert where is Qt.DockWidgetArea.LeftDockWidgetArea
@@ -386,21 +387,21 @@ def test_panel_is_restored_at_the_next_start(
     panel_of(window).close()
     window = restart(second)
     third = window.program
-    third.connector.connect_to(third.ports.demo)
+    trex(third).controller.connect_to(third.ports.demo_of("trex"))
     assert panel_of(window).isHidden(), "it was closed"
-    third.connector.shut_down()
+    trex(third).controller.shut_down()
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support")  # said by offscreen
 def test_panel_closes_with_the_connection_and_the_window(
     window: WindowDriver, panel: DemoPanel
 ) -> None:
-    connector, demo = window.program.connector, window.program.ports.demo
+    connector, demo = trex(window.program).controller, window.program.ports.demo_of("trex")
     window.window.setGeometry(0, 0, 780, 620)  # of the 800 that the screen has
     before = window.window.width()
     connector.connect_to(demo)
     window.wait(panel.isVisible)
-    connector.disconnect_port()
+    connector.leave()
     window.wait(lambda: window.window.width() == before)
 
     connector.connect_to(demo)

@@ -5,11 +5,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout
+from PySide6.QtWidgets import QDockWidget, QVBoxLayout
 
-from trex_gui.devices.aracna.model.controller import ARACNA, AracnaController
+from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.library import Library
-from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
 from trex_gui.devices.aracna.views.action_bar import RobotBar
 from trex_gui.devices.aracna.views.demo.panel import RobotPanel
@@ -21,6 +20,7 @@ from trex_gui.devices.aracna.views.recordings import AracnaRecordings
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.frame.actions import ActionInfo
+from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -32,12 +32,11 @@ _POSES = 1
 class AracnaWorkspace(Workspace):
     """Everything of the window that is about an Aracna; it holds no state of the robot."""
 
-    def __init__(
-        self, robot: Robot, library: Library, way: AracnaController, frame: QMainWindow
-    ) -> None:
-        super().__init__(ARACNA.key, robot.notifier, frame)
+    def __init__(self, controller: AracnaController, frame: MainWindow) -> None:
+        robot = controller.robot
+        super().__init__(controller.plugin.key, robot.notifier, frame)
         self._robot = robot
-        self._library = library
+        self._library = library = Library(robot)
         self._store = QSettings(self)
         self._was_up = False
         self._actions: Mapping[str, QAction] = {}
@@ -62,8 +61,8 @@ class AracnaWorkspace(Workspace):
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
         bar = RobotBar(robot, self)
-        self._way = way
-        self._demo = RobotPanel(way, frame)
+        self._controller = controller
+        self._demo = RobotPanel(controller, frame)
 
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -71,15 +70,19 @@ class AracnaWorkspace(Workspace):
         layout.addWidget(self.recordings.indicator)
         layout.addWidget(bar)
 
-        way.failed.connect(self.notifier.error)
-        way.demo_robot.refused.connect(self.notifier.error)
-        way.changed.connect(self._on_changed)
+        controller.demo_robot.refused.connect(self.notifier.error)
+        controller.changed.connect(self._on_changed)
         self._demo.wanted_changed.connect(self._on_demo_wanted)
         robot.link_changed.connect(self._on_link_changed)
         robot.changed.connect(self._on_changed)
         robot.limits.changed.connect(self._on_changed)
         self.recordings.changed.connect(self._on_changed)
         self._undo_watch = library.undo.indexChanged.connect(self._on_changed)
+
+    @property
+    def library(self) -> Library:
+        """The poses and sequences."""
+        return self._library
 
     @property
     def stop_text(self) -> str:
@@ -171,7 +174,7 @@ class AracnaWorkspace(Workspace):
             "aracna_capture": None not in robot.present,
             "aracna_undo": undo.canUndo(),
             "aracna_redo": undo.canRedo(),
-            "aracna_demo": self._way.demo_in_use,
+            "aracna_demo": self._controller.demo_in_use,
         }
 
     def _play(self) -> None:
@@ -227,3 +230,6 @@ class AracnaWorkspace(Workspace):
     def finish(self) -> None:
         """Close the recordings."""
         self.recordings.close_all()
+
+    def shut_down(self) -> bool:
+        return self.recordings.shut_down()

@@ -1,112 +1,159 @@
-"""How a TReX is reached, for a window that knows several kinds of devices."""
+"""Controller of a TReX."""
 
-from PySide6.QtCore import QObject, Signal
+from dataclasses import replace
 
+from PySide6.QtCore import QSettings, Signal, Slot
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.plugin import DevicePlugin
+from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.automatic_stop import AutomaticStop
-from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.demo.board import DemoBoard
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.crc7 import check_polynomial
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.device_kind import TREX, DeviceKind
-from trex_gui.ui.devices.ports import Port
+from trex_gui.ui.devices.controller import DeviceController
+from trex_gui.ui.devices.ports import Port, PortKind, Ports
+from trex_gui.ui.devices.scanner import DeviceScanner
+from trex_gui.ui.notifier import Notifier
+
+_LINE = "line/settings"
+_NUMBER = "line/device_number"
+_POLYNOMIAL = "line/polynomial"
 
 
-class TrexController(QObject):
-    """A device and its connector as one; see `device_manager.Way`."""
+class TrexController(DeviceController[ConnectionSettings]):
+    """Remembers the line settings of boards, and reports what became of a stop.
 
-    changed = Signal()
-    progressed = Signal(int, int, str)
-    stop_reported = Signal(str)
+    Signals:
+        settings_changed: `settings`.
+    """
 
-    def __init__(self, device: Device, connector: Connector, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._device = device
-        self._connector = connector
-        self._unasked = AutomaticStop(device, self)
-        self._unasked.told.connect(self.stop_reported)
-        device.link_changed.connect(self.changed)
+    has_line_settings = True
+
+    settings_changed = Signal()
+
+    def __init__(
+        self,
+        plugin: DevicePlugin,
+        device: Device,
+        ports: Ports,
+        scanner: DeviceScanner,
+        timeouts: Timeouts | None = None,
+    ) -> None:
+        self._default = ConnectionSettings("", timeouts=timeouts or Timeouts())
+        super().__init__(plugin, device, ports, scanner, self._default)
+        self.device = device
+        self._store = QSettings(self)
+        self._settings = self._read_settings()
+        self.demo_board = DemoBoard(self.simulator, self)
+        self._automatic_stop = AutomaticStop(device, self)
+
+        self._automatic_stop.told.connect(self.stop_reported)
+        self.settings_changed.connect(self.changed)
+        self.simulator.ended.connect(self._on_simulator_ended)
+        self.demo_board.made_new.connect(self._on_demo_made_new)
+        device.link_changed.connect(self._note_settings)
         device.progressed.connect(self.progressed)
-        connector.port_changed.connect(self.changed)
-        connector.settings_changed.connect(self.changed)
 
-    @property
-    def kind(self) -> DeviceKind:
-        """TReX."""
-        return TREX
-
-    @property
-    def link(self) -> ConnectionState:
-        """How things stand."""
-        return self._device.link
-
-    @property
-    def status(self) -> str:
-        """How things stand, as a sentence."""
-        return self._device.status
-
-    @property
-    def starting(self) -> bool:
-        """Whether the simulated board is being started, and will be connected to."""
-        return self._connector.starting
-
-    @property
-    def port(self) -> Port | None:
-        """The port that is connected, or about to be."""
-        return self._connector.port
-
-    @property
-    def demo_in_use(self) -> bool:
-        """Whether the simulated board was chosen last, and not given up since."""
-        return self._connector.demo_in_use
-
-    @property
-    def has_line_settings(self) -> bool:
-        """A TReX can be set to any baud rate, with parity or CRC."""
-        return True
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether settings are being written."""
-        return self._device.applying
+    # --- Line settings ------------------------------------------------------------------
 
     @property
     def line_text(self) -> str:
-        """Line settings and device number for the next connection."""
-        settings = self._connector.settings
-        number = settings.device_number
-        return settings.short if number is None else f"{settings.short} #{number}"
+        number = self.settings.device_number
+        return self.settings.short if number is None else f"{self.settings.short} #{number}"
 
-    def connect_to(self, port: Port) -> None:
-        """Connect to a port."""
-        self._connector.connect_to(port)
+    def set_settings(self, settings: ConnectionSettings) -> None:
+        """Use and remember these line settings from the next connection on."""
+        self._settings = replace(settings, url="", name="")
+        self._store.setValue(_LINE, settings.line.to_wire())
+        number = settings.device_number
+        self._store.setValue(_NUMBER, -1 if number is None else number)
+        self._store.setValue(_POLYNOMIAL, settings.polynomial)
+        self.settings_changed.emit()
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
-        """Connect to a port with these line settings, and remember them."""
-        self._connector.connect_with(port, settings)
+        found = ConnectionSettings.on(settings)
+        if port.kind is PortKind.DEMO:
+            self._demo_settings = found
+        else:
+            self.set_settings(found)
+        self.connect_to(port)
 
-    def leave(self) -> None:
-        """Stop the motors if they were driven, and close the line."""
-        self._connector.disconnect_port()
+    @Slot()
+    def _note_settings(self) -> None:
+        """Remember how the board was reached: it may have come back at other settings."""
+        used, port = self.device.settings, self.port
+        if self.link is not ConnectionState.CONNECTED or used is None or port is None:
+            return
+        settings = replace(used, url="", name="")
+        if port.kind is PortKind.DEMO:
+            self._demo_settings = settings
+        elif settings != self._settings:
+            self.set_settings(settings)
 
-    def press_stop(self) -> None:
-        """Stop the motors, and lock them for a while."""
-        self._device.motors.press_stop()
+    @Slot()
+    def _on_simulator_ended(self) -> None:
+        """A new simulated board starts with factory settings, whatever is chosen here."""
+        self._demo_settings = self._default
 
-    def stop_because(self, reason: str) -> str:
-        """Stop the motors; `stop_reported` tells whether the board has confirmed it."""
-        return self._unasked.stop(reason)
+    @Slot()
+    def _on_demo_made_new(self) -> None:
+        self._demo_settings = self._default
+        if self.demo_in_use:
+            self.device.expect((ConnectionSettings(""),))
+
+    def _read_settings(self) -> ConnectionSettings:
+        try:
+            wire = int(str(self._store.value(_LINE, self._default.line.to_wire())))
+            number = int(str(self._store.value(_NUMBER, -1)))
+            polynomial = int(str(self._store.value(_POLYNOMIAL, self._default.polynomial)))
+            settings = replace(
+                self._default,
+                line=LineSettings.from_wire(wire),
+                device_number=None if number < 0 else number,
+                polynomial=check_polynomial(polynomial),
+            )
+            _ = settings.framing
+        except (BadRequest, ValueError):
+            return self._default
+        return settings
+
+    # --- Stopping -----------------------------------------------------------------------
+
+    @property
+    def is_busy(self) -> bool:
+        return self.device.applying
+
+    @property
+    def may_move(self) -> bool:
+        return self.device.may_move
 
     @property
     def unconfirmed_stop(self) -> str:
-        """A stop that no board has confirmed, where the line is closed."""
-        if self._device.link is not ConnectionState.DISCONNECTED or not self._device.may_move:
+        if self.link is not ConnectionState.DISCONNECTED or not self.may_move:
             return ""
         return self.tr("The stop is not confirmed. If a motor still turns, cut its power.")
 
-    def begin_to_shut_down(self) -> None:
-        """Stop the motors if they were driven, and let line and search end."""
-        self._connector.begin_to_shut_down()
+    def press_stop(self) -> None:
+        self.device.motors.press_stop()
 
-    def shut_down(self) -> bool:
-        """Close the line and end the simulator; return whether it ended in time."""
-        return self._connector.shut_down()
+    def stop_because(self, reason: str) -> str:
+        return self._automatic_stop.stop(reason)
+
+    def stop_now(self, *, ending: bool = False) -> None:
+        self.device.stop_now(ending=ending)
+
+
+def make_controller(
+    plugin: DevicePlugin,
+    notifier: Notifier,
+    ports: Ports,
+    scanner: DeviceScanner,
+    timeouts: Timeouts,
+) -> TrexController:
+    """Make the model of a device and its controller."""
+    return TrexController(plugin, Device(notifier), ports, scanner, timeouts)

@@ -4,12 +4,11 @@ from collections.abc import Callable, Mapping, Sequence
 
 from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMainWindow
+from PySide6.QtWidgets import QDockWidget
 
 from trex_gui.core.errors import sentence
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
@@ -18,6 +17,7 @@ from trex_gui.devices.trex.views.bench.dialog import BenchOpener
 from trex_gui.devices.trex.views.demo.panel import DemoPanel
 from trex_gui.devices.trex.views.history.dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
+from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.calibration.page import CalibrationPage
 from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
@@ -30,12 +30,12 @@ from trex_gui.devices.trex.views.review.power_cycle_dialog import PowerCycleDial
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.device_kind import TREX
+from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.file_drop import TEXT
-from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
+from trex_gui.ui.widgets.inline_prompt import PromptAnswer
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 GUIDE_URL = "https://www.pololu.com/docs/0J1"
@@ -44,14 +44,12 @@ GUIDE_URL = "https://www.pololu.com/docs/0J1"
 class TrexWorkspace(Workspace):
     """Everything of the window that is about a TReX; it holds no state of the device."""
 
-    def __init__(
-        self, device: Device, connector: Connector, question: InlinePrompt, frame: QMainWindow
-    ) -> None:
-        """Stand in `frame`, and ask what has to be asked with its `question`."""
-        super().__init__(TREX.key, device.notifier, frame)
+    def __init__(self, controller: TrexController, frame: MainWindow) -> None:
+        device = controller.device
+        super().__init__(controller.plugin.key, device.notifier, frame)
         self._device = device
-        self._connector = connector
-        self._question = question
+        self._controller = controller
+        self._question = question = frame.question
         self._frame = frame
         self._store = QSettings(self)
         self._was_up = False
@@ -83,7 +81,7 @@ class TrexWorkspace(Workspace):
         self._recordings = Recordings(device, frame)
         self._bar = ActionBar(device, self)
         ui.column((tabs, 1), self._recordings.indicator, self._bar, into=self, margins=0)
-        self._demo = DemoPanel(connector, frame)
+        self._demo = DemoPanel(controller, frame)
         self._files = SettingsFiles(device, frame)
         self._guided = PowerCycle(device, self)
         self._review = ReviewDialog(device, PowerCycle(device, self), frame)
@@ -110,9 +108,8 @@ class TrexWorkspace(Workspace):
         learning.taken.connect(self._review.review)
         motors_page.parameter_wanted.connect(parameters_page.show_parameter)
         motors_page.parameter_wanted.connect(lambda: tabs.setCurrentIndex(parameters_index))
-        connector.failed.connect(self.notifier.error)
-        connector.demo_changed.connect(self._on_demo_changed)
-        connector.demo_board.refused.connect(self.notifier.error)
+        controller.changed.connect(self._on_demo_changed)
+        controller.demo_board.refused.connect(self.notifier.error)
         self._demo.wanted_changed.connect(self._on_demo_changed)
         device.applied.connect(self._on_applied)
         device.applied.connect(question.reconsider)
@@ -141,7 +138,14 @@ class TrexWorkspace(Workspace):
     @property
     def file_kinds(self) -> Sequence[FileKind]:
         """Settings files; recordings open in windows of their own."""
-        return (FileKind(TEXT, self.tr("a settings file of a TReX"), self._files.open_file),)
+        return (
+            FileKind(
+                TEXT,
+                self.tr("a settings file of a TReX"),
+                self._files.open_file,
+                self._files.edit_file,
+            ),
+        )
 
     @property
     def docks(self) -> Sequence[QDockWidget]:
@@ -215,7 +219,7 @@ class TrexWorkspace(Workspace):
             "discard": edited,
             "undo": shown and self._device.undo.canUndo(),
             "redo": shown and self._device.undo.canRedo(),
-            "demo": self._connector.demo_in_use,
+            "demo": self._controller.demo_in_use,
         }
 
     # --- What has changed ---------------------------------------------------------------
@@ -347,3 +351,12 @@ class TrexWorkspace(Workspace):
     def finish(self) -> None:
         """Close the recordings."""
         self._recordings.close_all()
+
+    def shut_down(self) -> bool:
+        return self._recordings.shut_down()
+
+    def edit_line_settings(self) -> None:
+        dialog = LineSettingsDialog(self._controller.settings, self._frame)
+        if dialog.exec():
+            self._controller.set_settings(dialog.settings)
+        dialog.deleteLater()

@@ -3,13 +3,14 @@
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import trex
 from tests.support.simulator import StartSimulator
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.model.driving.drive_controller import why_the_board_stopped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.program import Program
 
 NO_STATUS = Status(0)
 
@@ -35,7 +36,7 @@ def test_motor_status_bits_do_not_explain_a_stop() -> None:
 def test_line_error_disarms_and_clears_setpoints(
     program: Program, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
-    device = program.device
+    device = trex(program).device
     simulator = start_simulator("--unpaced")
     device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(

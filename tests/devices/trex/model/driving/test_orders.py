@@ -6,6 +6,7 @@ from itertools import pairwise
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import StudioError
@@ -17,9 +18,9 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.drive_controller import DriveController
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import now, runtime
 
 STOOD_STILL = "The window did not respond for a second."
@@ -54,7 +55,7 @@ def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
 @pytest.fixture
 def driven(program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device whose motor 1 runs."""
-    device = program.device
+    device = trex(program).device
     device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(
         lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available,

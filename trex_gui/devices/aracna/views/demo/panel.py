@@ -20,19 +20,19 @@ _MORE = 34  # pixels, of which a scroll bar may take some
 class RobotPanel(DemoDock):
     """The dock of the simulated robot."""
 
-    def __init__(self, way: AracnaController, parent: QWidget | None = None) -> None:
-        super().__init__("aracnaDemoPanel", "aracna/demo_panel", way, parent)
+    def __init__(self, controller: AracnaController, parent: QWidget | None = None) -> None:
+        super().__init__("aracnaDemoPanel", "aracna/demo_panel", controller, parent)
         self.setWindowTitle(self.tr("Demo Aracna"))
-        self.hold(DemoRobotView(way, self))
-        way.changed.connect(self.show_if_wanted)
+        self.hold(DemoRobotView(controller, self))
+        controller.changed.connect(self.show_if_wanted)
 
 
 class DemoRobotView(DemoPanelBody[RobotSnapshot]):
     """The robot itself: LED, switches, servos, cable."""
 
-    def __init__(self, way: AracnaController, parent: QWidget | None = None) -> None:
-        robot = way.demo_robot
-        super().__init__(robot, way, "aracnaDemoState", parent)
+    def __init__(self, controller: AracnaController, parent: QWidget | None = None) -> None:
+        robot = controller.demo_robot
+        super().__init__(robot, controller, "aracnaDemoState", parent)
         head = QWidget(self)
         self._lamp = Lamp("led_green", head)
         self._lamp.setObjectName("aracnaDemoLed")
@@ -56,7 +56,7 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
         self.arrange(head, groups, mend)
 
         mend.clicked.connect(robot.mend)
-        way.changed.connect(self.renew)
+        controller.changed.connect(self.renew)
 
     def sizeHint(self) -> QSize:
         """Little wider than it needs: the robot's pages use what they get better."""

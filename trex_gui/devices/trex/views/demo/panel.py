@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
 from trex_gui.devices.trex.views.demo.board_cable import DemoCable
 from trex_gui.devices.trex.views.demo.inputs import DemoInputs
@@ -18,19 +18,19 @@ from trex_gui.ui.widgets.leds import Leds
 class DemoPanel(DemoDock):
     """The dock of the simulated TReX."""
 
-    def __init__(self, connector: Connector, parent: QWidget | None = None) -> None:
-        super().__init__("demoPanel", "demo_panel/wanted", connector, parent)
+    def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
+        super().__init__("demoPanel", "demo_panel/wanted", controller, parent)
         self.setWindowTitle(self.tr("Demo TReX"))
-        self.hold(DemoBoardView(connector, self))
-        connector.demo_changed.connect(self.show_if_wanted)
+        self.hold(DemoBoardView(controller, self))
+        controller.changed.connect(self.show_if_wanted)
 
 
 class DemoBoardView(DemoPanelBody[DemoSnapshot]):
     """The board itself: LEDs, switches, sticks, motors, cable."""
 
-    def __init__(self, connector: Connector, parent: QWidget | None = None) -> None:
-        board = connector.demo_board
-        super().__init__(board, connector, "demoState", parent)
+    def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
+        board = controller.demo_board
+        super().__init__(board, controller, "demoState", parent)
         self._leds = Leds(self)
         self._leds.setObjectName("demoLeds")
         self._leds.setAccessibleName(self.tr("LEDs of the board"))
@@ -50,7 +50,7 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
         self.arrange(self._leds, groups, factory)
 
         factory.clicked.connect(board.restore_factory)
-        connector.port_changed.connect(self.renew)
+        controller.changed.connect(self.renew)
 
     def absent_text(self, *, starts: bool) -> str:
         """Say that the board does not run, or that it is being started."""

@@ -1,0 +1,78 @@
+"""The parts of a program that belong to one device."""
+
+from typing import NamedTuple
+
+from trex_gui.composition import PLUGINS
+from trex_gui.core.plugin import DevicePlugin
+from trex_gui.devices.aracna.model.controller import AracnaController
+from trex_gui.devices.aracna.model.library import Library
+from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.plugin import ARACNA
+from trex_gui.devices.aracna.views.workspace import AracnaWorkspace
+from trex_gui.devices.trex.model.controller import TrexController
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.plugin import TREX
+from trex_gui.devices.trex.views.workspace import TrexWorkspace
+from trex_gui.ui.devices.ports import Ports
+from trex_gui.ui.devices.scanner import DeviceScanner
+from trex_gui.ui.program import Program
+
+
+class TrexParts(NamedTuple):
+    controller: TrexController
+    device: Device
+    workspace: TrexWorkspace
+
+
+class AracnaParts(NamedTuple):
+    controller: AracnaController
+    robot: Robot
+    library: Library
+    workspace: AracnaWorkspace
+
+
+def trex(program: Program) -> TrexParts:
+    """Return the parts of a program that belong to the TReX."""
+    controller, workspace = program.controllers[TREX.key], program.workspaces[TREX.key]
+    assert isinstance(controller, TrexController)
+    assert isinstance(workspace, TrexWorkspace)
+    return TrexParts(controller, controller.device, workspace)
+
+
+def aracna(program: Program) -> AracnaParts:
+    """Return the parts of a program that belong to the Aracna."""
+    controller, workspace = program.controllers[ARACNA.key], program.workspaces[ARACNA.key]
+    assert isinstance(controller, AracnaController)
+    assert isinstance(workspace, AracnaWorkspace)
+    return AracnaParts(controller, controller.robot, workspace.library, workspace)
+
+
+def new_ports() -> Ports:
+    """Return the list of ports of a program with every device."""
+    return Ports(PLUGINS)
+
+
+def new_controller(device: Device, ports: Ports | None = None) -> TrexController:
+    """Return a controller of a TReX with a scanner of its own, without a window."""
+    return TrexController(TREX, device, ports or new_ports(), DeviceScanner())
+
+
+def scanner_of(controller: TrexController) -> DeviceScanner:
+    """Return the scanner that a controller shares with others."""
+    return controller._scanner
+
+
+def new_plugin(key: str, name: str) -> DevicePlugin:
+    """Return a kind of device that has a key and a name, and otherwise is a TReX."""
+    return DevicePlugin(
+        key=key,
+        name=name,
+        prober=TREX.prober,
+        port_reports=TREX.port_reports,
+        commands={},
+        simulator_arguments=TREX.simulator_arguments,
+        controller=TREX.controller,
+        workspace=TREX.workspace,
+        tour=TREX.tour,
+        simulator=TREX.simulator,
+    )

@@ -1,0 +1,63 @@
+"""Screenshot tour of a TReX: its pages with running motors, and channel learning."""
+
+from collections.abc import Iterator
+from functools import partial
+
+from trex_gui.devices.trex.model.controller import TrexController
+from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.ui.tour import Do, Tour
+
+_HOLD_S = 1.2
+"""A stick that is held longer than a second is at an end."""
+
+
+def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
+    """Drive the motors a little, look at the pages, learn the channels without taking them."""
+    motors, sticks = controller.device.motors, controller.demo_board
+
+    def drive() -> bool:
+        if not motors.is_available:
+            return False
+        motors.arm()
+        motors.set_speed(1, 90)
+        motors.set_speed(2, -60)
+        motors.set_auxiliary(40)
+        return True
+
+    def hold(microseconds: float) -> Iterator[Do]:
+        """Hold all sticks for a while where they give pulses of this length."""
+
+        def push() -> None:
+            for channel in CHANNELS:
+                sticks.hold_stick(channel, microseconds)
+
+        yield push
+        yield from tour.wait(_HOLD_S)
+
+    def motors_are_stopped() -> bool:
+        """Return whether they are; on a busy computer that may take more than one try."""
+        return tour.is_visible("learnRestPage") or (tour.press("learnAgainButton") and False)
+
+    yield drive
+    yield from tour.wait()
+    yield from tour.look_at_pages()
+    yield partial(sticks.set_automatic, False)
+    yield sticks.centre_sticks
+    yield partial(tour.choose, "learnAction")
+    yield motors_are_stopped
+    yield from tour.look_at("learnDialog", "learn-rest")
+    yield partial(tour.press, "learnNextButton")
+    yield partial(tour.is_visible, "learnTravelPage")
+    for microseconds in (1850, 1150):
+        yield from hold(microseconds)
+    yield sticks.centre_sticks
+    yield from tour.look_at("learnDialog", "learn-travel")
+    yield partial(tour.press, "learnNextButton")
+    yield partial(tour.is_visible, "learnReviewPage")
+    yield from tour.look_at("learnDialog", "learn-review")
+    yield partial(tour.press, "learnCancelButton")
+    yield partial(tour.choose, "test_sticksAction")
+    yield partial(tour.is_visible, "learnTestPage")
+    yield from hold(1850)
+    yield from tour.look_at("learnDialog", "learn-test")
+    yield partial(tour.press, "learnCancelButton")

@@ -1,0 +1,259 @@
+"""Controller of one device: from a choice in the port list to an open line, and back."""
+
+from dataclasses import replace
+from typing import Generic, Protocol, TypeVar
+
+from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
+
+from trex_gui.core.plugin import DevicePlugin
+from trex_gui.core.transport.settings import PortSettings
+from trex_gui.ui.devices.connection import SettingsT
+from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.ports import Port, PortKind, Ports
+from trex_gui.ui.devices.scanner import DeviceScanner
+from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.notifier import Notifier
+
+SettingsT_contra = TypeVar("SettingsT_contra", bound=PortSettings, contravariant=True)
+
+
+class DeviceModel(Protocol[SettingsT_contra]):
+    """What a controller needs of the model of a device."""
+
+    notifier: Notifier
+
+    @property
+    def link_changed(self) -> SignalInstance:
+        """Emitted when `link` or `status` changes."""
+        ...
+
+    @property
+    def link(self) -> ConnectionState:
+        """State of the connection."""
+        ...
+
+    @property
+    def status(self) -> str:
+        """State of the connection, as a sentence."""
+        ...
+
+    def connect_to(self, settings: SettingsT_contra) -> None:
+        """Open a line; one that is open is closed first."""
+        ...
+
+    def disconnect_line(self) -> None:
+        """Stop what moves, as far as that is possible, and close the line; does not wait."""
+        ...
+
+    def shut_down(self) -> bool:
+        """Close the line for the end of the program; return whether it ended in time."""
+        ...
+
+
+class DeviceController(QObject, Generic[SettingsT]):
+    """Connects one kind of device, real or simulated, and stops it.
+
+    Attributes:
+        plugin: the kind of device.
+        simulator: the process of the simulated device.
+        has_line_settings: whether the user chooses how the line is set.
+
+    Signals:
+        changed: any property.
+        progressed: steps done, steps in all, the next step.
+        stop_reported: what is known by now of a stop that `stop_because` sent, in sentences.
+    """
+
+    has_line_settings = False
+
+    changed = Signal()
+    progressed = Signal(int, int, str)
+    stop_reported = Signal(str)
+
+    def __init__(
+        self,
+        plugin: DevicePlugin,
+        model: DeviceModel[SettingsT],
+        ports: Ports,
+        scanner: DeviceScanner,
+        default: SettingsT,
+    ) -> None:
+        """Open ports with the `default` settings; the address comes with the port."""
+        super().__init__()
+        self.plugin = plugin
+        self._model = model
+        self._ports = ports
+        self._scanner = scanner
+        self._settings = self._demo_settings = default
+        self._port: Port | None = None
+        self._starting = False
+        self._demo_in_use = False
+        self._after_scan: Port | None = None
+        self.simulator = Simulator(plugin, self)
+        scanner.add(plugin, self.simulator)
+
+        self.simulator.ready.connect(self._on_simulator_ready)
+        self.simulator.failed.connect(self._on_simulator_failed)
+        scanner.finished.connect(self._on_scan_finished)
+        model.link_changed.connect(self._on_link_changed)
+
+    @property
+    def link(self) -> ConnectionState:
+        """State of the connection."""
+        return self._model.link
+
+    @property
+    def status(self) -> str:
+        """State of the connection, as a sentence."""
+        return self._model.status
+
+    @property
+    def settings(self) -> SettingsT:
+        """Settings for the next connection; the address comes with the port."""
+        return self._settings
+
+    @property
+    def line_text(self) -> str:
+        """Line settings for the next connection, in short."""
+        return self._settings.short
+
+    @property
+    def port(self) -> Port | None:
+        """The port that is connected, or about to be; `None` when there is none."""
+        return self._port
+
+    @property
+    def starting(self) -> bool:
+        """Whether the simulated device is being started, and will be connected to."""
+        return self._starting
+
+    @property
+    def demo_in_use(self) -> bool:
+        """Whether the simulated device was chosen last and not disconnected since.
+
+        It stays in use when the line breaks: its panel is where that is repaired.
+        """
+        return self._demo_in_use
+
+    # --- Connecting ---------------------------------------------------------------------
+
+    def connect_to(self, port: Port) -> None:
+        """Connect to a port; closes an open line and ends a scan of the port first."""
+        if self._scanner.is_searching(port):
+            self._after_scan = port
+            self._scanner.cancel()
+            return
+        self._after_scan = None
+        self._port = port
+        self._starting = self._demo_in_use = port.kind is PortKind.DEMO
+        self.changed.emit()
+        if self._starting:
+            self.simulator.start()
+        else:
+            self._model.connect_to(replace(self._settings, url=port.url))
+
+    def connect_with(self, port: Port, settings: PortSettings) -> None:
+        """Connect to a port where a scan found a device with these settings."""
+        del settings  # a device with only one setting
+        self.connect_to(port)
+
+    def leave(self) -> None:
+        """Stop what moves, as far as that is possible, and close the line."""
+        self._after_scan = None
+        self._starting = self._demo_in_use = False
+        if self.link is ConnectionState.DISCONNECTED:
+            self._port = None
+        self.changed.emit()
+        self._model.disconnect_line()
+
+    def begin_to_shut_down(self) -> None:
+        """Stop what moves, and let the line end, for the end of the program; does not wait."""
+        self._starting = False
+        self._after_scan = None
+        self._model.disconnect_line()
+
+    def shut_down(self) -> bool:
+        """Close the line and end the simulator; return whether the line ended in time."""
+        self.begin_to_shut_down()
+        in_time = self._model.shut_down()
+        self.simulator.stop()
+        return in_time
+
+    def _abandon_demo(self, reason: str) -> None:
+        """Connect nothing; a line that was to make room for the simulated device closes too."""
+        self._starting = False
+        if self.link is ConnectionState.DISCONNECTED:
+            self._port = None
+        else:
+            self._model.disconnect_line()
+        self.changed.emit()
+        self._model.notifier.error.emit(reason)
+
+    @Slot()
+    def _on_scan_finished(self) -> None:
+        port, self._after_scan = self._after_scan, None
+        if port is not None:
+            self.connect_to(port)
+
+    @Slot(str)
+    def _on_simulator_ready(self, url: str) -> None:
+        if not self._starting:
+            return
+        if not self.simulator.plugged:
+            text = self.tr(
+                "The cable of the Demo {0} is unplugged. Tick “Plugged in” on its panel, then "
+                "connect again."
+            )
+            self._abandon_demo(text.format(self.plugin.name))
+            return
+        self._starting = False
+        settings = replace(self._demo_settings, url=url, name=self.simulator.label)
+        self._model.connect_to(settings)
+
+    @Slot(str)
+    def _on_simulator_failed(self, reason: str) -> None:
+        if self._starting:
+            self._demo_in_use = False
+            self._abandon_demo(reason)
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        if self.link is ConnectionState.CONNECTED and self._port is not None:
+            self._ports.note_used(self._port)
+        if self.link is ConnectionState.DISCONNECTED and not self._starting:
+            self._port = None
+        self.changed.emit()
+
+    # --- For each device ----------------------------------------------------------------
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether disconnecting now would interrupt something."""
+        return False
+
+    @property
+    def may_move(self) -> bool:
+        """Whether motors were driven and no stop has been confirmed since."""
+        return False
+
+    @property
+    def unconfirmed_stop(self) -> str:
+        """Warning about motors that may turn although the line is closed; empty if none may."""
+        return ""
+
+    def press_stop(self) -> None:
+        """Stop on the user's request."""
+        raise NotImplementedError
+
+    def stop_because(self, reason: str) -> str:
+        """Stop because of an event.
+
+        `reason` is a clause without a full stop: "The screen was locked". Return what the stop
+        means for this device, no more than is known, in sentences that begin with the reason;
+        empty if there is nothing to stop.
+        """
+        raise NotImplementedError
+
+    def stop_now(self, *, ending: bool = False) -> None:
+        """Stop, from any thread; close the port if the program is `ending`. Does not wait."""
+        raise NotImplementedError

@@ -1,0 +1,109 @@
+"""Models and window of every kind of device, built from plugins."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QTimer
+
+from trex_gui.core.plugin import DevicePlugin
+from trex_gui.core.timing import Timeouts
+from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.device_manager import Controller, DeviceManager
+from trex_gui.ui.devices.ports import Ports
+from trex_gui.ui.devices.scanner import DeviceScanner
+from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.frame.workspace import FileKind, Workspace
+from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.workers import orphaned_threads
+
+
+class Program:
+    """The window and everything below it; nothing is connected at first.
+
+    Attributes:
+        controllers, workspaces: by the key of the kind of device, in the order of the plugins.
+    """
+
+    def __init__(self, plugins: Sequence[DevicePlugin], timeouts: Timeouts | None = None) -> None:
+        self.plugins = tuple(plugins)
+        self.timeouts = timeouts or Timeouts()
+        notifier = Notifier()
+        self.ports = Ports(plugins)
+        scanner = DeviceScanner(timeouts=self.timeouts)
+        self.controllers: dict[str, Controller] = {
+            plugin.key: plugin.controller.load()(
+                plugin, notifier, self.ports, scanner, self.timeouts
+            )
+            for plugin in plugins
+        }
+        self.device_manager = DeviceManager(list(self.controllers.values()), scanner)
+        self.window = MainWindow(self.device_manager, self.ports, notifier)
+        self.workspaces: dict[str, Workspace] = {
+            plugin.key: plugin.workspace.load()(self.controllers[plugin.key], self.window)
+            for plugin in plugins
+        }
+        self.window.add_workspaces(list(self.workspaces.values()))
+
+    def connect_to_demo(self, device: str) -> None:
+        """Connect to the simulated device of a kind."""
+        self.device_manager.connect_to(self.ports.demo_of(device))
+
+    def connect_to_port(self, url: str, device: str | None = None) -> None:
+        """Connect to a port; if `device` is given it leads to that kind from now on."""
+        port = self.ports.add_typed(url)
+        if device is not None:
+            port = self.ports.lead_to(port, device)
+        self.device_manager.connect_to(port)
+
+    def open_named(self, path: Path, *, connecting: bool) -> None:
+        """Open a file that was named at the start, with the kind of device that it belongs to.
+
+        A file that is opened differently without a device waits for one that is being connected.
+        """
+        key, kind = self._file_kind(path)
+        is_current = key == self.device_manager.current.plugin.key
+        if kind.open_offline is not None:
+            if connecting and is_current:
+                self.when_connected(lambda: kind.open(path))
+            else:
+                kind.open_offline(path)
+        elif connecting and not is_current:
+            self.when_connected(lambda: self.window.open_file(path))
+        else:
+            self.window.open_file(path)
+
+    def _file_kind(self, path: Path) -> tuple[str, FileKind]:
+        """Return the kind of device and of file by the suffix; unknown ones are the first kind."""
+        kinds = [(key, kind) for key, space in self.workspaces.items() for kind in space.file_kinds]
+        suffix = path.suffix.lower()
+        return next((found for found in kinds if suffix in found[1].suffixes), kinds[0])
+
+    def when_connected(self, then: Callable[[], object]) -> None:
+        """Call `then` once, as soon as a device responds and its connection is reported."""
+        manager = self.device_manager
+
+        def run_once() -> None:
+            if manager.current.link is ConnectionState.CONNECTED:
+                manager.changed.disconnect(run_once)
+                QTimer.singleShot(0, then)
+
+        manager.changed.connect(run_once)
+
+    def stop_now(self, *, ending: bool = False) -> None:
+        """Stop every device, from any thread."""
+        self.device_manager.stop_now(ending=ending)
+
+    def shut_down(self) -> bool:
+        """Stop the motors, close the line, then end recordings; for the end of the program.
+
+        Return whether every thread has ended, whatever it did; Qt aborts on destroying one that
+        runs.
+        """
+        ends = [self.device_manager.shut_down()]
+        ends += [workspace.shut_down() for workspace in self.workspaces.values()]
+        return all(ends) and not orphaned_threads.any_running()
+
+    def end(self) -> None:
+        """Stop the motors, close the line and end the program, without asking anything."""
+        self.device_manager.shut_down()
+        QCoreApplication.exit(0)

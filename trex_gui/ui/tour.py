@@ -1,0 +1,137 @@
+"""Screenshots of every page and dialog, light and dark, without a user."""
+
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QAbstractButton, QWidget
+
+from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.program import Program
+from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.theme.theme import Scheme, theme
+
+_SIZE = (1440, 800)  # room for a page as it is, and for the panel of the simulated device
+_SETTLE_MS = 2500
+_STEP_MS = 200
+_STOP_MS = 100  # for the stop to be sent
+_PATIENCE_MS = 30_000  # a computer may be busy, and a stop is confirmed on a quiet line only
+
+Do = Callable[[], object]
+"""A step of the tour; one that returns `False` could not be done yet and is tried again."""
+
+
+class Tour(QObject):
+    """Connects to the simulated device of each kind, runs the steps of its plugin, writes PNGs.
+
+    `folder` is made when it is missing.
+
+    Signals:
+        finished: whether all pictures are written; else a device did not connect, or a step could
+            not be done.
+    """
+
+    finished = Signal(bool)
+
+    def __init__(
+        self, program: Program, folder: Path, schemes: Sequence[Scheme] = ("light", "dark")
+    ) -> None:
+        super().__init__()
+        self._schemes = schemes
+        self._program = program
+        self._folder = folder
+        self._steps = self._make_steps()
+        self._waiting: tuple[Do, float] | None = None
+        self._timer = self._single_shot(self._step)
+        self._has_all = False
+        self._end = self._single_shot(lambda: self.finished.emit(self._has_all))
+
+    def _single_shot(self, act: Callable[[], object]) -> QTimer:
+        timer = runtime().timer(self)
+        timer.setSingleShot(True)
+        timer.timeout.connect(act)
+        return timer
+
+    def start(self) -> None:
+        """Begin."""
+        self._folder.mkdir(parents=True, exist_ok=True)
+        self._program.window.resize(*_SIZE)
+        self._step()
+
+    def _step(self) -> None:
+        step, begun = self._waiting or (next(self._steps, None), now())
+        self._waiting = None
+        is_done = step is None or step() is not False
+        if step is None or (not is_done and now() > begun + _PATIENCE_MS / 1000):
+            self._has_all = is_done
+            self._program.device_manager.press_stop()
+            self._end.start(_STOP_MS)
+            return
+        if not is_done:
+            self._waiting = step, begun
+        self._timer.start(_STEP_MS)
+
+    def _make_steps(self) -> Iterator[Do]:
+        manager = self._program.device_manager
+        for plugin in self._program.plugins:
+            controller = self._program.controllers[plugin.key]
+            yield manager.press_stop
+            yield partial(self._program.connect_to_demo, plugin.key)
+            yield lambda: manager.current.link is ConnectionState.CONNECTED
+            yield from plugin.tour.load()(self, controller)
+
+    # --- For the steps of a device ------------------------------------------------------
+
+    @staticmethod
+    def wait(seconds: float = _SETTLE_MS / 1000) -> Iterator[Do]:
+        """Let time pass."""
+        yield from [lambda: None] * round(seconds * 1000 / _STEP_MS)
+
+    def look_at_pages(self, state: str = "", *, first_only: bool = False) -> Iterator[Do]:
+        """Take pictures of the pages, or of the first; `state` becomes part of the file names."""
+        window = self._program.window
+        for scheme in self._schemes:
+            yield partial(theme().set_scheme, scheme)
+            tabs = window.pages
+            for index in range(1 if first_only else tabs.count()):
+                yield partial(tabs.setCurrentIndex, index)
+                page = tabs.widget(index)
+                name = page.objectName().removesuffix("PageArea") if page else str(index)
+                yield partial(self._write, window, f"{name}{state}-{scheme}.png")
+
+    def look_at(self, dialog: str, name: str) -> Iterator[Do]:
+        """Take pictures of a dialog, by its object name."""
+        widget = self._program.window.findChild(QWidget, dialog)
+        for scheme in self._schemes:
+            yield partial(theme().set_scheme, scheme)
+            if widget is not None:
+                yield partial(self._write, widget, f"{name}-{scheme}.png")
+
+    def choose(self, action: str) -> bool:
+        """Trigger an action, by its object name; return whether it was enabled."""
+        found = self._program.window.findChild(QAction, action)
+        if found is None or not found.isEnabled():
+            return False
+        found.trigger()
+        return True
+
+    def press(self, button: str) -> bool:
+        """Click a button, by its object name; return whether that was possible."""
+        found = self._program.window.findChild(QAbstractButton, button)
+        if found is None or not (found.isVisible() and found.isEnabled()):
+            return False
+        found.click()
+        return True
+
+    def is_visible(self, widget: str) -> bool:
+        """Return whether a widget can be seen, by its object name."""
+        found = self._program.window.findChild(QWidget, widget)
+        return found is not None and found.isVisible()
+
+    def _write(self, widget: QWidget, name: str) -> None:
+        path = self._folder / name
+        if widget.grab().save(str(path)):
+            sys.stdout.write(f"{path}\n")
