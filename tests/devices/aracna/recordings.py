@@ -13,7 +13,7 @@ from PySide6.QtCore import QThread
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK, Recording, RecordingWriter
 from trex_gui.devices.aracna.model.playback import Moment, RobotPlayback
-from trex_gui.devices.aracna.recording import FORMAT, FellSilent, Header, Record
+from trex_gui.devices.aracna.recording import FORMAT, Header, Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Moved,
@@ -60,15 +60,15 @@ records: st.SearchStrategy[Record] = st.one_of(
     st.builds(PlayEnded, _times, st.sampled_from(Ending)),
     st.builds(Stuck, _times, st.none() | st.integers(0, MOTORS - 1)),
     st.builds(Restarted, _times, st.booleans()),
-    st.builds(FellSilent, _times),
+    st.builds(StoppedResponding, _times),
     st.builds(Marker, _times, st.sampled_from(["stop", "fault", "link"]), _texts),
 )
 
 
 def session(moves: int = 20, *, seconds: float = 2.0, pause: float = 1.0) -> Iterator[Record]:
-    """What is recorded of a robot that is sent to one place after the other.
+    """Yield the records of a robot that moves from goal to goal.
 
-    After half of them the board restarts, and is silent for as long as a motion takes.
+    After half of them the board restarts, and does not respond for the duration of a motion.
     """
     random, time = Random(1), T0 + pause
     starts: tuple[int | None, ...] = (None,) * MOTORS
@@ -129,15 +129,15 @@ def hang(monkeypatch: pytest.MonkeyPatch) -> None:
     def hanging(
         playback: RobotPlayback,
     ) -> Callable[[ProgressCallback], LoadedRecording[Header, Record, Moment]]:
-        gather = loader(playback)
+        load = loader(playback)
 
-        def tell_and_hang(tell: ProgressCallback, share: float) -> None:
-            tell(share)
+        def report_and_hang(progress: ProgressCallback, share: float) -> None:
+            progress(share)
             while share > 0.1:
                 runtime().sleep(0.01)
-                tell(share)  # raises once it is cancelled
+                progress(share)  # raises once it is cancelled
 
-        return lambda tell: gather(partial(tell_and_hang, tell))
+        return lambda progress: load(partial(report_and_hang, progress))
 
     monkeypatch.setattr(RobotPlayback, "loader", hanging)
 

@@ -1,4 +1,4 @@
-"""Recordings of a robot: what is written is read; exports have units and last values."""
+"""Recordings of a robot: read as written; exports have units and last values."""
 
 import csv
 import json
@@ -16,7 +16,7 @@ from tests.devices.trex.recording import samples
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import Marker
-from trex_gui.devices.aracna.recording import FellSilent, Header, Record, sample_kinds
+from trex_gui.devices.aracna.recording import Header, Record, StoppedResponding, sample_kinds
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld, StepBegun
 
 HEADER = Header(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 100.0, version=1, motors=2)
@@ -72,7 +72,7 @@ def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
         Moving(101.0, (512, 0), (None, None), 2.0),
         Passed(102.0, (510,)),
         Moved(103.0, (512, 0), (510, 1), 2.0),
-        FellSilent(104.0),
+        StoppedResponding(104.0),
     )
     assert (speeds["time_s"], speeds["sample"]) == ("0.500000", "speeds")
     assert speeds["motor_1_speed_units"] == "200"

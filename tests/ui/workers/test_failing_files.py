@@ -2,20 +2,21 @@
 
 import logging
 import os
-from collections.abc import Callable, Sequence
-from functools import partial
 from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.recording.samples import HEADER
 from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.recording import FORMAT
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.traffic.saver import TrafficSaver
 from trex_gui.ui.workers.file_worker import Done, FileSaver, FileWorker
-from trex_gui.ui.workers.record_thread import RecordThread, Writer
+from trex_gui.ui.workers.record_thread import RecordThread
 
 
 def fail(_: object) -> int:
@@ -79,40 +80,26 @@ class MarkerRecorder(RecordThread[Marker]):
         return True
 
 
-class FailingWriter:
-    """Writes nothing, and fails at its end."""
-
-    size = 0
-
-    def write(self, records: Sequence[Marker]) -> None:
-        pass
-
-    def commit(self) -> None:
-        pass
-
-    sync = close = commit
-
-    def finish(self) -> None:
-        raise ZeroDivisionError("on purpose")
-
-
-@pytest.mark.parametrize("make", [partial(fail, None), FailingWriter], ids=["beginning", "end"])
+@pytest.mark.parametrize("method", ["_create", "finish"])
 def test_internal_error_fails_the_recording(
     qtbot: QtBot,
     tmp_path: Path,
     caplog: pytest.LogCaptureFixture,
-    make: Callable[[], Writer],
+    monkeypatch: pytest.MonkeyPatch,
+    method: str,
 ) -> None:
+    monkeypatch.setattr(RecordingWriter, method, lambda writer, *_: fail(writer))
     recorder = MarkerRecorder()
-    told: list[str] = []
+    failures: list[str] = []
     ended: list[Path] = []
-    recorder.failed.connect(told.append)
+    recorder.failed.connect(failures.append)
     recorder.ended.connect(ended.append)
     with caplog.at_level(logging.ERROR):
-        recorder.begin(tmp_path / "a.trexrec", 0.0, make)
+        recorder.begin(tmp_path / "a.trexrec", FORMAT, HEADER)
         recorder.stop()
         qtbot.waitUntil(lambda: recorder.can_record)
-    path = tmp_path / "a.trexrec"
-    assert told == [f"{path}: It cannot be written (internal error ZeroDivisionError)."]
+    assert failures == [
+        "Internal error while recording (ZeroDivisionError). The recording has ended."
+    ]
     assert ended == []
     assert "on purpose" in caplog.text

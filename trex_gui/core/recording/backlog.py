@@ -31,7 +31,7 @@ class Backlog(Generic[RecordT]):
         """Records dropped so far."""
         return self._lost
 
-    def put(self, records: Sequence[RecordT]) -> None:
+    def put(self, records: Sequence[RecordT | Marker]) -> None:
         """Add records; does not block."""
         with self._ready:
             if self._closed or not records:

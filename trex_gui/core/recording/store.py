@@ -19,6 +19,7 @@ from typing import Any, Generic, cast
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.recording.kinds import (
     HeaderT,
+    Marker,
     RecordingFormat,
     RecordT,
     SampleKind,
@@ -110,7 +111,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
         """Bytes of the file, as soon as everything is in it."""
         return _size(self._database)
 
-    def write(self, records: Sequence[RecordT]) -> None:
+    def write(self, records: Sequence[RecordT | Marker]) -> None:
         """Take records; they are safe after the next `commit`."""
         rows: dict[type[object], list[tuple[Value, ...]]] = {}
         number = self._count
@@ -205,7 +206,7 @@ class Recording(Generic[HeaderT, RecordT]):
 
     Attributes:
         count: number of the last record; records count from 1.
-        problems: what is missing or cannot be read, as sentences.
+        problems: missing and unreadable parts, as sentences.
     """
 
     def __init__(self, path: Path, fmt: RecordingFormat[HeaderT]) -> None:

@@ -34,25 +34,17 @@ _NO_ANSWER = -1
 
 
 @dataclass(frozen=True, slots=True)
-class FellSilent:
+class StoppedResponding:
     """The robot stopped responding: its state is unknown."""
 
     time: float
 
 
-Record = (
-    Moving
-    | Passed
-    | Moved
-    | SpeedsHeld
-    | StepBegun
-    | PlayEnded
-    | Stuck
-    | Restarted
-    | FellSilent
-    | Marker
-)
-"""Mostly the session's reports; times are on its clock."""
+Report = Moving | Passed | Moved | SpeedsHeld | StepBegun | PlayEnded | Stuck | Restarted
+"""Reports of the session that are recorded as they are."""
+
+Record = Report | StoppedResponding | Marker
+"""Times are seconds on the session's clock."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -211,10 +203,10 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
         ),
         SampleKind(
             "not_responding",
-            FellSilent,
+            StoppedResponding,
             (),
             lambda _: (),
-            FellSilent,
+            StoppedResponding,
             clears=frozenset({"progress", "speeds"}),
         ),
         MARKERS,

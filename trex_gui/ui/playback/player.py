@@ -27,7 +27,7 @@ _CLOSE_TIMEOUT_MS = 500
 
 @dataclass(frozen=True, slots=True)
 class Curves(Generic[RecordT, StateT]):
-    """What is drawn of a recording.
+    """Defines what is drawn of a recording.
 
     Attributes:
         columns: number of curves.
@@ -104,7 +104,7 @@ def _export(
     header: dict[str, Value],
     progress: ProgressCallback,
 ) -> Path:
-    own = recording.reopen()  # the first one goes on showing values
+    own = recording.reopen()  # the first one still shows values
     try:
         export_span(own, path, span, header, progress)
     finally:
@@ -171,7 +171,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
 
     @property
     def problems(self) -> Sequence[str]:
-        """What is missing or damaged, as sentences."""
+        """Missing and damaged parts, as sentences."""
         return self._recording.problems if self.is_loaded else ()
 
     @property

@@ -2,14 +2,17 @@
 
 import logging
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
-from typing import Any, Generic, Protocol
+from typing import Any, Generic
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.recording.backlog import Backlog
 from trex_gui.core.recording.errors import RecordingError
-from trex_gui.core.recording.kinds import RecordT
+from trex_gui.core.recording.kinds import HeaderT, Marker, RecordingFormat, RecordT, marker
+from trex_gui.core.recording.store import RecordingWriter
+from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers import orphaned_threads
 from trex_gui.ui.workers.thread import WorkerThread
@@ -25,18 +28,6 @@ _SYNC_INTERVAL = 5.0
 _SHUTDOWN_TIMEOUT_MS = 3000
 
 
-class Writer(Protocol):
-    """The part of RecordingWriter that the thread uses."""
-
-    @property
-    def size(self) -> int: ...
-    def write(self, records: Sequence[Any], /) -> None: ...
-    def commit(self) -> None: ...
-    def sync(self) -> None: ...
-    def finish(self) -> None: ...
-    def close(self) -> None: ...
-
-
 class RecordWorker(WorkerThread, Generic[RecordT]):
     """Writes one recording; ends with its backlog or on an error.
 
@@ -50,15 +41,13 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
 
     def __init__(
         self,
-        path: Path,
         backlog: Backlog[RecordT],
-        open_writer: Callable[[], Writer],
+        open_writer: Callable[[], RecordingWriter[Any, RecordT]],
         parent: QObject | None = None,
     ) -> None:
-        """Write to `path`; `open_writer` is called in the new thread."""
+        """Write the records of a backlog; `open_writer` is called in the new thread."""
         super().__init__(parent)
         self.setObjectName("RecordWorker")
-        self._path = path
         self._backlog = backlog
         self._open_writer = open_writer
 
@@ -74,14 +63,14 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
             self._fail(str(error))
         except Exception as error:
             log.exception("recording")
-            text = self.tr("{0}: It cannot be written (internal error {1}).")
-            self._fail(text.format(self._path, type(error).__name__))
+            text = self.tr("Internal error while recording ({0}). The recording has ended.")
+            self._fail(text.format(type(error).__name__))
 
     def _fail(self, message: str) -> None:
         self._backlog.close(0.0)
         self.failed.emit(message)
 
-    def _write(self, writer: Writer) -> None:
+    def _write(self, writer: RecordingWriter[Any, RecordT]) -> None:
         self.progressed.emit(writer.size)
         commit_at = now() + _COMMIT_INTERVAL
         sync_at = now() + _SYNC_INTERVAL
@@ -116,10 +105,8 @@ class RecordThread(QObject, Generic[RecordT]):
     ended_early = Signal(str)
     failed = Signal(str)
 
-    def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
-        """`clock` is the session's, the computer's monotonic one."""
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.clock = clock
         self.path: Path | None = None
         """The current or the last file."""
         self.size = 0
@@ -150,7 +137,7 @@ class RecordThread(QObject, Generic[RecordT]):
     @property
     def seconds(self) -> float:
         """Duration of the recording so far."""
-        return self.clock() - self._started if self.recording else 0.0
+        return now() - self._started if self.recording else 0.0
 
     @property
     def lost(self) -> int:
@@ -164,19 +151,17 @@ class RecordThread(QObject, Generic[RecordT]):
     def begin(
         self,
         path: Path,
-        started: float,
-        open_writer: Callable[[], Writer],
+        fmt: RecordingFormat[HeaderT],
+        header: HeaderT,
         first: Sequence[RecordT] = (),
     ) -> None:
-        """Start recording; `started` is now on the session's clock.
-
-        `open_writer` is called in the new thread; `first` are the first records.
-        """
-        self.path, self._started = path, started
+        """Start recording at the time in the header; `first` are the first records."""
+        self.path, self._started = path, header.clock
         self.size = self._lost = 0
         self._closing = self._has_failed = self._abandoned = False
         self._backlog = Backlog(runtime().condition())
-        worker = RecordWorker(path, self._backlog, open_writer, self)
+        open_writer = partial(RecordingWriter[HeaderT, RecordT], path, fmt, header)
+        worker = RecordWorker(self._backlog, open_writer, self)
         worker.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
         worker.failed.connect(self._on_failed, Qt.ConnectionType.QueuedConnection)
         worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
@@ -185,7 +170,12 @@ class RecordThread(QObject, Generic[RecordT]):
         worker.start()
         self.changed.emit()
 
-    def put(self, *records: RecordT) -> None:
+    @Slot(object)
+    def put_event(self, event: Event) -> None:
+        """Keep an event as a marker."""
+        self.put(marker(event.time, event.kind.value, event.text))
+
+    def put(self, *records: RecordT | Marker) -> None:
         """Keep records while recording."""
         if self.recording:
             self._backlog.put(records)
@@ -198,7 +188,7 @@ class RecordThread(QObject, Generic[RecordT]):
         """End the recording; `ended` follows once the file is complete."""
         if self.recording:
             self._closing = True
-            self._backlog.close(self.clock())
+            self._backlog.close(now())
             self.changed.emit()
 
     def end_because(self, message: str) -> None:

@@ -25,7 +25,7 @@ from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.model.playback import Moment, RobotPlayback
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.units import degrees
-from trex_gui.devices.aracna.recording import FellSilent, Record
+from trex_gui.devices.aracna.recording import Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, Restarted, Stuck
 from trex_gui.ui.devices.event_log import EventKind
 
@@ -48,8 +48,8 @@ def long(tmp_path: Path, qtbot: QtBot) -> Iterator[RobotPlayback]:
     playback.close()
 
 
-def straight(what: list[Record], time: float) -> Moment:
-    """What is known when everything up to a time is taken in."""
+def sequential(what: list[Record], time: float) -> Moment:
+    """Return the state after all records up to a time."""
     moment = Moment(RobotState(MOTORS))
     for record in what:
         if record.time <= time:
@@ -63,7 +63,7 @@ def test_seek_gives_same_state_as_reading_from_start(long: RobotPlayback) -> Non
     places = [random.uniform(0, long.end - T0) + 1e-4 for _ in range(40)]
     for place in [*sorted(places, reverse=True), *places]:
         long.set_position(T0 + place)
-        assert long.state() == straight(what, long.position)
+        assert long.state() == sequential(what, long.position)
 
 
 def test_seek_does_not_change_earlier_snapshot(long: RobotPlayback) -> None:
@@ -94,7 +94,7 @@ def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot
     playback.close()
 
 
-@pytest.mark.parametrize("lost", [Restarted(T0 + 3, voided=False), FellSilent(T0 + 3)])
+@pytest.mark.parametrize("lost", [Restarted(T0 + 3, voided=False), StoppedResponding(T0 + 3)])
 def test_curve_has_gap_while_position_is_unknown(
     tmp_path: Path, qtbot: QtBot, lost: Record
 ) -> None:
@@ -187,13 +187,13 @@ def test_close_while_loading_ends_thread(
     write(path, list(session(60)))
     playback = RobotPlayback.open(path)
     thread = loader_thread(playback)
-    told: list[str] = []
-    playback.loaded.connect(lambda: told.append("loaded"))
-    playback.failed.connect(told.append)
+    signals: list[str] = []
+    playback.loaded.connect(lambda: signals.append("loaded"))
+    playback.failed.connect(signals.append)
     qtbot.waitUntil(lambda: playback.progress > 0, timeout=PATIENCE)
     assert thread.isRunning()
     qtbot.waitUntil(playback.close, timeout=PATIENCE)
     assert not isValid(thread) or thread.isFinished()
     QCoreApplication.sendPostedEvents()
-    assert told == []
+    assert signals == []
     assert not playback.is_loaded

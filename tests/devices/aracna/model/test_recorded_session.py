@@ -15,7 +15,7 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.playback import RobotPlayback
 from trex_gui.devices.aracna.model.recorder import AracnaRecorder
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.recording import FellSilent, Record
+from trex_gui.devices.aracna.recording import Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
@@ -34,7 +34,7 @@ from trex_gui.ui.devices.event_log import EventKind
 PATIENCE = 15_000
 RECORDED = (
     *(Moving, Passed, Moved, SpeedsHeld, StepBegun, PlayEnded, Stuck, Restarted),
-    *(FellSilent, Marker),
+    *(StoppedResponding, Marker),
 )
 
 
@@ -67,7 +67,7 @@ class Session:
         self.qtbot.waitUntil(lambda: self.robot.known.moved not in {None, before}, timeout=PATIENCE)
 
     def stop(self) -> list[Record]:
-        """End the recording and return what is in it."""
+        """End the recording and return its records."""
         with self.qtbot.waitSignal(self.recorder.ended, timeout=PATIENCE):
             self.recorder.stop()
         found, problems = read_all(self.path)
@@ -139,11 +139,11 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     session.wait_for(ConnectionState.CONNECTED)
     found = session.stop()
     kinds = {type(row) for row in found}
-    assert {Stuck, Restarted, FellSilent} <= kinds
-    silences = [row for row in found if isinstance(row, FellSilent)]
-    others = [row for row in without_markers(found) if not isinstance(row, FellSilent)]
+    assert {Stuck, Restarted, StoppedResponding} <= kinds
+    silences = [row for row in found if isinstance(row, StoppedResponding)]
+    reports = [row for row in without_markers(found) if not isinstance(row, StoppedResponding)]
     assert silences
-    assert others == session.reported
+    assert reports == session.reported
     markers = [row for row in found if isinstance(row, Marker)]
     assert any("stuck" in each.text for each in markers if each.kind == EventKind.NOTE)
     assert any("waits for motor 3" in each.text for each in markers if each.kind == EventKind.FAULT)

@@ -15,7 +15,7 @@ from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
 from trex_gui.ui.plotting.plot import TracePlot
 
 GOALS, REACHED = (200,) * MOTORS, (201, 199, *(200,) * 5, -1)
-STORY: list[Record] = [
+SAMPLE_SESSION: list[Record] = [
     SpeedsHeld(T0 + 1, (100,) * MOTORS, (100, 0, *(100,) * 5, -1)),
     Marker(T0 + 1, "fault", "Motor 7 does not answer (−1)"),
     Moving(T0 + 10, GOALS, (None,) * MOTORS, 2.0),

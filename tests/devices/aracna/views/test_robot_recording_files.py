@@ -10,14 +10,18 @@ from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
 from tests.devices.aracna.recordings import HEADER, MOTORS, T0, hang, loader_thread, session, write
-from tests.devices.aracna.views.recording_stage import STORY, RecordingWindowDriver, open_recording
+from tests.devices.aracna.views.recording_stage import (
+    SAMPLE_SESSION,
+    RecordingWindowDriver,
+    open_recording,
+)
 from trex_gui.devices.aracna.recording import Header
 from trex_gui.devices.aracna.session.messages import Moved
 
 
 def test_damaged_recording_reports_problem_and_shows_rest(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "damaged.trexrec"
-    write(path, STORY)
+    write(path, SAMPLE_SESSION)
     with contextlib.closing(sqlite3.connect(path)) as database:
         database.execute("UPDATE goals SET motor_0_goal_units = 'oo'")
         database.execute("DELETE FROM header WHERE key = 'ended_utc_s'")
@@ -35,7 +39,7 @@ def test_damaged_recording_reports_problem_and_shows_rest(tmp_path: Path, qtbot:
 
 
 def test_span_is_exported_as_csv(tmp_path: Path, qtbot: QtBot) -> None:
-    window = open_recording(tmp_path / "a.trexrec", qtbot, STORY)
+    window = open_recording(tmp_path / "a.trexrec", qtbot, SAMPLE_SESSION)
     with qtbot.waitSignal(window.playback.exported):
         window.window.export(tmp_path / "a.csv")
     text = (tmp_path / "a.csv").read_text(encoding="utf-8")
@@ -67,7 +71,7 @@ def test_loading_shows_progress_and_can_be_cancelled(
 
 def test_curve_hidden_while_loading_stays_hidden(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "walk.trexrec"
-    write(path, STORY)
+    write(path, SAMPLE_SESSION)
     window = RecordingWindowDriver(path, qtbot)
     window.find(QCheckBox, "aracnaCurveBox2").setChecked(False)
     window.wait_until_loaded()

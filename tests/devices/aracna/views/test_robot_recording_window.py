@@ -20,7 +20,11 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.devices.aracna.recordings import MOTORS, T0
-from tests.devices.aracna.views.recording_stage import STORY, RecordingWindowDriver, open_recording
+from tests.devices.aracna.views.recording_stage import (
+    SAMPLE_SESSION,
+    RecordingWindowDriver,
+    open_recording,
+)
 from tests.support.accessible_names import assert_named
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
@@ -29,7 +33,7 @@ from trex_gui.ui.plotting.plot import TracePlot
 
 @pytest.fixture
 def window(tmp_path: Path, qtbot: QtBot) -> RecordingWindowDriver:
-    return open_recording(tmp_path / "walk.trexrec", qtbot, STORY)
+    return open_recording(tmp_path / "walk.trexrec", qtbot, SAMPLE_SESSION)
 
 
 def test_heading_shows_robot_date_and_duration(window: RecordingWindowDriver) -> None:
@@ -99,7 +103,7 @@ def test_click_on_event_seeks_to_its_time(window: RecordingWindowDriver) -> None
     model = events.model()
     rows = [str(model.index(row, 0).data()) for row in range(model.rowCount())]
     assert [row.split("  ")[1] for row in rows] == [
-        each.text for each in STORY if isinstance(each, Marker)
+        each.text for each in SAMPLE_SESSION if isinstance(each, Marker)
     ]
     window.wait(events.isVisible)
     events.scrollTo(model.index(1, 0))

@@ -38,7 +38,7 @@ from trex_gui.ui.workers.file_worker import FileWorker
 T0 = HEADER.clock
 
 TRIES = 4
-"""How often is tried what a computer that stands still for a moment spoils."""
+"""Attempts where a busy computer may spoil one."""
 
 
 @pytest.fixture
@@ -240,7 +240,7 @@ def hour(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 
 class Ticks(QObject):
-    """A timer of the window's thread, and how it fared while somebody else was busy."""
+    """A timer of the window's thread; shows whether the thread was blocked."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -255,11 +255,11 @@ class Ticks(QObject):
         self.times.append(now())
 
     def within(self, begin: float, end: float) -> int:
-        """How many there were in this time."""
+        """Return the number of ticks in a time."""
         return sum(begin <= at <= end for at in self.times)
 
     def longest_pause(self, begin: float, end: float) -> float:
-        """Seconds that passed at most without one."""
+        """Return the longest time without a tick (s)."""
         known = [begin, *(at for at in self.times if begin <= at <= end), end]
         return max(later - earlier for earlier, later in pairwise(known))
 
@@ -272,7 +272,7 @@ def test_window_responds_while_an_hour_is_read(hour: Path, qtbot: QtBot) -> None
 
 
 def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
-    """Open a recording, and return whether the window could do something else meanwhile."""
+    """Open a recording; return whether the window stayed responsive."""
     ticks = Ticks()
     begin = now()
     playback = Playback.open(hour)
@@ -296,7 +296,7 @@ def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
 
 @pytest.fixture
 def started_workers(monkeypatch: pytest.MonkeyPatch) -> list[FileWorker]:
-    """The threads that the test has started."""
+    """Workers that the test started."""
     workers: list[FileWorker] = []
     start = FileWorker.start
 
@@ -315,14 +315,14 @@ def test_close_while_reading_ends_the_thread(
     playback = Playback.open(hour)
     (thread,) = started_workers
     qtbot.waitUntil(lambda: playback.progress > 0)
-    told: list[str] = []
-    playback.loaded.connect(lambda: told.append("loaded"))
-    playback.failed.connect(told.append)
+    signals: list[str] = []
+    playback.loaded.connect(lambda: signals.append("loaded"))
+    playback.failed.connect(signals.append)
     assert thread.isRunning()
     qtbot.waitUntil(playback.close)
     assert thread.isFinished()
     QCoreApplication.sendPostedEvents()
-    assert told == []
+    assert signals == []
     assert not playback.is_loaded
 
 
@@ -361,7 +361,7 @@ def test_cancelled_export_keeps_the_existing_file(tmp_path: Path, qtbot: QtBot, 
 
 
 def is_cancelled(path: Path, playback: Playback, qtbot: QtBot, how: str) -> bool:
-    """Cut an export off; return whether it was not done before the window heard of it."""
+    """Cancel an export; return whether it was still running then."""
     path.write_text("what was there")
     done: list[Path] = []
     playback.exported.connect(done.append)

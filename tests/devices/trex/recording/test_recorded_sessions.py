@@ -55,7 +55,7 @@ def record_virtually(seconds: int, path: Path) -> list[Record]:
 
 
 class _Sink:
-    """Stands for the list of reports and hands each on."""
+    """Replaces the list of reports and passes each on."""
 
     def __init__(self, take: object) -> None:
         self._take = take

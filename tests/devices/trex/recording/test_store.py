@@ -1,4 +1,4 @@
-"""The recording as a database: what is written is read, crash and damage lose little."""
+"""The recording as a database: read as written; a crash or damage loses little."""
 
 import contextlib
 import shutil

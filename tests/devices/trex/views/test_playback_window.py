@@ -195,7 +195,7 @@ def test_window_is_complete_once_the_recording_is_loaded(window: RecordingWindow
 def half_read(path: Path, qtbot: QtBot) -> RecordingWindow:
     """Open a recording; return its window when some of it was read and not all.
 
-    A computer that stands still for a moment has read it all then; so it is tried again.
+    A busy computer may have read all of it by then; so it tries again.
     """
     for _ in range(4):
         window = RecordingWindow.open(Playback.open(path), qtbot)

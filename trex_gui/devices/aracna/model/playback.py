@@ -13,7 +13,7 @@ from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import Recording
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.units import degrees
-from trex_gui.devices.aracna.recording import FORMAT, FellSilent, Header, Record
+from trex_gui.devices.aracna.recording import FORMAT, Header, Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
@@ -55,7 +55,7 @@ class Moment:
     def take(self, record: Record) -> None:
         """Take a record as the newest."""
         match record:
-            case FellSilent():
+            case StoppedResponding():
                 self.known.take(NotResponding())
                 self.step = None
             case StepBegun():

@@ -1,30 +1,18 @@
 """Recording what a robot reports and the commands sent to it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.recording.kinds import marker
-from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.recording import FORMAT, FellSilent, Header, Record
-from trex_gui.devices.aracna.session.messages import (
-    Moved,
-    Moving,
-    NotResponding,
-    Passed,
-    PlayEnded,
-    Restarted,
-    SpeedsHeld,
-    StepBegun,
-    Stuck,
-)
+from trex_gui.devices.aracna.recording import FORMAT, Header, Record, Report, StoppedResponding
+from trex_gui.devices.aracna.session.messages import NotResponding, Passed, SpeedsHeld
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.event_log import Event, EventKind
+from trex_gui.ui.devices.event_log import EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
 
@@ -36,19 +24,13 @@ class AracnaRecorder(RecordThread[Record]):
     since its columns would be wrong. It continues while the robot does not respond.
     """
 
-    def __init__(
-        self,
-        robot: Robot,
-        parent: QObject | None = None,
-        *,
-        clock: Callable[[], float] = now,
-    ) -> None:
-        super().__init__(parent, clock=clock)
+    def __init__(self, robot: Robot, parent: QObject | None = None) -> None:
+        super().__init__(parent)
         self._robot = robot
         self._motors = 0
 
         robot.reported.connect(self._on_reported)
-        robot.events.happened.connect(self._on_happened)
+        robot.events.happened.connect(self.put_event)
         robot.rejected.connect(self._on_rejected)
         robot.link_changed.connect(self._on_link_changed)
 
@@ -59,11 +41,9 @@ class AracnaRecorder(RecordThread[Record]):
     def start(self, path: Path) -> bool:
         if not self.can_record:
             return False
-        now = self.clock()
         self._motors = self._robot.motors
-        header = Header(datetime.now(UTC), now, self._robot.version or 0, self._motors)
-        open_writer = partial(RecordingWriter[Header, Record], path, FORMAT, header)
-        self.begin(path, now, open_writer, self._known_at(now))
+        header = Header(datetime.now(UTC), now(), self._robot.version or 0, self._motors)
+        self.begin(path, FORMAT, header, self._known_at(header.clock))
         return True
 
     @Slot()
@@ -72,52 +52,36 @@ class AracnaRecorder(RecordThread[Record]):
 
         A last marker keeps its length, since nothing may have happened for a long time.
         """
-        self.put(marker(self.clock(), EventKind.NOTE.value, self.tr("The recording ends here.")))
+        self.put(marker(now(), EventKind.NOTE.value, self.tr("The recording ends here.")))
         super().stop()
 
-    def _known_at(self, now: float) -> Sequence[Record]:
-        """Return what is known of positions, speeds and the current motion."""
+    def _known_at(self, time: float) -> Sequence[Record]:
+        """Return the known positions and speeds and the current motion."""
         known, records = self._robot.known, list[Record]()
         if known.moved is not None:
-            records.append(replace(known.moved, time=now))
+            records.append(replace(known.moved, time=time))
         elif any(place is not None for place in known.present):
             places = tuple(-1 if place is None else place for place in known.present)
-            records.append(Passed(now, places))
+            records.append(Passed(time, places))
         if known.speeds is not None:
-            records.append(SpeedsHeld(now, known.speeds.requested, known.speeds.held))
+            records.append(SpeedsHeld(time, known.speeds.requested, known.speeds.held))
         if known.moving is not None and known.ends_at is not None:
-            left = max(known.ends_at - now, 0.0)
-            records.append(replace(known.moving, time=now, expected=left))
+            left = max(known.ends_at - time, 0.0)
+            records.append(replace(known.moving, time=time, expected=left))
         if known.stuck is not None:
-            records.append(replace(known.stuck, time=now))
+            records.append(replace(known.stuck, time=time))
         return records
 
     @Slot(object)
     def _on_reported(self, report: object) -> None:
-        match report:
-            case (
-                Moving()
-                | Passed()
-                | Moved()
-                | SpeedsHeld()
-                | StepBegun()
-                | PlayEnded()
-                | Stuck()
-                | Restarted()
-            ):
-                self.put(report)
-            case NotResponding():
-                self.put(FellSilent(self.clock()))
-            case _:
-                pass
-
-    @Slot(object)
-    def _on_happened(self, event: Event) -> None:
-        self.put(marker(event.time, event.kind.value, event.text))
+        if isinstance(report, Report):
+            self.put(report)
+        elif isinstance(report, NotResponding):
+            self.put(StoppedResponding(now()))
 
     @Slot(str)
     def _on_rejected(self, text: str) -> None:
-        self.put(marker(self.clock(), EventKind.NOTE.value, text))
+        self.put(marker(now(), EventKind.NOTE.value, text))
 
     @Slot()
     def _on_link_changed(self) -> None:

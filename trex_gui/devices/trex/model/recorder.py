@@ -1,13 +1,9 @@
 """Recording what a board reports and the setpoints sent to it."""
 
-from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Slot
 
-from trex_gui.core.recording.kinds import marker
-from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.requests import SetpointRequest, setpoints_in
 from trex_gui.devices.trex.model.device import Device
@@ -20,7 +16,6 @@ from trex_gui.devices.trex.recording import (
 )
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
 
@@ -33,16 +28,14 @@ class Recorder(RecordThread[Record]):
     respond.
     """
 
-    def __init__(
-        self, device: Device, parent: QObject | None = None, *, clock: Callable[[], float] = now
-    ) -> None:
-        super().__init__(parent, clock=clock)
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
         self._device = device
         self._board: tuple[object, ...] = ()
         self._settings = ""
 
         device.sampled.connect(self._on_sampled)
-        device.events.happened.connect(self._on_happened)
+        device.events.happened.connect(self.put_event)
         device.motors.requested.connect(self._on_requested)
         device.state_changed.connect(self._on_state_changed)
         device.link_changed.connect(self._on_link_changed)
@@ -55,11 +48,11 @@ class Recorder(RecordThread[Record]):
         state = self._device.state
         if state is None or not self.can_record:
             return False
-        settings, time = self._device.settings, self.clock()
+        settings = self._device.settings
         number = settings.device_number if settings is not None else None
-        header = Header.of(state, time, number)
+        header = Header.of(state, now(), number)
         self._board, self._settings = _identity(state), header.settings
-        self.begin(path, time, partial(RecordingWriter[Header, Record], path, FORMAT, header))
+        self.begin(path, FORMAT, header)
         return True
 
     @Slot(object)
@@ -67,12 +60,8 @@ class Recorder(RecordThread[Record]):
         self.put(*batch.samples)
 
     @Slot(object)
-    def _on_happened(self, event: Event) -> None:
-        self.put(marker(event.time, event.kind.value, event.text))
-
-    @Slot(object)
     def _on_requested(self, request: SetpointRequest) -> None:
-        time = self.clock()
+        time = now()
         self.put(*(setpoint_record(setpoint, time) for setpoint in setpoints_in(request)))
 
     @Slot()
@@ -85,7 +74,7 @@ class Recorder(RecordThread[Record]):
                 self.tr("The recording {0} has ended: the board or its mode is another one.")
             )
             return
-        snapshot = settings_snapshot(state, self.clock())
+        snapshot = settings_snapshot(state, now())
         if snapshot.text != self._settings:
             self._settings = snapshot.text
             self.put(snapshot)
