@@ -18,7 +18,7 @@ from tests.support.demo_panels import reached_by_tab, stand_in_order
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
-from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
+from trex_gui.devices.trex.model.demo import DemoSnapshot
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.sliders import StickSlider
@@ -27,7 +27,7 @@ CONTROLS = {
     *("demoPower", "demoPowerCycle", "demoBattery", "demoMode", "demoMix", "demoSoGround"),
     *(f"demo{what}{channel}" for what in ("Input", "NoSignal") for channel in CHANNELS),
     *("demoAutomatic", "demoCentre", "demoLoad1", "demoLoad2", "demoFault1", "demoFault2"),
-    *("demoCable", "demoMute", "demoNoise", "demoByteError", "demoSpoil", "demoFactory"),
+    *("demoCable", "demoMute", "demoNoise", "demoByteError", "demoCorrupt", "demoFactory"),
 }
 
 
@@ -136,7 +136,7 @@ def test_faults_are_counted_on_the_status_page(window: WindowDriver, panel: Demo
     for error, name in (("framing", "Framing error"), ("overrun", "Data overrun")):
         assert error_counts(window)[name] == 0
         panel.choose("demoByteError", error)
-        panel.click("demoSpoil")
+        panel.click("demoCorrupt")
         window.wait(lambda name=name: error_counts(window)[name] > 0)  # type: ignore[misc]
 
     panel.drag_stick("demoNoise", 1)
@@ -225,7 +225,7 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
     panel.pull_cable()
     assert "is gone" in window.text("bannerText")
     assert panel.root.isVisible()
-    panel.wait_for_text("demoState", "The cable is out")
+    panel.wait_for_text("demoState", "The cable is unplugged")
     assert not panel.is_enabled("demoNoise")
 
     window.click("connectButton")
@@ -236,7 +236,7 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
     assert window.is_enabled("connectButton")
 
     panel.click("demoCable")
-    panel.wait(lambda: panel.text("demoState") == "The cable is in again. Press Connect.")
+    panel.wait(lambda: panel.text("demoState") == "The cable is plugged in again. Press Connect.")
     window.click("connectButton")
     panel.wait_for(ConnectionState.CONNECTED)
     panel.wait(lambda: panel.text("demoState").startswith("Serial mode."))

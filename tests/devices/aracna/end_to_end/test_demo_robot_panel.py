@@ -22,7 +22,7 @@ from tests.support.demo_panels import reached_by_tab, stand_in_order
 from tests.support.pages.robot import RobotWindow
 from tests.support.program import aracna
 from tests.support.window import WidgetDriver
-from trex_gui.devices.aracna.model.demo_snapshot import RobotSnapshot
+from trex_gui.devices.aracna.model.demo import FirmwareState, RobotSnapshot
 from trex_gui.devices.aracna.views.demo.gauge import ServoGauge
 from trex_gui.devices.aracna.views.demo.panel import DemoRobotView
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -77,7 +77,7 @@ class DemoRobotPanel(WidgetDriver):
         """Send all motors far away and slowly: 4.5 s at this speed."""
         self.robot.set_speeds((speed,) * self.robot.motors)
         self.robot.move((goal,) * self.robot.motors)
-        self.wait(lambda: self.snapshot.state == "moving" and self.snapshot.is_moving)
+        self.wait(lambda: self.snapshot.state is FirmwareState.MOVING and self.snapshot.is_moving)
 
     def wait_for_report(self, part: str) -> None:
         self.window.wait_for_text("aracnaReport", part)
@@ -106,7 +106,7 @@ def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotP
     gauge = panel.gauge(7)
     panel.wait(lambda: 110 < gauge.position < 500)
     assert panel.robot.known.moving is not None
-    assert "on its way to 100" in gauge.toolTip()
+    assert "moving to 100" in gauge.toolTip()
     panel.wait(lambda: panel.robot.known.moved is not None)
     panel.wait(lambda: panel.text("aracnaDemoWhere7") == str(panel.robot.present[7]))
     panel.wait(lambda: "holds" in gauge.toolTip())
@@ -116,10 +116,10 @@ def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotP
 def test_led_text_shows_blinking_during_boot(panel: DemoRobotPanel) -> None:
     view = panel.find_only(DemoRobotView)
     for state, led, text in (
-        ("booting", True, "LED: blinks"),
-        ("booting", False, "LED: blinks"),
-        ("idle", True, "LED: on"),
-        ("moving", False, "LED: off"),
+        (FirmwareState.BOOTING, True, "LED: blinks"),
+        (FirmwareState.BOOTING, False, "LED: blinks"),
+        (FirmwareState.IDLE, True, "LED: on"),
+        (FirmwareState.MOVING, False, "LED: off"),
     ):
         view.show_head(replace(panel.snapshot, state=state, led=led))
         assert panel.text("aracnaDemoLedText") == text, state
@@ -142,7 +142,7 @@ def test_faulty_servos_delay_robot_and_are_named(panel: DemoRobotPanel) -> None:
     panel.begin_to_move(500)
     panel.click("aracnaDemoBlocked5")
     panel.wait_for_report("waits for motor 5")
-    assert "cannot get to 500" in panel.gauge(5).toolTip()
+    assert "cannot reach 500" in panel.gauge(5).toolTip()
     panel.click("aracnaDemoBlocked5")
     panel.wait_for_report("where it was sent")
 
@@ -183,7 +183,7 @@ def test_servo_power_cut_stops_motion(panel: DemoRobotPanel) -> None:
     window = panel.window
     window.move()
     panel.begin_to_move()
-    assert "only thing that stops" in panel.text("aracnaDemoPowerHint")
+    assert "only way to stop" in panel.text("aracnaDemoPowerHint")
     panel.click("aracnaDemoServoPower")
     panel.wait(lambda: not panel.snapshot.servo_power)
     stopped = [servo.position for servo in panel.snapshot.servos]
@@ -208,7 +208,7 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
     assert window.has("banner")
     assert "goes on" in window.text("aracnaMotionLabel")
     assert panel.dock.isVisible()
-    assert "The cable is out" in panel.text("aracnaDemoState")
+    assert "The cable is unplugged" in panel.text("aracnaDemoState")
     assert not panel.is_enabled("aracnaDemoNoise")
 
     window.click("connectButton")
@@ -219,7 +219,9 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
     assert window.is_enabled("connectButton")
 
     panel.click("aracnaDemoCable")
-    panel.wait(lambda: panel.text("aracnaDemoState") == "The cable is in again. Press Connect.")
+    panel.wait(
+        lambda: panel.text("aracnaDemoState") == "The cable is plugged in again. Press Connect."
+    )
     window.press_connect()
 
     panel.click("aracnaDemoMute")
@@ -236,7 +238,7 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
 
 def test_robot_moves_again_after_lost_bytes(panel: DemoRobotPanel) -> None:
     window, robot = panel.window, panel.robot
-    panel.lose("ANSWER_BYTE")
+    panel.lose("REPLY_BYTE")
     window.wait_until_up()
     window.move()
 
@@ -246,7 +248,7 @@ def test_robot_moves_again_after_lost_bytes(panel: DemoRobotPanel) -> None:
 
     window.move()
     panel.begin_to_move()
-    panel.choose("aracnaDemoLoss", "ANSWER_END")
+    panel.choose("aracnaDemoLoss", "REPLY_END")
     panel.click("aracnaDemoLose")
     panel.wait(lambda: robot.known.moving is None)
     assert None in robot.present
@@ -256,7 +258,7 @@ def test_robot_moves_again_after_lost_bytes(panel: DemoRobotPanel) -> None:
     assert None not in robot.present
 
 
-def test_mend_all_repairs_everything(panel: DemoRobotPanel) -> None:
+def test_all_faults_are_cleared_at_once(panel: DemoRobotPanel) -> None:
     for name in ("aracnaDemoDead1", "aracnaDemoBlocked2", "aracnaDemoMute", "aracnaDemoServoPower"):
         panel.click(name)
     panel.slide("aracnaDemoLoad3", 0.5)
@@ -268,7 +270,7 @@ def test_mend_all_repairs_everything(panel: DemoRobotPanel) -> None:
         lambda: panel.robot.link is ConnectionState.NOT_RESPONDING
     )  # else it may be called so once mended
 
-    panel.click("aracnaDemoMend")
+    panel.click("aracnaDemoRepair")
     panel.wait(lambda: all(servo.is_whole for servo in panel.snapshot.servos))
     panel.wait(lambda: panel.snapshot.servo_power and panel.snapshot.line.noise == 0)
     assert not panel.snapshot.line.mute
@@ -333,7 +335,7 @@ NAMES = {
     *("aracnaDemoPower", "aracnaDemoRestart", "aracnaDemoServoPower"),
     *(f"aracnaDemo{what}{motor}" for what in ("Load", "Dead", "Blocked") for motor in range(8)),
     *("aracnaDemoCable", "aracnaDemoMute", "aracnaDemoNoise", "aracnaDemoLoss", "aracnaDemoLose"),
-    "aracnaDemoMend",
+    "aracnaDemoRepair",
 }
 
 
@@ -359,7 +361,7 @@ def test_every_control_has_name_and_is_reached_by_tab(panel: DemoRobotPanel) -> 
     panel.window.window.activateWindow()
     first.setFocus()
     panel.wait(first.hasFocus)
-    reached = reached_by_tab("aracnaDemoMend")
+    reached = reached_by_tab("aracnaDemoRepair")
     assert set(reached) == NAMES
     assert len(reached) == len(set(reached))
     assert stand_in_order(panel.dock, reached)

@@ -9,11 +9,17 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.aracna import AracnaStage
 from tests.support.demo_panels import Overheard
-from trex_gui.devices.aracna.model.demo_robot import DemoRobot, Loss
-from trex_gui.devices.aracna.model.demo_snapshot import DemoServo, RobotSnapshot, read_snapshot
+from trex_gui.devices.aracna.model.demo import (
+    DemoRobot,
+    DemoServo,
+    FirmwareState,
+    Loss,
+    RobotSnapshot,
+    read_snapshot,
+)
 from trex_gui.devices.aracna.plugin import ARACNA
 from trex_gui.devices.aracna.simulator.control import control
-from trex_gui.devices.aracna.views.demo.words import power_text, servo_text, state_text
+from trex_gui.devices.aracna.views.demo.texts import power_text, servo_text, state_text
 
 GOALS = b".c300,300,300,300,300,300,300,300\n"
 
@@ -29,7 +35,7 @@ def test_new_robot_is_idle_limp_and_centred() -> None:
     snapshot = snapshot_of(AracnaStage())
     assert snapshot.power
     assert snapshot.servo_power
-    assert snapshot.state == "idle"
+    assert snapshot.state is FirmwareState.IDLE
     assert snapshot.boots == 1
     assert not snapshot.led
     assert not snapshot.is_moving
@@ -82,7 +88,7 @@ def test_firmware_state_is_described_as_text() -> None:
     stage = AracnaStage(booted=False)
     assert "Booting" in state_text(snapshot_of(stage))
     stage.line.advance(1.1)
-    assert state_text(snapshot_of(stage)) == "Idle: it listens."
+    assert state_text(snapshot_of(stage)) == "Idle: waiting for commands."
     stage.line.send(b".v90,90,90,90,90,90,90,90\n")
     stage.line.advance(0.02)
     assert "Setting speeds" in state_text(snapshot_of(stage))
@@ -92,7 +98,7 @@ def test_firmware_state_is_described_as_text() -> None:
     assert "every servo has arrived" in state_text(snapshot_of(stage))
     stage.do("servo 5 block")
     stage.line.advance(2)
-    assert "a servo that cannot arrive" in state_text(snapshot_of(stage))
+    assert "a servo that is blocked" in state_text(snapshot_of(stage))
     stage.do("servo power off")
     assert "servos that have no power" in state_text(snapshot_of(stage))
     stage.do("reset")
@@ -107,13 +113,13 @@ def test_firmware_state_is_described_as_text() -> None:
 def test_servo_power_text_is_urgent_in_motion_and_when_off() -> None:
     stage = AracnaStage()
     text, urgent = power_text(snapshot_of(stage))
-    assert "only thing that stops a running motion" in text
+    assert "only way to stop a motion" in text
     assert not urgent
     stage.line.send(GOALS)
     stage.line.advance(0.1)
     assert power_text(snapshot_of(stage)) == (text, True)
     stage.do("servo power off")
-    assert power_text(snapshot_of(stage)) == ("Off: no servo moves, holds or answers.", True)
+    assert power_text(snapshot_of(stage)) == ("Off: no servo moves, holds or replies.", True)
     stage.do("power off")
     assert "switch is off" in power_text(snapshot_of(stage))[0]
 
@@ -124,11 +130,11 @@ WHOLE = DemoServo(512, 600, 0, True, True, False, False, 0.0)
 @pytest.mark.parametrize(
     ("servo", "powered", "words"),
     [
-        (WHOLE, True, "512 = 150.1°, on its way to 600"),
+        (WHOLE, True, "512 = 150.1°, moving to 600"),
         (replace(WHOLE, moving=False), True, "512 = 150.1°, holds"),
-        (replace(WHOLE, blocked=True), True, "512 = 150.1°, cannot get to 600"),
-        (replace(WHOLE, load=1.0), True, "512 = 150.1°, cannot get to 600"),
-        (replace(WHOLE, load=0.5), True, "512 = 150.1°, on its way to 600"),
+        (replace(WHOLE, blocked=True), True, "512 = 150.1°, cannot reach 600"),
+        (replace(WHOLE, load=1.0), True, "512 = 150.1°, cannot reach 600"),
+        (replace(WHOLE, load=0.5), True, "512 = 150.1°, moving to 600"),
         (replace(WHOLE, dead=True), True, "512 = 150.1°, dead"),
         (replace(WHOLE, torque=False), True, "512 = 150.1°, limp until its first goal"),
         (replace(WHOLE, dead=True), False, "512 = 150.1°, no power"),
@@ -181,7 +187,7 @@ def test_faults_appear_in_snapshot_and_mend_clears_them(robot: DemoRobot, qtbot:
     assert seen(robot).servos[3].load == 0.5
     assert not seen(robot).servo_power
     assert seen(robot).line.mute
-    robot.mend()
+    robot.repair()
     qtbot.waitUntil(lambda: seen(robot).servo_power, timeout=15_000)
     assert all(servo.is_whole for servo in seen(robot).servos)
     assert not seen(robot).line.mute
@@ -203,16 +209,16 @@ def test_dragged_load_sends_only_first_and_newest_value(
 @pytest.mark.parametrize(
     ("loss", "line"),
     [
-        (Loss.ANSWER_BYTE, "line drop 1"),
+        (Loss.REPLY_BYTE, "line drop 1"),
         (Loss.COMMAND_BYTE, "line drop 1 sent"),
-        (Loss.ANSWER_END, "line cut 6"),
+        (Loss.REPLY_END, "line cut 6"),
     ],
 )
 def test_each_loss_sends_its_control_line(
     robot: DemoRobot, simulator: Overheard, qtbot: QtBot, loss: Loss, line: str
 ) -> None:
     simulator.lines.clear()
-    with qtbot.assertNotEmitted(robot.refused):
+    with qtbot.assertNotEmitted(robot.rejected):
         robot.lose(loss)
         answers: list[str] = []
         simulator.send("show", answers.append)
@@ -224,11 +230,11 @@ def test_each_loss_sends_its_control_line(
 def test_restart_of_unpowered_board_is_rejected(robot: DemoRobot, qtbot: QtBot) -> None:
     robot.set_power(False)
     qtbot.waitUntil(lambda: not seen(robot).power, timeout=15_000)
-    with qtbot.waitSignal(robot.refused, timeout=15_000) as refusal:
+    with qtbot.waitSignal(robot.rejected, timeout=15_000) as refusal:
         robot.restart()
     assert refusal.args == ["The board has no power; power on starts it."]
     robot.set_power(True)
-    qtbot.waitUntil(lambda: seen(robot).state == "idle", timeout=15_000)
+    qtbot.waitUntil(lambda: seen(robot).state is FirmwareState.IDLE, timeout=15_000)
     robot.restart()
     qtbot.waitUntil(lambda: seen(robot).boots == 3, timeout=15_000)
 
@@ -240,7 +246,7 @@ def test_snapshot_is_cleared_while_simulator_is_stopped(
     with qtbot.waitSignal(simulator.ended, timeout=15_000):
         simulator.stop()
     assert robot.snapshot is None
-    robot.mend()
+    robot.repair()
     with qtbot.waitSignal(simulator.ready, timeout=15_000):
         simulator.start()
     qtbot.waitUntil(lambda: robot.snapshot is not None, timeout=15_000)

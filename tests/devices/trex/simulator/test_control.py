@@ -12,6 +12,7 @@ from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.physics import CONSTANTS
+from trex_gui.devices.trex.simulator.report import report
 
 PULSES = 0.025
 """Seconds in which every input is renewed."""
@@ -313,12 +314,12 @@ def test_board_keeps_its_name_when_its_number_changes(two: TrexLine) -> None:
     ],
 )
 def test_invalid_command_gives_one_line_error_and_no_change(line: TrexLine, text: str) -> None:
-    before = line.boards[0].show()
+    before = report(line.boards[0])
     answer = control(line, text)
     assert answer.startswith("error ")
     assert "\n" not in answer
     assert len(answer) > 12
-    assert line.boards[0].show() == before
+    assert report(line.boards[0]) == before
 
 
 def test_quit_command_replies_goodbye(line: TrexLine) -> None:

@@ -7,6 +7,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource, Mode, UartError
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
+from trex_gui.devices.trex.simulator.report import report
 from trex_gui.devices.trex.simulator.signals import Signal
 
 FORWARD = MotorDirection.FORWARD
@@ -32,7 +33,7 @@ class TestPower:
     def test_new_board_is_on_with_motors_off(self) -> None:
         board = Board()
         board.advance(0.1)
-        shown = board.show()
+        shown = report(board)
         assert shown["power"] is True
         assert [motor["speed"] for motor in shown["motors"]] == [0, 0]
         assert shown["aux"] == {"speed": 0, "target_speed": 0}
@@ -42,7 +43,7 @@ class TestPower:
         board.serial.drive(1, FORWARD, 127)
         board.advance(1)
         board.power_off()
-        assert board.show()["power"] is False
+        assert report(board)["power"] is False
         before = board.physics[0].speed
         board.advance(0.5)
         assert 0 < board.physics[0].speed < before
@@ -103,7 +104,7 @@ class TestPower:
             each.advance(0.1)
         left = {"counters", "leds"}
         shown, wanted = (
-            {key: value for key, value in each.show().items() if key not in left}
+            {key: value for key, value in report(each).items() if key not in left}
             for each in (board, new)
         )
         assert shown == wanted
@@ -117,7 +118,7 @@ class TestPower:
         boards[0].advance(0.3)
         for _ in range(300):
             boards[1].advance(0.001)
-        assert boards[0].show() == boards[1].show()
+        assert report(boards[0]) == report(boards[1])
 
 
 class TestParameters:

@@ -10,6 +10,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.report import report
 
 Ask = Callable[[str], str]
 BYTE = 10 / 19200
@@ -85,7 +86,7 @@ class TestDeafness:
         line.send(bytes.fromhex("81 F0 7F"))
         assert line.read(20, 1) == SIGNATURE_BYTES
         assert line.boards[0].aux.speed == 0
-        assert line.boards[0].show()["counters"]["bytes_missed"] == 2
+        assert report(line.boards[0])["counters"]["bytes_missed"] == 2
 
     def test_board_receives_bytes_after_its_reply(self, line: TrexLine) -> None:
         line.send(b"\x81")

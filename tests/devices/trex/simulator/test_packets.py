@@ -9,6 +9,7 @@ from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
+from trex_gui.devices.trex.simulator.report import report
 from trex_gui.devices.trex.simulator.uart import SEND_BUFFER, SerialPort
 
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
@@ -111,7 +112,7 @@ class TestFormat:
         assert not errors(port)
         assert ask(port, "82") == "72"
         assert not errors(port)
-        assert port.board.show()["counters"]["packets_for_others"] == 3
+        assert report(port.board)["counters"]["packets_for_others"] == 3
 
     def test_bad_byte_discards_its_packet(self, port: SerialPort) -> None:
         port.feed(0xF0)
@@ -157,7 +158,7 @@ class TestJunk:
                 port.resume()
             assert len(port.outgoing) <= SEND_BUFFER
             port.outgoing.clear()
-        shown = board.show()
+        shown = report(board)
         assert all(0 <= motor["speed"] <= 127 for motor in shown["motors"])
         if mode != "serial":
-            assert shown["parameters"] == Board().show()["parameters"]
+            assert shown["parameters"] == report(Board())["parameters"]

@@ -6,12 +6,13 @@ from tests.devices.trex.simulator.ports import ask
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.report import report
 from trex_gui.devices.trex.simulator.signals import Signal
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 
 def test_show_contains_fields_used_by_scripts() -> None:
-    shown = json.loads(json.dumps(Board("trexjr", "1.0", mode="rc").show()))
+    shown = json.loads(json.dumps(report(Board("trexjr", "1.0", mode="rc"))))
     assert {
         "model", "firmware", "power", "mode", "serial_controls", "override", "safe_start",
         "motors", "aux", "channels", "parameters", "active_uart", "leds", "counters",
@@ -47,25 +48,25 @@ def test_show_reports_active_line_settings(
 ) -> None:
     board.eeprom.write("uart_settings", settings)
     board.power_cycle()
-    assert board.show()["active_uart"] == expected
+    assert report(board)["active_uart"] == expected
 
 
 def test_invalid_channel_is_shown_as_null(board: Board) -> None:
     board.advance(0.025)
-    assert board.show()["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "rest"}
+    assert report(board)["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "rest"}
     board.connect(1, Signal.parse("invalid", InputSource.RC))
-    assert board.show()["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "invalid"}
+    assert report(board)["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "invalid"}
     board.advance(0.025)
-    assert board.show()["channels"][0] == {"raw": None, "remapped": 0, "signal": "invalid"}
+    assert report(board)["channels"][0] == {"raw": None, "remapped": 0, "signal": "invalid"}
 
 
 def test_leds_show_serial_control_and_packet_activity(board: Board, port: SerialPort) -> None:
     board.advance(2)
-    assert board.show()["leds"] == {"red": "on", "green": "off"}
+    assert report(board)["leds"] == {"red": "on", "green": "off"}
     port.feed(0x86)
-    assert board.show()["leds"] == {"red": "on", "green": "on"}
+    assert report(board)["leds"] == {"red": "on", "green": "on"}
     port.feed(0x1F)
-    assert board.show()["leds"] == {"red": "on", "green": "off"}
+    assert report(board)["leds"] == {"red": "on", "green": "off"}
 
 
 def test_rc_mode_swaps_leds() -> None:
@@ -73,13 +74,13 @@ def test_rc_mode_swaps_leds() -> None:
     board.connect(2, Signal.pulses(1900))
     board.power_cycle()
     board.advance(2)
-    assert board.show()["leds"] == {"red": "off", "green": "fast flash"}
+    assert report(board)["leds"] == {"red": "off", "green": "fast flash"}
     board.connect(2, Signal.pulses(1500))
-    assert board.show()["leds"] == {"red": "off", "green": "fast flash"}
+    assert report(board)["leds"] == {"red": "off", "green": "fast flash"}
     board.advance(0.03)
-    assert board.show()["leds"] == {"red": "off", "green": "on"}
+    assert report(board)["leds"] == {"red": "off", "green": "on"}
     SerialPort(board).feed(0x86)
-    assert board.show()["leds"] == {"red": "on", "green": "on"}
+    assert report(board)["leds"] == {"red": "on", "green": "on"}
 
 
 def test_power_up_flashes_show_learned_channels(board: Board) -> None:
@@ -88,9 +89,9 @@ def test_power_up_flashes_show_learned_channels(board: Board) -> None:
     board.power_cycle()
     seen = []
     for _ in range(5):
-        seen.append(board.show()["leds"])
+        seen.append(report(board)["leds"])
         board.advance(0.2)
-        assert board.show()["leds"] == {"red": "off", "green": "off"}
+        assert report(board)["leds"] == {"red": "off", "green": "off"}
         board.advance(0.1)
     red, green = {"red": "on", "green": "off"}, {"red": "off", "green": "on"}
     assert seen == [red, green, red, red, red]
@@ -98,7 +99,7 @@ def test_power_up_flashes_show_learned_channels(board: Board) -> None:
 
 def test_leds_are_off_without_power(board: Board) -> None:
     board.power_off()
-    assert board.show()["leds"] == {"red": "off", "green": "off"}
+    assert report(board)["leds"] == {"red": "off", "green": "off"}
 
 
 # Prescaler, wire value of the maximum, and what both together give: prescalers divide 20 MHz by
@@ -116,22 +117,22 @@ PWM = [
 def test_prescaler_and_maximum_set_pwm_frequency_at_once(
     board: Board, port: SerialPort, number: int, prescaler: int, maximum: int, hertz: int
 ) -> None:
-    before = board.show()["motors"][2 - number]["pwm_hz"]
+    before = report(board)["motors"][2 - number]["pwm_hz"]
     assert ask(port, f"AF {8 + number:02X} {prescaler:02X} 55 2A") == "00"
     assert ask(port, f"AF {10 + number:02X} {maximum:02X} 55 2A") == "00"
-    assert board.show()["motors"][number - 1]["pwm_hz"] == pytest.approx(hertz, abs=0.6)
-    assert board.show()["motors"][2 - number]["pwm_hz"] == before
+    assert report(board)["motors"][number - 1]["pwm_hz"] == pytest.approx(hertz, abs=0.6)
+    assert report(board)["motors"][2 - number]["pwm_hz"] == before
 
 
 def test_new_board_has_measured_pwm_frequency(board: Board) -> None:
-    assert [motor["pwm_hz"] for motor in board.show()["motors"]] == [2441.4, 2441.4]
+    assert [motor["pwm_hz"] for motor in report(board)["motors"]] == [2441.4, 2441.4]
 
 
 def test_show_reports_motor_load_and_rpm(board: Board, port: SerialPort) -> None:
     board.physics[0].load = 4.0
     ask(port, "C1 7F")
     board.advance(2)
-    motor, other = board.show()["motors"]
+    motor, other = report(board)["motors"]
     assert motor["load"] == 4.0
     assert -15_000 < motor["rpm"] < -10_000
     assert other["rpm"] == 0
@@ -141,17 +142,17 @@ def test_show_reports_motor_load_and_rpm(board: Board, port: SerialPort) -> None
 def test_show_reports_supply_sag(board: Board, port: SerialPort) -> None:
     ask(port, "D0 7F 7F")
     board.advance(0.0025)
-    assert board.show()["supply"] == 12.0
+    assert report(board)["supply"] == 12.0
     ask(port, "DA 7F 7F")
     board.advance(0.0025)
     constants = board.machine.constants
     both = constants.resistance / 2
     expected = 12 * both / (both + constants.battery_resistance)
-    assert board.show()["supply"] == pytest.approx(expected, abs=0.01)
+    assert report(board)["supply"] == pytest.approx(expected, abs=0.01)
 
 
 def test_show_reports_calibrations_and_learned_channels(board: Board) -> None:
-    shown = board.show()
+    shown = report(board)
     assert list(shown["calibrations"]) == [
         f"{source}_channel_{channel}" for source in ("rc", "analog") for channel in range(1, 6)
     ]
@@ -159,5 +160,5 @@ def test_show_reports_calibrations_and_learned_channels(board: Board) -> None:
     assert shown["calibrations"]["rc_channel_4"] == rc
     assert shown["learned"] == {"rc": 0, "analog": 0}
     board.eeprom.write_calibration(InputSource.RC, 4, Calibration(2500, 3700, 5000, 75))
-    assert board.show()["calibrations"]["rc_channel_4"] == {**rc, "neutral": 3700}
-    assert board.show()["learned"] == {"rc": 0b01000, "analog": 0}
+    assert report(board)["calibrations"]["rc_channel_4"] == {**rc, "neutral": 3700}
+    assert report(board)["learned"] == {"rc": 0b01000, "analog": 0}

@@ -6,6 +6,7 @@ from tests.devices.trex.simulator.ports import SETTLED
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
+from trex_gui.devices.trex.simulator.report import report
 from trex_gui.devices.trex.simulator.signals import Signal
 
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
@@ -198,7 +199,7 @@ class TestSerialOverride:
         assert (rc.motors[0].direction, rc.motors[0].speed) == (FORWARD, 77)
         put(rc, 5, "2000us")
         rc.advance(PULSES)
-        assert not rc.show()["serial_controls"]
+        assert not report(rc)["serial_controls"]
         assert (rc.motors[0].direction, rc.motors[0].speed) == (REVERSE, 127)
 
     def test_serial_mode_ignores_override_channel(self) -> None:

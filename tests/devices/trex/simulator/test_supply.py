@@ -11,6 +11,7 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.physics import CONSTANTS, Drive, Machine
+from trex_gui.devices.trex.simulator.report import report
 from trex_gui.devices.trex.simulator.signals import Signal
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
@@ -128,8 +129,8 @@ class TestBoard:
         seen = currents(board, 5)
         stall = TREX.battery / (TREX.resistance + TREX.battery_resistance)
         assert seen[1:] == [pytest.approx(stall, abs=0.35)] * (len(seen) - 1)
-        assert board.show()["supply"] == pytest.approx(stall * TREX.resistance, abs=0.01)
-        assert board.show()["motors"][0]["rpm"] == 0
+        assert report(board)["supply"] == pytest.approx(stall * TREX.resistance, abs=0.01)
+        assert report(board)["motors"][0]["rpm"] == 0
 
     def test_current_query_returns_load_current_in_counts(self) -> None:
         board = a_board(model="trexjr")
@@ -151,7 +152,7 @@ class TestBrownOut:
         board.advance(TICK)
         assert is_on(board)
         assert board.motors[0].speed == 0
-        counters: dict[str, Any] = board.show()["counters"]
+        counters: dict[str, Any] = report(board)["counters"]
         assert (counters["brown_outs"], counters["power_ups"]) == (1, 2)
         board.advance(1)
         assert board.counters["brown_outs"] == 1
@@ -164,8 +165,8 @@ class TestBrownOut:
         board.set_parameter(0x07, 9)
         board.serial.drive(1, FORWARD, 127)
         board.advance(0.005)
-        assert board.show()["mode"] == "R"
-        assert board.show()["leds"] == {"red": "on", "green": "off"}  # the first of five flashes
+        assert report(board)["mode"] == "R"
+        assert report(board)["leds"] == {"red": "on", "green": "off"}  # the first of five flashes
         assert board.eeprom["serial_timeout"] == 0
         assert board.memory.busy_for == 0
 
@@ -209,7 +210,7 @@ class TestBrownOut:
         board.machine.battery = 12.0
         board.advance(0.01)
         assert is_on(board)
-        assert board.show()["supply"] == 12.0
+        assert report(board)["supply"] == 12.0
 
     def test_switched_off_board_stays_off_when_battery_recovers(self) -> None:
         board = Board()

@@ -15,7 +15,8 @@ from tests.support.program import trex
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.composition import build
-from trex_gui.devices.trex.model.demo.snapshot import (
+from trex_gui.devices.trex.model.demo import (
+    BootStep,
     DemoJumpers,
     DemoLeds,
     DemoMotor,
@@ -27,7 +28,7 @@ from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.views.demo.panel import DemoPanel
-from trex_gui.devices.trex.views.demo.words import (
+from trex_gui.devices.trex.views.demo.texts import (
     PACKETS,
     jumper_hint,
     led_meaning,
@@ -78,7 +79,7 @@ def test_packet_led_is_shown_without_flicker(flicker: str) -> None:
         (RC, PACKETS, "while a packet comes in"),
         (replace(RC, power=False), "off", "the power is off"),
         (
-            replace(RC, special_start="learning: take the mix jumper off"),
+            replace(RC, boot_mode=BootStep.LEARN_READY),
             "blink 1/s",
             "take the Mix jumper off",
         ),
@@ -97,9 +98,8 @@ def test_led_pattern_is_explained(snapshot: DemoSnapshot, pattern: str, meaning:
         (replace(RC, mode=Mode.ANALOG), "Analog mode."),
         (replace(RC, safe_start=True), "Safe-start"),
         (replace(RC, serial_controls=True, override=True), "Channel 5 hands control"),
-        (replace(RC, power=False), "nothing answers"),
-        (replace(SERIAL, special_start="waiting for firmware upgrade"), "Boot loader"),
-        (replace(SERIAL, special_start="dreaming"), "Dreaming."),
+        (replace(RC, power=False), "does not reply"),
+        (replace(SERIAL, boot_mode=BootStep.UPGRADE_REQUESTED), "Boot loader"),
     ],
 )
 def test_board_state_is_described(snapshot: DemoSnapshot, words: str) -> None:
@@ -120,7 +120,7 @@ def test_board_state_is_described(snapshot: DemoSnapshot, words: str) -> None:
             "Power cycle to start the boot loader.",
         ),
         (
-            replace(RC, jumpers=DemoJumpers("rc", True, True), special_start="learning: done"),
+            replace(RC, jumpers=DemoJumpers("rc", True, True), boot_mode=BootStep.LEARN_DONE),
             "",
         ),
     ],

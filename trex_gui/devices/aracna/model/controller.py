@@ -4,7 +4,7 @@ from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.automatic_stop import halt_because
-from trex_gui.devices.aracna.model.demo_robot import DemoRobot
+from trex_gui.devices.aracna.model.demo import DemoRobot
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.ui.devices.controller import DeviceController

@@ -70,7 +70,7 @@ class AracnaWorkspace(Workspace):
         layout.addWidget(self.recordings.indicator)
         layout.addWidget(bar)
 
-        controller.demo_robot.refused.connect(self.notifier.error)
+        controller.demo_robot.rejected.connect(self.notifier.error)
         controller.changed.connect(self._on_changed)
         self._demo.wanted_changed.connect(self._on_demo_wanted)
         robot.link_changed.connect(self._on_link_changed)

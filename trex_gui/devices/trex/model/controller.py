@@ -9,7 +9,7 @@ from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.automatic_stop import AutomaticStop
-from trex_gui.devices.trex.model.demo.board import DemoBoard
+from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import check_polynomial
@@ -55,7 +55,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._automatic_stop.told.connect(self.stop_reported)
         self.settings_changed.connect(self.changed)
         self.simulator.ended.connect(self._on_simulator_ended)
-        self.demo_board.made_new.connect(self._on_demo_made_new)
+        self.demo_board.factory_reset.connect(self._on_demo_factory_reset)
         device.link_changed.connect(self._note_settings)
         device.progressed.connect(self.progressed)
 
@@ -101,7 +101,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._demo_settings = self._default
 
     @Slot()
-    def _on_demo_made_new(self) -> None:
+    def _on_demo_factory_reset(self) -> None:
         self._demo_settings = self._default
         if self.demo_in_use:
             self.device.expect((ConnectionSettings(""),))

@@ -20,6 +20,7 @@ from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.report import report
 from trex_gui.devices.trex.simulator.signals import Signal
 
 _HIGHEST_CURRENT = 1000.0
@@ -181,7 +182,7 @@ def _require_saved(board: Board) -> None:
 
 def _show(line: TrexLine, board: Board, words: list[str]) -> str:
     require_no_more("show", words)
-    shown = board.show()
+    shown = report(board)
     shown["counters"]["line"] = dict(line.faults.counters)
     shown["line"] = show_wire(line)
     return json.dumps(shown)

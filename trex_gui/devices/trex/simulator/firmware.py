@@ -4,12 +4,12 @@ Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 """
 
 from collections import Counter
-from typing import Any
 
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
 from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
+from trex_gui.devices.trex.simulator.boot_modes import BootMode, boot_mode
 from trex_gui.devices.trex.simulator.channel_control import ChannelControl
 from trex_gui.devices.trex.simulator.channels import Channels
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
@@ -22,10 +22,8 @@ from trex_gui.devices.trex.simulator.motors import (
     MotorSettings,
 )
 from trex_gui.devices.trex.simulator.physics import Drive, Machine
-from trex_gui.devices.trex.simulator.report import report
 from trex_gui.devices.trex.simulator.serial_control import SerialControl
 from trex_gui.devices.trex.simulator.signals import Signal
-from trex_gui.devices.trex.simulator.special import SpecialStart, special_start
 
 MODE_JUMPERS = ("serial", "rc", "analog")
 
@@ -70,7 +68,7 @@ class Board:
         machine: battery and motors; `physics` are its two motors.
         serial: the serial side of motor control, and the latched bits.
         sticks: the channels' side of it, with serial override and safe-start.
-        special: the special start that the jumpers asked for; no normal operation then.
+        boot_mode: selected by jumpers at power-up; `None` in normal operation.
         receiving: whether a packet has begun and not ended (it lights a LED).
         counters: what happened since it was made.
     """
@@ -121,7 +119,7 @@ class Board:
         self.mode = self._read_mode()
         self.channels.begin(self.mode.source)
         self._forget()
-        self.special: SpecialStart | None = special_start(self)
+        self.boot_mode: BootMode | None = boot_mode(self)
 
     def power_off(self) -> None:
         """Switch off: the motors coast, a write that is not finished is lost."""
@@ -130,7 +128,7 @@ class Board:
 
     def _go_down(self) -> None:
         self.powered = False
-        self.special = None
+        self.boot_mode = None
         self.memory.lose_write()
         self.channels.begin(self.mode.source)
         self._forget()
@@ -171,7 +169,7 @@ class Board:
     @property
     def is_running(self) -> bool:
         """Whether it has power and works normally: whether it listens to bytes."""
-        return self.powered and self.special is None
+        return self.powered and self.boot_mode is None
 
     # Time
 
@@ -216,10 +214,10 @@ class Board:
 
     def _update(self) -> None:
         """Do what happens 100 times a second."""
-        if self.special is not None:
-            self.special.update(TICK * _UPDATE_TICKS)
-            if self.special.is_over:
-                self.special = None
+        if self.boot_mode is not None:
+            self.boot_mode.update(TICK * _UPDATE_TICKS)
+            if self.boot_mode.is_over:
+                self.boot_mode = None
             return
         self._watch()
         self.serial.watch_silence(self.now, self.memory.active[ParameterKey.SERIAL_TIMEOUT])
@@ -322,10 +320,6 @@ class Board:
         for flag, physics in zip(_FAULT, self.physics, strict=True):
             if physics.fault:
                 self.serial.status |= flag
-
-    def show(self) -> dict[str, Any]:
-        """Return what the board is doing, ready for JSON."""
-        return report(self)
 
 
 def _drive(motor: Motor) -> Drive:

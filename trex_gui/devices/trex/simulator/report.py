@@ -1,26 +1,24 @@
-"""What an onlooker sees of a board: its LEDs, and everything at once as `show` gives it."""
+"""State of a board as `show` reports it, with its LEDs."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.simulator.eeprom import CALIBRATION_FIELDS
-
-if TYPE_CHECKING:
-    from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.firmware import Board
 
 _FLASH = 0.3  # inferred: seconds for each of the five flashes at power-up
 
 
-def leds(board: "Board") -> dict[str, str]:
-    """Return what the LEDs show: `on`, `off` or the name of a pattern.
+def leds(board: Board) -> dict[str, str]:
+    """Return the state of the LEDs: `on`, `off` or the name of a pattern.
 
-    While serial controls, red is on and green lights from the first to the last byte of a
-    packet; while the channels control, it is the other way round.
+    In serial control, red is on and green lights from the first to the last byte of a packet;
+    in channel control the LEDs are swapped.
     """
     if not board.powered:
         red = green = "off"
-    elif board.special is not None:
-        red, green = board.special.leds
+    elif board.boot_mode is not None:
+        red, green = board.boot_mode.leds
     elif (since := board.now - board.powered_at) < _FLASH * len(CHANNELS):
         red, green = _learned_flash(board, since)
     else:
@@ -32,16 +30,16 @@ def leds(board: "Board") -> dict[str, str]:
     return {"red": red, "green": green}
 
 
-def _learned_flash(board: "Board", since: float) -> tuple[str, str]:
-    """One flash for each channel: green for a learned one, red for a default."""
+def _learned_flash(board: Board, since: float) -> tuple[str, str]:
+    """Return one flash for each channel: green if learned, red for a default."""
     if since % _FLASH > _FLASH / 2:
         return "off", "off"
     learned = board.memory.learned(board.mode.source) >> int(since / _FLASH) & 1
     return ("off", "on") if learned else ("on", "off")
 
 
-def report(board: "Board") -> dict[str, Any]:
-    """Return what the board is doing, ready for JSON; currents in A, `raw` `None` if invalid."""
+def report(board: Board) -> dict[str, Any]:
+    """Return the state for JSON; currents in A, `raw` is `None` if invalid."""
     memory = board.memory
     return {
         "model": board.model.key,
@@ -51,7 +49,7 @@ def report(board: "Board") -> dict[str, Any]:
         "serial_controls": board.serial.in_control,
         "override": board.override,
         "safe_start": board.safe_start,
-        "special_start": board.special.name if board.special else None,
+        "boot_mode": board.boot_mode.name if board.boot_mode else None,
         "motors": [
             {
                 "direction": motor.direction.value,
@@ -95,8 +93,8 @@ def report(board: "Board") -> dict[str, Any]:
     }
 
 
-def _calibrations(board: "Board") -> dict[str, dict[str, int]]:
-    """Both sets in counts, named as in settings files: `rc_channel_1` … `analog_channel_5`."""
+def _calibrations(board: Board) -> dict[str, dict[str, int]]:
+    """Return both sets in counts, keyed `rc_channel_1` … `analog_channel_5`."""
     return {
         f"{source.value.lower()}_channel_{channel}": {
             field: getattr(board.memory.calibration(source, channel), field)

@@ -73,8 +73,8 @@ class SerialPort:
         After a `pause` it is there when `resume` has been called.
         """
         if not self._listens():
-            if self.board.special is not None:
-                self._send(self.board.special.answer(byte))
+            if self.board.boot_mode is not None:
+                self._send(self.board.boot_mode.reply(byte))
             return
         self.board.hear()
         if not self.pause:

@@ -109,7 +109,7 @@ class TrexWorkspace(Workspace):
         motors_page.parameter_wanted.connect(parameters_page.show_parameter)
         motors_page.parameter_wanted.connect(lambda: tabs.setCurrentIndex(parameters_index))
         controller.changed.connect(self._on_demo_changed)
-        controller.demo_board.refused.connect(self.notifier.error)
+        controller.demo_board.rejected.connect(self.notifier.error)
         self._demo.wanted_changed.connect(self._on_demo_changed)
         device.applied.connect(self._on_applied)
         device.applied.connect(question.reconsider)

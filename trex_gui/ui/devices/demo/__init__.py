@@ -1,1 +1,1 @@
-"""The panel of a simulated device."""
+"""Panels of simulated devices."""

@@ -6,9 +6,15 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.demo_panels import Overheard
-from trex_gui.devices.trex.model.demo.board import DemoBoard
-from trex_gui.devices.trex.model.demo.snapshot import DemoChannel, DemoSnapshot, read_snapshot
+from trex_gui.devices.trex.model.demo import (
+    BootStep,
+    DemoBoard,
+    DemoChannel,
+    DemoSnapshot,
+    read_snapshot,
+)
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
+from trex_gui.devices.trex.simulator import boot_modes
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
@@ -304,14 +310,20 @@ def test_battery_voltage_reaches_the_board(board: DemoBoard, qtbot: QtBot) -> No
 
 @pytest.mark.parametrize("error", ["framing", "parity", "overrun"])
 def test_byte_can_be_corrupted(board: DemoBoard, qtbot: QtBot, error: str) -> None:
-    with qtbot.assertNotEmitted(board.refused):
-        board.spoil(error)
+    with qtbot.assertNotEmitted(board.rejected):
+        board.corrupt(error)
         board.set_mix(True)
         qtbot.waitUntil(lambda: seen(board).jumpers.mix)
 
 
 def test_refused_command_emits_a_sentence(board: DemoBoard, qtbot: QtBot) -> None:
-    with qtbot.waitSignal(board.changed), qtbot.waitSignal(board.refused) as refused:
+    with qtbot.waitSignal(board.changed), qtbot.waitSignal(board.rejected) as refused:
         board.set_mode_jumper("boat")
     assert refused.args[0].startswith("Jumper mode serial|rc|analog")
     assert refused.args[0].endswith(".")
+
+
+def test_boot_steps_are_those_that_the_simulator_reports() -> None:
+    reported = {step.value for step in boot_modes._Step}
+    reported |= {"boot loader: requested", "boot loader: ready"}
+    assert {step.value for step in BootStep} == reported | {"learning: ready"}

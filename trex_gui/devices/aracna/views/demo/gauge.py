@@ -1,4 +1,4 @@
-"""Where a servo really is, and where it was sent, on a line over its whole travel."""
+"""A gauge of a servo's real position and its goal."""
 
 from PySide6.QtCore import QPointF, QRectF, QSize
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
@@ -12,7 +12,7 @@ _RADIUS = 4.5
 
 
 class ServoGauge(QWidget):
-    """A disc where it is, a stroke where it was sent; a limp servo's disc is hollow."""
+    """A disc at the position, a line at the goal; the disc is hollow without torque."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -22,11 +22,11 @@ class ServoGauge(QWidget):
 
     @property
     def position(self) -> int:
-        """Where the disc is, in units."""
+        """Position in units."""
         return self._shown[0]
 
     def show_servo(self, position: int, goal: int, *, holds: bool) -> None:
-        """Show position and goal in units, 0-1023, and whether the servo holds."""
+        """Show position and goal in units, 0-1023, and whether the servo has torque."""
         shown = (position, goal, holds)
         if shown != self._shown:
             self._shown = shown

@@ -1,20 +1,24 @@
-"""The dock of the Demo Aracna: a robot in software that can be handled like a real one."""
+"""The dock of the Demo Aracna: a simulated robot that can be operated like a real one."""
 
 from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.aracna.model.controller import AracnaController
-from trex_gui.devices.aracna.model.demo_snapshot import RobotSnapshot
-from trex_gui.devices.aracna.views.demo.cable import RobotCable
-from trex_gui.devices.aracna.views.demo.power import RobotPower
-from trex_gui.devices.aracna.views.demo.servos import DemoServos
-from trex_gui.devices.aracna.views.demo.words import state_text
-from trex_gui.ui.devices.demo.dock import DemoDock
-from trex_gui.ui.devices.demo.view import DemoPanelBody
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.devices.aracna.model.demo import DemoRobot, FirmwareState, Loss, RobotSnapshot
+from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
+from trex_gui.devices.aracna.views.demo.gauge import ServoGauge
+from trex_gui.devices.aracna.views.demo.texts import power_text, servo_text, state_text, tr
+from trex_gui.devices.aracna.views.robot.words import spoken_joint
+from trex_gui.ui.devices.demo.panel import DemoDock, DemoPanelBody
+from trex_gui.ui.devices.demo.rows import CableTexts, Columns, Rows, cable_rows
+from trex_gui.ui.widgets.builders import button, label, named, row
 from trex_gui.ui.widgets.leds import Lamp
 
-_MORE = 34  # pixels, of which a scroll bar may take some
+RobotRows = Rows[RobotSnapshot]
+
+_EXTRA_WIDTH = 34  # pixels, of which a scroll bar may take some
+_STEP, _PAGE = 5, 20  # per cent of the speed
+_LEAST = 44  # pixels of a slider
 
 
 class RobotPanel(DemoDock):
@@ -28,64 +32,197 @@ class RobotPanel(DemoDock):
 
 
 class DemoRobotView(DemoPanelBody[RobotSnapshot]):
-    """The robot itself: LED, switches, servos, cable."""
+    """The robot: LED, switches, servos, cable."""
 
     def __init__(self, controller: AracnaController, parent: QWidget | None = None) -> None:
         robot = controller.demo_robot
         super().__init__(robot, controller, "aracnaDemoState", parent)
         head = QWidget(self)
-        self._lamp = Lamp("led_green", head)
-        self._lamp.setObjectName("aracnaDemoLed")
-        self._lit = QLabel(head)
-        self._lit.setObjectName("aracnaDemoLedText")
-        self._boots = QLabel(head)
-        self._boots.setObjectName("aracnaDemoBoots")
-        mend = QPushButton(self.tr("Mend all"), self)
-        mend.setObjectName("aracnaDemoMend")
-        mend.setToolTip(
-            self.tr("Servos alive, free and unloaded, a quiet line, everything switched on")
+        tip = self.tr("The debug LED; it blinks while the firmware boots")
+        self._lamp = named(Lamp("led_green", head), "aracnaDemoLed", tip=tip)
+        self._lit = label(head, "aracnaDemoLedText", tip=tip)
+        self._boots = label(
+            head, "aracnaDemoBoots", tip=self.tr("How often the firmware has started")
         )
-        set_icon(mend, "reload")
-
-        line = QHBoxLayout(head)
-        line.setContentsMargins(0, 0, 0, 0)
-        line.addWidget(self._lamp)
-        line.addWidget(self._lit, 1)
-        line.addWidget(self._boots)
-        groups = (RobotPower(robot, self), DemoServos(robot, self), RobotCable(robot, self))
-        self.arrange(head, groups, mend)
-
-        mend.clicked.connect(robot.mend)
-        controller.changed.connect(self.renew)
+        row(self._lamp, (self._lit, 1), self._boots, into=head, margins=0)
+        repair = button(
+            self,
+            "aracnaDemoRepair",
+            self.tr("Clear all faults"),
+            icon="reload",
+            tip=self.tr("Servos alive, free and unloaded, a quiet line, everything switched on"),
+            on_click=robot.repair,
+        )
+        columns = Columns(tr("Noise"), "5.0\u00a0%")
+        groups = (
+            _power_rows(robot, columns, self),
+            _servo_rows(robot, self),
+            _cable_rows(robot, columns, self),
+        )
+        self.arrange(head, groups, repair)
+        controller.changed.connect(self.refresh)
 
     def sizeHint(self) -> QSize:
-        """Little wider than it needs: the robot's pages use what they get better."""
-        return QSize(self.minimumSizeHint().width() + _MORE, super().sizeHint().height())
+        """Hint at little more than the minimum width, which leaves the pages more room."""
+        return QSize(self.minimumSizeHint().width() + _EXTRA_WIDTH, super().sizeHint().height())
 
-    def absent_text(self, *, starts: bool) -> str:
-        """Say that the robot does not run, or that it is being started."""
-        if starts:
+    def absent_text(self, *, starting: bool) -> str:
+        if starting:
             return self.tr("The simulated robot is being started …")
         return self.tr("The simulated robot does not run. Press Connect.")
 
     def state_text(self, snapshot: RobotSnapshot) -> str:
-        """Say what the firmware does, and what it waits for."""
         return state_text(snapshot)
 
     def show_head(self, snapshot: RobotSnapshot | None) -> None:
-        """Show the LED of the board, and how often its firmware has started."""
-        self._lamp.set_lit(snapshot is not None and snapshot.led)
-        text = self._led_text(snapshot)
+        is_lit = snapshot is not None and snapshot.led
+        text = self.tr("LED: on") if is_lit else self.tr("LED: off")
+        if snapshot is not None and snapshot.state is FirmwareState.BOOTING:
+            text = self.tr("LED: blinks")
+        self._lamp.set_lit(is_lit)
+        self._lit.setText(text)
         for widget in (self._lamp, self._lit):
             widget.setAccessibleName(text)
-            widget.setToolTip(self.tr("The debug LED; it blinks while the firmware boots"))
-        self._lit.setText(text)
         boots = "" if snapshot is None else self.tr("Starts: {0}").format(snapshot.boots)
         self._boots.setText(boots)
-        self._boots.setToolTip(self.tr("How often the firmware has started"))
 
-    def _led_text(self, snapshot: RobotSnapshot | None) -> str:
-        if snapshot is not None and snapshot.state == "booting":
-            return self.tr("LED: blinks")
-        lit = snapshot is not None and snapshot.led
-        return self.tr("LED: on") if lit else self.tr("LED: off")
+
+def _power_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRows:
+    rows = RobotRows(tr("Power"), columns, parent)
+    power = rows.check_box(
+        "aracnaDemoPower",
+        tr("Robot on"),
+        tr("The robot's own switch: board and servos"),
+        robot.set_power,
+        lambda snapshot: snapshot.power,
+        accessible=tr("Robot switched on"),
+    )
+    restart = rows.button(
+        "aracnaDemoRestart",
+        tr("Restart board"),
+        tr("The reset line: the firmware restarts, the servos continue to their goals"),
+        robot.restart,
+        icon="reload",
+    )
+    servos = rows.check_box(
+        "aracnaDemoServoPower",
+        tr("Servo power"),
+        tr(
+            "The power of the servos only: without it they stop, hold nothing and lose their "
+            "speeds; the firmware waits for them"
+        ),
+        robot.set_servo_power,
+        lambda snapshot: snapshot.servo_power,
+    )
+
+    def enable(snapshot: RobotSnapshot) -> None:
+        restart.setEnabled(snapshot.power)
+        servos.setEnabled(snapshot.power)
+
+    rows.on_snapshot(enable)
+    rows.add_wide((power, 1), (restart, 0))
+    rows.add_wide(servos)
+    rows.note("aracnaDemoPowerHint", 2, power_text)
+    return rows
+
+
+def _servo_rows(robot: DemoRobot, parent: QWidget) -> RobotRows:
+    """Return a row for each servo: its real position, and its faults."""
+    headings = (tr("Slowed"), tr("Dead"), tr("Blocked"))
+    rows = RobotRows(tr("Servos"), Columns("0", str(HIGHEST), headings), parent)
+    rows.add_headings(tr("Real position"), *headings, over_value=True)
+    for motor in range(MOTORS):
+        _add_servo_row(motor, robot, rows)
+    return rows
+
+
+def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
+    joint = spoken_joint(motor)
+    spoken = tr("{0}: real position").format(joint)
+    gauge = named(ServoGauge(rows), f"aracnaDemoGauge{motor}", accessible=spoken)
+    where = named(label(rows), f"aracnaDemoWhere{motor}", accessible=spoken)
+
+    def show_load(per_cent: float) -> None:
+        text = tr("It loses {0} % of its speed; at the right end it stops").format(round(per_cent))
+        load.setToolTip(text)
+        load.setAccessibleDescription(text)
+
+    load = rows.slider(
+        f"aracnaDemoLoad{motor}",
+        tr("{0}: slowed by a load, in per cent").format(joint),
+        highest=100,
+        steps=1,
+        on_move=lambda per_cent: robot.set_load(motor, per_cent / 100),
+        read=lambda snapshot: snapshot.servos[motor].load * 100,
+        show=show_load,
+    )
+    load.setSingleStep(_STEP)
+    load.setPageStep(_PAGE)
+    load.setMinimumWidth(_LEAST)
+    show_load(0)
+    dead = rows.check_box(
+        f"aracnaDemoDead{motor}",
+        "",
+        tr(
+            "{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it "
+            "indefinitely"
+        ).format(joint),
+        lambda checked: robot.set_dead(motor, checked),
+        lambda snapshot: snapshot.servos[motor].dead,
+        accessible=tr("{0}: dead").format(joint),
+    )
+    blocked = rows.check_box(
+        f"aracnaDemoBlocked{motor}",
+        "",
+        tr("Something blocks {0}: it stays “moving”, and the firmware waits").format(joint),
+        lambda checked: robot.set_blocked(motor, checked),
+        lambda snapshot: snapshot.servos[motor].blocked,
+        accessible=tr("{0}: blocked").format(joint),
+    )
+    name = rows.add_row(f"<b>{motor}</b>", gauge, where, (load, dead, blocked))
+    name.setToolTip(joint)
+    name.setBuddy(load)
+
+    def update(snapshot: RobotSnapshot) -> None:
+        servo = snapshot.servos[motor]
+        gauge.show_servo(servo.position, servo.goal, holds=servo.torque)
+        where.setText(str(servo.position))
+        text = servo_text(servo, snapshot.servo_power)
+        for widget in (gauge, where):
+            widget.setToolTip(text)
+            widget.setAccessibleDescription(text)
+
+    rows.on_snapshot(update)
+
+
+def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRows:
+    texts = CableTexts(
+        plugged=tr("Unplugged, the port disappears; a running motion continues to its goal"),
+        mute=tr("The wire back is broken: the robot executes commands, no reply arrives"),
+        noise=tr(
+            "This share of the bytes is corrupted in either direction; this protocol does not "
+            "detect that, and a corrupted command may restart the firmware"
+        ),
+        fault_name=(
+            "aracnaDemoLoss",
+            tr("What is lost once"),
+            tr(
+                "A lost byte of a command may leave too few values in it, which restarts the "
+                "firmware"
+            ),
+        ),
+        faults=(
+            (tr("Reply byte"), Loss.REPLY_BYTE.name),
+            (tr("Command byte"), Loss.COMMAND_BYTE.name),
+            (tr("Reply: end"), Loss.REPLY_END.name),
+        ),
+        once=("aracnaDemoLose", tr("Lose it"), tr("It is lost in the next transfer")),
+    )
+    return cable_rows(
+        robot,
+        "aracnaDemo",
+        columns,
+        texts,
+        cause=lambda name: robot.lose(Loss[name]),
+        parent=parent,
+    )

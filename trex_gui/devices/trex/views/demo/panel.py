@@ -1,18 +1,36 @@
-"""The dockable panel of the Demo TReX: a board in software that can be handled like a real one."""
+"""The dock of the Demo TReX: a simulated board that can be operated like a real one."""
 
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
 
+from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.controller import TrexController
-from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
-from trex_gui.devices.trex.views.demo.board_cable import DemoCable
-from trex_gui.devices.trex.views.demo.inputs import DemoInputs
-from trex_gui.devices.trex.views.demo.motors import DemoMotors
-from trex_gui.devices.trex.views.demo.supply import DemoSupply
-from trex_gui.devices.trex.views.demo.words import led_meaning, led_patterns, state_text
-from trex_gui.ui.devices.demo.dock import DemoDock
-from trex_gui.ui.devices.demo.view import DemoPanelBody
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.devices.trex.model.demo import STICK_ENDS, DemoBoard, DemoSnapshot
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.views.demo.texts import (
+    input_roles,
+    jumper_hint,
+    led_meaning,
+    led_patterns,
+    motor_text,
+    state_text,
+    tr,
+)
+from trex_gui.ui.devices.demo.panel import DemoDock, DemoPanelBody
+from trex_gui.ui.devices.demo.rows import CableTexts, Columns, Rows, cable_rows
+from trex_gui.ui.widgets.builders import button, label, named
 from trex_gui.ui.widgets.leds import Leds
+from trex_gui.ui.widgets.sliders import StickSlider
+
+BoardRows = Rows[DemoSnapshot]
+
+_MAX_LOAD = 30.0  # A, before the stall current is known
+_LOWEST, _HIGHEST = 4.0, 16.0  # V; below about 6 a TReX resets
+
+_STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}
+"""Slider positions per µs, and per V."""
+
+_SINGLE_STEP = {InputSource.RC: 10, InputSource.ANALOG: 5}
 
 
 class DemoPanel(DemoDock):
@@ -26,44 +44,39 @@ class DemoPanel(DemoDock):
 
 
 class DemoBoardView(DemoPanelBody[DemoSnapshot]):
-    """The board itself: LEDs, switches, sticks, motors, cable."""
+    """The board: LEDs, switches, sticks, motors, cable."""
 
     def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
         board = controller.demo_board
         super().__init__(board, controller, "demoState", parent)
-        self._leds = Leds(self)
-        self._leds.setObjectName("demoLeds")
-        self._leds.setAccessibleName(self.tr("LEDs of the board"))
-        factory = QPushButton(self.tr("Factory state"), self)
-        factory.setObjectName("demoFactory")
-        factory.setToolTip(
-            self.tr("As new: stored settings, jumpers, sticks, loads and a quiet line")
+        self._leds = named(Leds(self), "demoLeds", accessible=self.tr("LEDs of the board"))
+        factory = button(
+            self,
+            "demoFactory",
+            self.tr("Factory state"),
+            icon="reload",
+            tip=self.tr("As new: stored settings, jumpers, sticks, loads and a quiet line"),
+            on_click=board.restore_factory,
         )
-        set_icon(factory, "reload")
-
+        columns = Columns(tr("5 override"), "2100\u00a0µs", (tr("No signal"),))
         groups = (
-            DemoSupply(board, self),
-            DemoInputs(board, self),
-            DemoMotors(board, self),
-            DemoCable(board, self),
+            _supply_rows(board, columns, self),
+            _input_rows(board, columns, self),
+            _motor_rows(board, columns, self),
+            _cable_rows(board, columns, self),
         )
         self.arrange(self._leds, groups, factory)
+        controller.changed.connect(self.refresh)
 
-        factory.clicked.connect(board.restore_factory)
-        controller.changed.connect(self.renew)
-
-    def absent_text(self, *, starts: bool) -> str:
-        """Say that the board does not run, or that it is being started."""
-        if starts:
+    def absent_text(self, *, starting: bool) -> str:
+        if starting:
             return self.tr("The simulated board is being started …")
         return self.tr("The simulated board does not run. Press Connect.")
 
     def state_text(self, snapshot: DemoSnapshot) -> str:
-        """Say what the board does, and what it waits for."""
         return state_text(snapshot)
 
     def show_head(self, snapshot: DemoSnapshot | None) -> None:
-        """Show the LEDs of the board."""
         if snapshot is None:
             self._leds.show_patterns(("off", "off"), ("", ""), ("", ""))
             return
@@ -73,3 +86,244 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
             (red, green),
             (led_meaning(snapshot, red), led_meaning(snapshot, green)),
         )
+
+
+def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
+    """Return power, battery and jumpers: power-up reads the jumpers."""
+    rows = BoardRows(tr("Power and jumpers"), columns, parent)
+    power = rows.check_box(
+        "demoPower",
+        tr("Power on"),
+        tr("The board's power switch"),
+        board.set_power,
+        lambda snapshot: snapshot.power,
+    )
+    cycle = rows.button(
+        "demoPowerCycle",
+        tr("Power cycle"),
+        tr("Off for a second: jumpers are read, stored settings take effect"),
+        board.power_cycle,
+        icon="power",
+    )
+    volts = label(rows, "demoBatteryValue")
+    battery = rows.slider(
+        "demoBattery",
+        tr("Battery voltage"),
+        highest=_HIGHEST,
+        steps=10,
+        on_move=board.set_battery,
+        read=lambda snapshot: snapshot.battery,
+        show=lambda value: volts.setText(f"{value:.1f}\u00a0V"),
+        lowest=_LOWEST,
+        tip=tr("A weak battery sags when the motors start, and the board resets"),
+    )
+    battery.setSingleStep(5)
+    supply = label(rows, "demoSupply")
+    mode = rows.combo_box(
+        "demoMode",
+        tr("Mode jumper"),
+        tr("The mode jumper; the board reads it when power comes on"),
+        ((tr("No jumper: serial"), "serial"), (tr("RC"), "rc"), (tr("Analog"), "analog")),
+    )
+    mode.activated.connect(lambda index: board.set_mode_jumper(str(mode.itemData(index))))
+    mix = rows.check_box(
+        "demoMix",
+        tr("Mix"),
+        tr("The mix jumper: input 2 drives forward, input 1 turns; takes effect at once"),
+        board.set_mix,
+        lambda snapshot: snapshot.jumpers.mix,
+    )
+    so_ground = rows.check_box(
+        "demoSoGround",
+        tr("SO–G"),
+        tr("Connects SO to ground; with Mix a power-up then learns the inputs' calibration"),
+        board.set_so_ground,
+        lambda snapshot: snapshot.jumpers.so_ground,
+    )
+
+    def update(snapshot: DemoSnapshot) -> None:
+        text = tr("{0:.1f}\u00a0V at the board").format(snapshot.supply)
+        supply.setText(text if snapshot.power else tr("switched off"))
+        index = mode.findData(snapshot.jumpers.mode)
+        if index != mode.currentIndex() and not mode.view().isVisible():
+            mode.setCurrentIndex(index)
+
+    def hint(snapshot: DemoSnapshot) -> tuple[str, bool]:
+        text = jumper_hint(snapshot)
+        return text or tr("Mode is read at power-up; Mix takes effect at once."), bool(text)
+
+    rows.on_snapshot(update)
+    rows.add_wide((power, 1), (cycle, 0))
+    rows.add_row(tr("Battery"), battery, volts)
+    rows.add_text(supply)
+    rows.add_wide((mode, 1), (mix, 0), (so_ground, 0))
+    rows.note("demoHint", 1, hint)
+    return rows
+
+
+def _input_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
+    """Return the sticks, and whether they move by themselves."""
+    rows = BoardRows(tr("Inputs"), columns, parent)
+    rows.add_headings("", tr("No signal"))
+    for channel in CHANNELS:
+        _add_input_row(channel, board, rows)
+    automatic = rows.check_box(
+        "demoAutomatic",
+        tr("Sticks move by themselves"),
+        tr("All sticks swing slowly; moving one holds that one"),
+        # A click checks a box that is partially checked or unchecked.
+        lambda _checked: board.set_automatic(len(board.automatic) < len(CHANNELS)),
+    )
+    centre = rows.button(
+        "demoCentre",
+        tr("Centre"),
+        tr("Hold all sticks centred, as safe-start requires"),
+        board.centre_sticks,
+    )
+    centre.setAccessibleName(tr("Centre all sticks"))
+
+    def update(_snapshot: DemoSnapshot) -> None:
+        moving = len(board.automatic)
+        some = Qt.CheckState.PartiallyChecked if moving else Qt.CheckState.Unchecked
+        automatic.setCheckState(Qt.CheckState.Checked if moving == len(CHANNELS) else some)
+
+    rows.on_snapshot(update)
+    rows.add_wide((automatic, 1), (centre, 0))
+    return rows
+
+
+def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
+    """Add a stick, its signal, and whether the signal is connected."""
+    source = InputSource.RC
+
+    def show_value() -> None:
+        decimals = 0 if source is InputSource.RC else 2
+        position = slider.value() / _STEPS[source]
+        value.setText(f"{position:.{decimals}f}\u00a0{source.unit}")
+
+    def move(position: int) -> None:
+        show_value()
+        board.hold_stick(channel, position / _STEPS[source])
+
+    def set_source(new: InputSource) -> None:
+        nonlocal source
+        source = new
+        low, high = (round(end * _STEPS[new]) for end in STICK_ENDS[new])
+        slider.set_scale(low, high, (low + high) // 2)
+        slider.setSingleStep(_SINGLE_STEP[new])
+        slider.setPageStep((high - low) // 10)
+
+    def update(snapshot: DemoSnapshot) -> None:
+        seen = snapshot.channels[channel - 1]
+        name.setText(f"<b>{channel}</b>&ensp;{input_roles(snapshot)[channel - 1]}")
+        if snapshot.source is not source:
+            set_source(snapshot.source)
+        slider.setEnabled(seen.has_signal)
+        position = seen.stick(source)
+        if position is None:
+            value.setText(tr("invalid"))
+        else:
+            slider.follow(round(position * _STEPS[source]))
+            show_value()
+
+    low, high = (round(end) for end in STICK_ENDS[source])
+    slider = named(
+        StickSlider(low, high, (low + high) // 2, "bar", rows),
+        f"demoInput{channel}",
+        accessible=tr("Stick of input {0}").format(channel),
+        tip=tr(
+            "Input {0}: {1} in RC and analog mode, only measured in serial mode. "
+            "A double click centres it."
+        ).format(channel, CHANNEL_ROLES[channel]),
+    )
+    slider.setSingleStep(_SINGLE_STEP[source])
+    slider.valueChanged.connect(move)
+    rows.controls.append(slider)
+    value = label(rows, f"demoValue{channel}")
+    silent = rows.check_box(
+        f"demoNoSignal{channel}",
+        "",
+        tr("Unplug input {0}: an RC input is invalid 0.1 s later").format(channel),
+        lambda checked: board.set_silent(channel, checked),
+        lambda snapshot: not snapshot.channels[channel - 1].has_signal,
+        accessible=tr("No signal at input {0}").format(channel),
+    )
+    name = rows.add_row("", slider, value, (silent,))
+    rows.on_snapshot(update)
+
+
+def _motor_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
+    """Return load, driver fault and state of both motors."""
+    rows = BoardRows(tr("Motors"), columns, parent)
+    rows.add_headings(tr("Load"), tr("Fault"))
+    for number in (1, 2):
+        _add_motor_row(number, board, rows)
+    return rows
+
+
+def _add_motor_row(number: int, board: DemoBoard, rows: BoardRows) -> None:
+    steps = 10  # slider positions per ampere
+    value = label(rows, f"demoLoadValue{number}")
+    state = label(rows, f"demoMotor{number}")
+
+    def update(snapshot: DemoSnapshot) -> None:
+        motor = snapshot.motors[number - 1]
+        load.set_scale(0, round(motor.stall * steps), 0)
+        state.setText(motor_text(motor))
+
+    rows.on_snapshot(update)  # the scale before the value
+    load = rows.slider(
+        f"demoLoad{number}",
+        tr("Load of motor {0}").format(number),
+        highest=_MAX_LOAD,
+        steps=steps,
+        on_move=lambda amperes: board.set_load(number, amperes),
+        read=lambda snapshot: snapshot.motors[number - 1].load,
+        show=lambda amperes: value.setText(f"{amperes:.1f}\u00a0A"),
+        color=f"motor{number}",
+        tip=tr(
+            "The current that motor {0} draws at full speed; at the right end it stalls, which "
+            "triggers current limits and faults"
+        ).format(number),
+    )
+    load.setSingleStep(steps // 2)
+    load.setPageStep(2 * steps)
+    fault = rows.check_box(
+        f"demoFault{number}",
+        "",
+        tr("The driver of motor {0} shuts down, as when hot or shorted").format(number),
+        lambda checked: board.set_fault(number, checked),
+        lambda snapshot: snapshot.motors[number - 1].fault,
+        accessible=tr("Driver fault of motor {0}").format(number),
+    )
+    rows.add_row(tr("Motor {0}").format(number), load, value, (fault,))
+    rows.add_text(state)
+
+
+def _cable_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
+    texts = CableTexts(
+        plugged=tr(
+            "Unplugged, the port disappears and motors keep running unless Serial Timeout is set"
+        ),
+        mute=tr("The wire from SO is broken: the board executes commands, no reply arrives"),
+        noise=tr("This share of the bytes is corrupted in either direction; CRC detects them"),
+        fault_name=(
+            "demoByteError",
+            tr("Error of one byte"),
+            tr("An error of the serial line that the board reports"),
+        ),
+        faults=(
+            (tr("Framing error"), "framing"),
+            (tr("Parity error"), "parity"),
+            (tr("Overrun"), "overrun"),
+        ),
+        once=(
+            "demoCorrupt",
+            tr("Corrupt one byte"),
+            tr(
+                "The next byte reaches the board with this error; the Status page counts it. "
+                "Only a board with parity detects a parity error."
+            ),
+        ),
+    )
+    return cable_rows(board, "demo", columns, texts, cause=board.corrupt, parent=parent)

@@ -1,13 +1,12 @@
-"""What the LEDs and the state of the simulated board mean, in short sentences."""
+"""Texts for the LEDs and the state of the simulated board."""
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.devices.trex.model.demo.snapshot import DemoMotor, DemoSnapshot
+from trex_gui.devices.trex.model.demo import BootStep, DemoMotor, DemoSnapshot
 from trex_gui.devices.trex.protocol.flags import Mode, channels_in
-from trex_gui.ui.devices.demo.rows import Columns
 
 PACKETS = "with packets"
-"""What a LED shows that lights while a packet comes in; not a pattern of the simulator's."""
+"""Pattern of a LED that lights during a packet; the simulator reports on or off."""
 
 
 def tr(text: str) -> str:
@@ -15,15 +14,10 @@ def tr(text: str) -> str:
     return QCoreApplication.translate("demo", text)
 
 
-def columns() -> Columns:
-    """Return the longest texts in the columns of the panel."""
-    return Columns(tr("5 override"), "2100\u00a0µs", (tr("No signal"),))
-
-
 def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
-    """Return what the red and the green LED show, in words that do not flicker with packets."""
+    """Return the patterns of the red and the green LED, steady while packets arrive."""
     red, green = snapshot.leds.red, snapshot.leds.green
-    if snapshot.power and not snapshot.special_start:
+    if snapshot.power and snapshot.boot_mode is None:
         if snapshot.serial_controls and green in {"on", "off"}:
             green = PACKETS
         elif not snapshot.serial_controls and red in {"on", "off"}:
@@ -32,10 +26,10 @@ def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
 
 
 def led_meaning(snapshot: DemoSnapshot, pattern: str) -> str:
-    """Say what a LED shows and why."""
+    """Return what a pattern of a LED means."""
     if not snapshot.power:
         return tr("off: the power is off")
-    if snapshot.special_start:
+    if snapshot.boot_mode is not None:
         return f"{pattern}. {state_text(snapshot)}"
     return {
         PACKETS: tr("lights while a packet comes in"),
@@ -47,11 +41,11 @@ def led_meaning(snapshot: DemoSnapshot, pattern: str) -> str:
 
 
 def state_text(snapshot: DemoSnapshot) -> str:
-    """Say what the board does, and what it waits for."""
+    """Return what the board does, and what it waits for."""
     if not snapshot.power:
-        return tr("The power is off: nothing answers.")
-    if snapshot.special_start:
-        return _special_text(snapshot.special_start)
+        return tr("The power is off: the board does not reply.")
+    if snapshot.boot_mode is not None:
+        return _boot_text(snapshot.boot_mode)
     mode = {
         Mode.RC: tr("RC mode."),
         Mode.ANALOG: tr("Analog mode."),
@@ -70,7 +64,7 @@ def state_text(snapshot: DemoSnapshot) -> str:
 
 
 def _safe_start_text(snapshot: DemoSnapshot) -> str:
-    """Say what keeps the motors waiting."""
+    """Return what safe-start waits for."""
     missing = [
         str(channel)
         for channel in channels_in(snapshot.required if snapshot.mode is Mode.RC else 0)
@@ -81,28 +75,28 @@ def _safe_start_text(snapshot: DemoSnapshot) -> str:
             ", ".join(missing)
         )
     if snapshot.override:
-        return tr("Safe-start: the motors wait until channel 5 stops calling for override.")
+        return tr("Safe-start: the motors wait until channel 5 no longer requests override.")
     return tr("Safe-start: the motors wait until the sticks are centred.")
 
 
-def _special_text(name: str) -> str:
-    """Say what to do at a step of learning or of the boot loader."""
+def _boot_text(step: BootStep) -> str:
+    """Return what to do at a step of a boot mode."""
     return {
-        "learning: take the mix jumper off": tr("Learning: take the Mix jumper off to begin."),
-        "learning: waiting for a signal": tr("Learning: waits for a signal on any input."),
-        "learning: neutrals": tr("Learning: leave the sticks in the middle for two seconds."),
-        "learning: neutrals learned": tr("Learning: one flash an input; green is learned."),
-        "learning: extremes": tr("Learning: hold each stick at both ends, ten seconds in all."),
-        "learning: done": tr("Learned; green is good. Take SO–G off, then power cycle."),
-        "waiting for firmware upgrade": tr("Boot loader: take Mix off, then SO–G."),
-        "boot loader": tr("Boot loader: waits for firmware. Power cycle to leave."),
-    }.get(name, f"{name[:1].upper()}{name[1:]}.")
+        BootStep.LEARN_READY: tr("Learning: take the Mix jumper off to begin."),
+        BootStep.LEARN_WAITING: tr("Learning: waits for a signal on any input."),
+        BootStep.LEARN_NEUTRALS: tr("Learning: leave the sticks centred for two seconds."),
+        BootStep.LEARN_NEUTRALS_SHOWN: tr("Learning: one flash per input; green is learned."),
+        BootStep.LEARN_EXTREMES: tr("Learning: hold each stick at both ends, ten seconds in all."),
+        BootStep.LEARN_DONE: tr("Learned; green is good. Take SO–G off, then power cycle."),
+        BootStep.UPGRADE_REQUESTED: tr("Boot loader: take Mix off, then SO–G."),
+        BootStep.UPGRADE_READY: tr("Boot loader: waits for firmware. Power cycle to leave."),
+    }[step]
 
 
 def jumper_hint(snapshot: DemoSnapshot) -> str:
-    """Say what a power cycle would change; empty when nothing."""
+    """Return what a power cycle would change; empty if nothing."""
     jumpers = snapshot.jumpers
-    if snapshot.special_start:
+    if snapshot.boot_mode is not None:
         return ""
     when = tr("Power cycle") if snapshot.power else tr("Power on")
     if jumpers.mix and jumpers.so_ground:
@@ -113,19 +107,19 @@ def jumper_hint(snapshot: DemoSnapshot) -> str:
         wanted = {"serial": tr("serial"), "rc": tr("RC"), "analog": tr("analog")}
         return tr("{0} to enter {1} mode.").format(when, wanted.get(jumpers.mode, jumpers.mode))
     if jumpers.so_ground:
-        return tr("SO–G holds the serial output to ground: no answer gets out.")
+        return tr("SO–G holds the serial output to ground: no reply gets out.")
     return ""
 
 
 def input_roles(snapshot: DemoSnapshot | None) -> tuple[str, ...]:
-    """Return what each input is for, in a word or two."""
+    """Return the role of each input."""
     mixed = snapshot is not None and snapshot.jumpers.mix
     first = (tr("turn"), tr("forward")) if mixed else (tr("motor 1"), tr("motor 2"))
     return *first, tr("auxiliary"), tr("flip"), tr("override")
 
 
 def motor_text(motor: DemoMotor) -> str:
-    """Return what a motor does now: `forward 64, 3.1 A`."""
+    """Return what a motor does: `forward 64, 3.1 A`."""
     direction = {
         "forward": tr("forward"),
         "reverse": tr("reverse"),

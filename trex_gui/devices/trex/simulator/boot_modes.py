@@ -1,4 +1,4 @@
-"""The two special starts that jumpers ask for: learning the channels, and the boot loader.
+"""The two boot modes that jumpers select: learning the channels, and the boot loader.
 
 Ref: Pololu TReX manual pages 10-11; forum threads 1769 (boot loader) and 4631 (recovery).
 """
@@ -6,80 +6,86 @@ Ref: Pololu TReX manual pages 10-11; forum threads 1769 (boot loader) and 4631 (
 from collections import deque
 from collections.abc import Sequence
 from enum import Enum
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
-
-if TYPE_CHECKING:
-    from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.channels import Channels
+from trex_gui.devices.trex.simulator.memory import Memory
 
 _NEUTRALS = 2.0  # seconds of watching
 _SETTLING = 0.1  # inferred: not watched at first, while the pulses of all channels come in
 _EXTREMES = 10.0
-_HELD = 50  # updates, 0.5 s: how long an extreme must be held
+_HELD = 50  # updates, 0.5 s: duration for which an extreme must be held
 _FLASH = 0.4  # inferred: seconds for each channel's result
 _UNSTEADY = {InputSource.RC: 100, InputSource.ANALOG: 40}
-"""Inferred: counts between highest and lowest that are too much for a stick at rest."""
+"""Inferred: range in counts above which a stick is not at rest."""
 
 
-class SpecialStart(Protocol):
-    """What the board does instead of its normal work."""
+class Host(Protocol):
+    """What a boot mode uses of its board."""
+
+    mix: bool
+    so_ground: bool
+    mode: Mode
+    channels: Channels
+    memory: Memory
+
+
+class BootMode(Protocol):
+    """What the board does instead of normal operation."""
 
     @property
     def name(self) -> str:
-        """What it is doing, for people."""
+        """Name of the current step."""
 
     @property
     def leds(self) -> tuple[str, str]:
-        """What the red and the green LED show."""
+        """Patterns of the red and the green LED."""
 
     @property
     def is_over(self) -> bool:
-        """Whether normal operation follows without a power cycle."""
+        """Whether normal operation begins without a power cycle."""
 
     def update(self, seconds: float) -> None:
-        """Do one update, 100 times a second."""
+        """Run one update, 100 times a second."""
 
-    def answer(self, byte: int) -> bytes:
-        """Return what it says to a byte on the serial line."""
+    def reply(self, byte: int) -> bytes:
+        """Return the reply to a byte on the serial line."""
 
 
-def special_start(board: "Board") -> SpecialStart | None:
-    """Return the special start that the jumpers ask for at power-up."""
+def boot_mode(board: Host) -> BootMode | None:
+    """Return the boot mode that the jumpers select at power-up."""
     if not (board.mix and board.so_ground):
         return None
     return BootLoader(board) if board.mode.is_serial else Learning(board)
 
 
 class BootLoader:
-    """Waits for new firmware; on the way there the serial settings become the factory's.
+    """Waits for new firmware, and restores the default serial settings before.
 
-    The hand-shake is known (mix off, then SO off ground). Inferred: that it is what restores
-    lost serial settings, and that those are UART settings and CRC polynomial.
+    The handshake is known (mix off, then SO off ground). Inferred: that it restores lost serial
+    settings, and that those are UART settings and CRC polynomial.
     """
 
     is_over = False
 
-    def __init__(self, board: "Board") -> None:
+    def __init__(self, board: Host) -> None:
         self._board = board
         self._confirmed = False
         self._ready = False
 
     @property
     def name(self) -> str:
-        """What it is doing, for people."""
-        return "boot loader" if self._ready else "waiting for firmware upgrade"
+        return "boot loader: ready" if self._ready else "boot loader: requested"
 
     @property
     def leds(self) -> tuple[str, str]:
-        """What the red and the green LED show."""
         if self._ready:
             return "off", "short flash 1/s"
         return ("alternate 4/s",) * 2 if self._confirmed else ("alternate 1/s",) * 2
 
-    def update(self, seconds: float) -> None:  # noqa: ARG002 - waits for people, not for time
-        """Follow the jumpers."""
+    def update(self, seconds: float) -> None:  # noqa: ARG002 - waits for jumpers, not for time
         if self._ready:
             return
         if not self._confirmed:
@@ -88,16 +94,16 @@ class BootLoader:
             self._ready = True
             self._board.memory.restore_line_settings()
 
-    def answer(self, byte: int) -> bytes:
-        """Echo what is no piece of firmware with a question mark (forum thread 5011).
+    def reply(self, byte: int) -> bytes:
+        """Echo a byte that is not firmware, with a question mark (forum thread 5011).
 
-        Inferred: it does so at the rate that was set, and takes nothing for firmware.
+        Inferred: at the rate that was set; nothing counts as firmware.
         """
         return bytes([byte]) + b"?" if self._ready else b""
 
 
 class _Step(Enum):
-    READY = "learning: take the mix jumper off"
+    READY = "learning: ready"
     WAITING = "learning: waiting for a signal"
     NEUTRALS = "learning: neutrals"
     NEUTRALS_SHOWN = "learning: neutrals learned"
@@ -106,13 +112,13 @@ class _Step(Enum):
 
 
 class Learning:
-    """Learns neutral and extremes of every channel from what the sticks do.
+    """Learns neutral and extremes of every channel from the sticks.
 
-    Inferred: how steady a neutral must be, the deadband (the default, or the noise where
-    that is more), and that a channel that fails keeps its values.
+    Inferred: how steady a neutral must be, the deadband (the default, or the noise if that is
+    larger), and that a channel that fails keeps its values.
     """
 
-    def __init__(self, board: "Board") -> None:
+    def __init__(self, board: Host) -> None:
         self.is_over = False
         self._board = board
         self._step = _Step.READY
@@ -122,12 +128,10 @@ class Learning:
 
     @property
     def name(self) -> str:
-        """What it is doing, for people."""
         return self._step.value
 
     @property
     def leds(self) -> tuple[str, str]:
-        """What the red and the green LED show."""
         match self._step:
             case _Step.READY:
                 return "blink 1/s", "blink 1/s"
@@ -143,7 +147,6 @@ class Learning:
         return ("off", "on") if channel in self._learned else ("on", "off")
 
     def update(self, seconds: float) -> None:
-        """Go on with the step that it is at."""
         raw = self._board.channels.raw
         self._time += seconds
         match self._step:
@@ -166,8 +169,7 @@ class Learning:
             case _:
                 pass
 
-    def answer(self, byte: int) -> bytes:  # noqa: ARG002 - inferred: it does not listen
-        """Say nothing."""
+    def reply(self, byte: int) -> bytes:  # noqa: ARG002 - inferred: there is none
         return b""
 
     def _begin(self, step: _Step) -> None:
@@ -203,7 +205,7 @@ class Learning:
 
 
 class _Watched:
-    """What was seen of one channel."""
+    """Measurements of one channel."""
 
     def __init__(self) -> None:
         self._values: list[int] = []
@@ -215,19 +217,19 @@ class _Watched:
         self._highest: int | None = None
 
     def take(self, value: int | None) -> None:
-        """Take a measurement, `None` for an error."""
+        """Add a measurement, `None` for an error."""
         if value is None:
             self._is_bad = True
             return
         self._values.append(value)
         self._recent.append(value)
-        if len(self._recent) == _HELD:  # only what was held counts
+        if len(self._recent) == _HELD:  # only held positions count
             lowest, highest = max(self._recent), min(self._recent)
             self._lowest = lowest if self._lowest is None else min(self._lowest, lowest)
             self._highest = highest if self._highest is None else max(self._highest, highest)
 
     def settle(self, limit: int) -> bool:
-        """Take what was seen so far as neutral; return whether it was good and steady."""
+        """Take the mean so far as neutral; return whether the signal was good and steady."""
         if self._is_bad or not self._values:
             return False
         self._noise = max(self._values) - min(self._values)
@@ -236,7 +238,7 @@ class _Watched:
         return self._noise <= limit
 
     def calibration(self, deadband: int) -> Calibration | None:
-        """Return what was learned; `None` when the stick hardly moved or the signal was bad."""
+        """Return the calibration; `None` if the stick hardly moved or the signal was bad."""
         if self._is_bad or self._lowest is None or self._highest is None:
             return None
         lowest = min(self._lowest, self._neutral)

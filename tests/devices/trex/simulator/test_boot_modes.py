@@ -3,12 +3,13 @@ import pytest
 from tests.devices.trex.simulator.ports import ask
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.report import report
 from trex_gui.devices.trex.simulator.signals import Signal, SignalKind
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 
-def special(board: Board) -> str:
-    return str(board.show()["special_start"])
+def step(board: Board) -> str:
+    return str(report(board)["boot_mode"])
 
 
 def start(mode: str) -> Board:
@@ -23,10 +24,10 @@ def start(mode: str) -> Board:
 def test_special_start_needs_both_jumpers(mode: str) -> None:
     board = Board(mode=mode, mix=True)
     board.power_cycle()
-    assert board.special is None
+    assert board.boot_mode is None
     board.mix, board.so_ground = False, True
     board.power_cycle()
-    assert board.special is None
+    assert board.boot_mode is None
 
 
 def test_boot_loader_handshake_restores_serial_settings() -> None:
@@ -37,15 +38,15 @@ def test_boot_loader_handshake_restores_serial_settings() -> None:
     board.so_ground = board.mix = True
     board.power_cycle()
     board.advance(0.1)
-    assert board.show()["leds"] == {"red": "alternate 1/s", "green": "alternate 1/s"}
+    assert report(board)["leds"] == {"red": "alternate 1/s", "green": "alternate 1/s"}
     board.mix = False
     board.advance(0.1)
-    assert board.show()["leds"]["red"] == "alternate 4/s"
+    assert report(board)["leds"]["red"] == "alternate 4/s"
     board.so_ground = False
     board.advance(0.1)
-    assert special(board) == "boot loader"
+    assert step(board) == "boot loader: ready"
     board.power_cycle()
-    assert special(board) == "None"
+    assert step(board) == "None"
     assert (board.memory.baud, board.memory.crc_polynomial) == (19200, None)
     assert board.memory.active["crc7_polynomial"] == 9
     assert board.memory.active["serial_timeout"] == 3
@@ -55,7 +56,7 @@ def test_board_waiting_for_boot_loader_ignores_packets() -> None:
     board = start("serial")
     port = SerialPort(board)
     assert ask(port, "81") == ""
-    assert board.show()["counters"]["bytes_received"] == 0
+    assert report(board)["counters"]["bytes_received"] == 0
 
 
 def move(board: Board, channel: int, microseconds: float, seconds: float) -> None:
@@ -66,21 +67,21 @@ def move(board: Board, channel: int, microseconds: float, seconds: float) -> Non
 def test_learning_takes_neutral_and_extremes_from_sticks() -> None:
     board = start("rc")
     board.advance(0.1)
-    assert board.show()["leds"] == {"red": "blink 1/s", "green": "blink 1/s"}
+    assert report(board)["leds"] == {"red": "blink 1/s", "green": "blink 1/s"}
     board.connect(1, Signal.pulses(1480))
     board.connect(2, Signal(SignalKind.BAD_PULSES))
     board.mix = False
     board.advance(0.05)
-    assert board.show()["leds"] == {"red": "on", "green": "off"}
+    assert report(board)["leds"] == {"red": "on", "green": "off"}
     board.advance(2.0)
-    assert special(board) == "learning: neutrals learned"
+    assert step(board) == "learning: neutrals learned"
     board.advance(2.0)
-    assert board.show()["leds"] == {"red": "on", "green": "on"}
+    assert report(board)["leds"] == {"red": "on", "green": "on"}
     move(board, 1, 1100, 1.0)
     move(board, 1, 2000, 0.2)  # not held long enough
     move(board, 1, 1900, 1.0)
     board.advance(8.0)
-    assert special(board) == "learning: done"
+    assert step(board) == "learning: done"
 
     learned = board.calibration(1)
     assert (learned.minimum, learned.neutral, learned.maximum) == (2750, 3700, 4750)
@@ -101,7 +102,7 @@ def test_learning_shows_each_channel_on_green_led() -> None:
     board.advance(2.05)
     seen = []
     for _ in range(5):
-        seen.append(board.show()["leds"]["green"])
+        seen.append(report(board)["leds"]["green"])
         board.advance(0.4)
     assert seen == ["on", "off", "on", "on", "on"]
 
@@ -114,7 +115,7 @@ def test_learning_waits_for_signal_and_can_be_aborted() -> None:
     board.power_cycle()
     board.mix = False
     board.advance(5)
-    assert board.show()["leds"] == {"red": "blink 4/s", "green": "blink 4/s"}
+    assert report(board)["leds"] == {"red": "blink 4/s", "green": "blink 4/s"}
     board.so_ground = False
     board.advance(0.1)
     assert board.is_running
@@ -124,12 +125,12 @@ def test_learning_waits_for_signal_and_can_be_aborted() -> None:
 def test_learning_ends_when_no_channel_is_steady() -> None:
     board = start("analog")
     board.mix = False
-    for step in range(30):
+    for index in range(30):
         for channel in range(1, 6):
-            board.connect(channel, Signal.voltage(step % 2))
+            board.connect(channel, Signal.voltage(index % 2))
         board.advance(0.1)
     board.advance(3)
-    assert special(board) == "learning: done"
+    assert step(board) == "learning: done"
     assert board.eeprom.learned(InputSource.ANALOG) == 0
 
 
@@ -137,5 +138,5 @@ def test_unmoved_stick_is_not_learned() -> None:
     board = start("rc")
     board.mix = False
     board.advance(20)
-    assert special(board) == "learning: done"
+    assert step(board) == "learning: done"
     assert board.eeprom.learned(InputSource.RC) == 0

@@ -1,0 +1,181 @@
+"""The simulated robot as its panel operates it: state, power, servos, cable."""
+
+import json
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+from PySide6.QtCore import QObject
+
+from trex_gui.ui.devices.demo.device import DemoDevice, DemoLine, switch
+from trex_gui.ui.devices.simulator_process import Simulator
+
+PASSING = 6
+"""Bytes of a reply before it is cut: `.c`, a position, its comma."""
+
+
+class Loss(Enum):
+    """Bytes that can be lost once; the value is the rest of the control line."""
+
+    REPLY_BYTE = "drop 1"
+    COMMAND_BYTE = "drop 1 sent"
+    REPLY_END = f"cut {PASSING}"
+
+
+class FirmwareState(Enum):
+    """State of the firmware, as `show` reports it."""
+
+    OFF = "off"
+    BOOTING = "booting"
+    IDLE = "idle"
+    ANSWERING = "answering"
+    SPEEDS = "speeds"
+    MOVING = "moving"
+    HUNG = "hung"
+
+
+@dataclass(frozen=True, slots=True)
+class DemoServo:
+    """State of one servo.
+
+    Attributes:
+        position, goal: in units, 0-1023.
+        speed: speed register; 0 is the highest speed.
+        moving: whether it has not reached its goal, even if it cannot.
+        torque: whether it holds: not before its first goal, nor without servo power.
+        dead: whether it ignores commands and does not reply.
+        blocked: whether something holds it.
+        load: share of its speed that it loses, 0-1.
+    """
+
+    position: int
+    goal: int
+    speed: int
+    moving: bool
+    torque: bool
+    dead: bool
+    blocked: bool
+    load: float
+
+    @property
+    def cannot_move(self) -> bool:
+        """Whether it could not move even with power."""
+        return self.dead or self.blocked or self.load >= 1
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it has no fault."""
+        return not (self.dead or self.blocked or self.load)
+
+
+@dataclass(frozen=True, slots=True)
+class RobotSnapshot:
+    """State of the simulated robot.
+
+    Attributes:
+        boots: number of starts of the firmware.
+        led: whether the LED of the board is lit.
+        servo_power: whether the servos have power.
+        servos: motor 0 first.
+    """
+
+    state: FirmwareState
+    boots: int
+    led: bool
+    servo_power: bool
+    servos: tuple[DemoServo, ...]
+    line: DemoLine
+
+    @property
+    def power(self) -> bool:
+        return self.state is not FirmwareState.OFF
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether any servo changes its position."""
+        return self.servo_power and any(
+            servo.moving and not servo.cannot_move for servo in self.servos
+        )
+
+    @property
+    def is_held_up(self) -> bool:
+        """Whether the firmware waits for servos, none of which can move."""
+        waits = any(servo.dead or (servo.moving and servo.cannot_move) for servo in self.servos)
+        return (
+            self.state is FirmwareState.MOVING
+            and not self.is_moving
+            and (waits or not self.servo_power)
+        )
+
+
+def read_snapshot(text: str) -> RobotSnapshot:
+    """Parse the JSON that `show` reports."""
+    shown: dict[str, Any] = json.loads(text)
+    dead = set(shown["dead"])
+    return RobotSnapshot(
+        state=FirmwareState(shown["state"]),
+        boots=shown["boots"],
+        led=shown["led"],
+        servo_power=shown["servo_power"],
+        servos=tuple(_servo(row, number in dead) for number, row in enumerate(shown["servos"])),
+        line=DemoLine(**shown["line"]),
+    )
+
+
+def _servo(shown: dict[str, Any], dead: bool) -> DemoServo:
+    return DemoServo(
+        position=shown["position"],
+        goal=shown["goal"],
+        speed=shown["speed"],
+        moving=shown["moving"],
+        torque=shown["torque"],
+        dead=dead,
+        blocked=shown["blocked"],
+        load=float(shown["load"]),
+    )
+
+
+class DemoRobot(DemoDevice[RobotSnapshot]):
+    """A simulated Aracna."""
+
+    def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
+        super().__init__(simulator, read_snapshot, parent)
+
+    def restart(self) -> None:
+        """Pull the board's reset line; the servos are not affected."""
+        self._send("reset")
+
+    def set_servo_power(self, on: bool) -> None:
+        """Switch the power of the servos only."""
+        self._send(f"servo power {switch(on)}")
+
+    def set_dead(self, motor: int, dead: bool) -> None:
+        """Let a servo ignore commands, or recover."""
+        self._send(f"servo {motor} {'dead' if dead else 'alive'}")
+
+    def set_blocked(self, motor: int, blocked: bool) -> None:
+        """Block a servo in its position, or release it."""
+        self._send(f"servo {motor} {'block' if blocked else 'free'}")
+
+    def set_load(self, motor: int, part: float) -> None:
+        """Let a servo lose this share of its speed, 0-1."""
+        self._send_newest(f"load {motor}", f"servo {motor} load {part:.2f}")
+
+    def lose(self, loss: Loss) -> None:
+        """Lose something of the next transfer, once."""
+        self._send(f"line {loss.value}")
+
+    def repair(self) -> None:
+        """Clear all faults of servos and wire, and switch everything on.
+
+        An unplugged cable stays unplugged; positions and speeds of the servos stay.
+        """
+        self._discard_unsent()
+        for motor in range(len(self._snapshot.servos) if self._snapshot is not None else 0):
+            self.set_dead(motor, dead=False)
+            self.set_blocked(motor, blocked=False)
+            self.set_load(motor, 0)
+        self.set_mute(False)
+        self.set_noise(0)
+        for line in ("line drop 0", "line drop 0 sent", "line cut off", "power on"):
+            self._send(line)

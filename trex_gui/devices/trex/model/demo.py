@@ -1,0 +1,305 @@
+"""The simulated board as its panel operates it: state, sticks, jumpers, power, cable."""
+
+import json
+import re
+from dataclasses import dataclass, fields
+from enum import Enum
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
+from trex_gui.ui.devices.demo.device import DemoDevice, DemoLine, switch
+from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.runtime import runtime
+
+STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}
+"""Ends of the sticks' travel: in µs, or in V."""
+
+_SIGNAL = re.compile(r"([\d.]+) ?(us|V)", re.IGNORECASE)  # noise may follow
+_SIGNAL_UNITS = {InputSource.RC: "US", InputSource.ANALOG: "V"}
+_JUMPERS_OF_MODE = {Mode.RC: "rc", Mode.ANALOG: "analog"}
+
+
+class BootStep(Enum):
+    """Step of a boot mode, as `show` reports it."""
+
+    LEARN_READY = "learning: ready"
+    LEARN_WAITING = "learning: waiting for a signal"
+    LEARN_NEUTRALS = "learning: neutrals"
+    LEARN_NEUTRALS_SHOWN = "learning: neutrals learned"
+    LEARN_EXTREMES = "learning: extremes"
+    LEARN_DONE = "learning: done"
+    UPGRADE_REQUESTED = "boot loader: requested"
+    UPGRADE_READY = "boot loader: ready"
+
+
+@dataclass(frozen=True, slots=True)
+class DemoChannel:
+    """One input: its signal, as the control line `channel` gives it, and the measurement."""
+
+    signal: str
+    raw: int | None
+
+    @property
+    def has_signal(self) -> bool:
+        return self.signal not in {"silent", "invalid"}
+
+    def stick(self, source: InputSource) -> float | None:
+        """Return the position of the stick in µs or V; `None` if it is unknown.
+
+        The signal is newer than the measurement.
+        """
+        found = _SIGNAL.match(self.signal)
+        if found and found[2].upper() == _SIGNAL_UNITS[source]:
+            return float(found[1])
+        return None if self.raw is None else source.physical(self.raw)
+
+
+@dataclass(frozen=True, slots=True)
+class DemoMotor:
+    """One output and its motor; current, load and stall current in A."""
+
+    direction: str
+    speed: int
+    current: float
+    load: float
+    stall: float
+    fault: bool
+
+
+@dataclass(frozen=True, slots=True)
+class DemoJumpers:
+    """The jumpers as they are now; the board reads them at power-up."""
+
+    mode: str
+    mix: bool
+    so_ground: bool
+
+
+@dataclass(frozen=True, slots=True)
+class DemoLeds:
+    """`on`, `off` or the name of a pattern, such as `fast flash` or `blink 1/s`."""
+
+    red: str
+    green: str
+
+
+@dataclass(frozen=True, slots=True)
+class DemoSnapshot:
+    """State of the simulated board.
+
+    Attributes:
+        mode: as read at the last power-up.
+        required: mask of the channels that RC mode requires.
+        boot_mode: what the board does instead of normal operation; `None` in normal operation.
+        battery, supply: V of the battery without load, and at the board.
+    """
+
+    power: bool
+    mode: Mode
+    jumpers: DemoJumpers
+    leds: DemoLeds
+    safe_start: bool
+    override: bool
+    serial_controls: bool
+    required: int
+    boot_mode: BootStep | None
+    channels: tuple[DemoChannel, ...]
+    motors: tuple[DemoMotor, ...]
+    line: DemoLine
+    battery: float
+    supply: float
+
+    @property
+    def source(self) -> InputSource:
+        return self.mode.source
+
+    @property
+    def mode_jumper_in_force(self) -> str:
+        """The mode jumper that was read at the last power-up."""
+        return _JUMPERS_OF_MODE.get(self.mode, "serial")
+
+
+def read_snapshot(text: str) -> DemoSnapshot:
+    """Parse the JSON that `show` reports."""
+    shown: dict[str, Any] = json.loads(text)
+    return DemoSnapshot(
+        power=shown["power"],
+        mode=Mode(shown["mode"]),
+        jumpers=DemoJumpers(**shown["jumpers"]),
+        leds=DemoLeds(**shown["leds"]),
+        safe_start=shown["safe_start"],
+        override=shown["override"],
+        serial_controls=shown["serial_controls"],
+        required=shown["parameters"]["required_channels"],
+        boot_mode=BootStep(shown["boot_mode"]) if shown["boot_mode"] else None,
+        channels=tuple(DemoChannel(row["signal"], row["raw"]) for row in shown["channels"]),
+        motors=tuple(_motor(row) for row in shown["motors"]),
+        line=DemoLine(**shown["line"]),
+        battery=float(shown["battery"]),
+        supply=float(shown["supply"]),
+    )
+
+
+def _motor(shown: dict[str, Any]) -> DemoMotor:
+    return DemoMotor(**{field.name: shown[field.name] for field in fields(DemoMotor)})
+
+
+def signal_text(value: float, source: InputSource) -> str:
+    """Return µs or V as the control line `channel` takes it."""
+    return f"{value:.0f}us" if source is InputSource.RC else f"{value:.2f}V"
+
+
+_OFF_MS = 1000
+"""Power cycles take this long, so that the program notices that the board was gone."""
+
+
+class DemoBoard(DemoDevice[DemoSnapshot]):
+    """A simulated TReX with its sticks.
+
+    Signals:
+        changed: `snapshot` or `automatic` has changed.
+        factory_reset: the board is about to be reset to its state at the start.
+    """
+
+    factory_reset = Signal()
+
+    def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
+        super().__init__(simulator, read_snapshot, parent)
+        self._held: dict[int, float] = {}  # position of each held stick, 0-1
+        self._after_off: tuple[str, ...] = ()
+        self._off = runtime().timer(self)
+        self._off.setSingleShot(True)
+        self._off.setInterval(_OFF_MS)
+        self._off.timeout.connect(self._on_off_long_enough)
+
+    @property
+    def automatic(self) -> frozenset[int]:
+        """The channels whose sticks move by themselves."""
+        return frozenset(CHANNELS) - self._held.keys()
+
+    # --- Power, jumpers, bytes ----------------------------------------------------------
+
+    def power_cycle(self) -> None:
+        """Switch the power off for a second; the jumpers are read then."""
+        if not self._off.isActive():
+            self._switch_off_and("power on")
+
+    def set_battery(self, volts: float) -> None:
+        self._send_newest("battery", f"battery {volts:.1f}")
+
+    def set_mode_jumper(self, mode: str) -> None:
+        """Set the mode jumper: `serial` (none), `rc` or `analog`."""
+        self._send(f"jumper mode {mode}")
+
+    def set_mix(self, on: bool) -> None:
+        self._send(f"jumper mix {switch(on)}")
+
+    def set_so_ground(self, on: bool) -> None:
+        self._send(f"jumper so-ground {switch(on)}")
+
+    def corrupt(self, error: str) -> None:
+        """Deliver the next byte with an error: `framing`, `parity` or `overrun`."""
+        self._send(f"line error {error}")
+
+    # --- Sticks and motors --------------------------------------------------------------
+
+    def hold_stick(self, channel: int, value: float) -> None:
+        """Hold a stick at a position in µs, or V in analog mode."""
+        if self._snapshot is None:
+            return
+        low, high = STICK_ENDS[self._snapshot.source]
+        self._held[channel] = (value - low) / (high - low)
+        self._show_stick(channel)
+        self.changed.emit()
+
+    def set_silent(self, channel: int, silent: bool) -> None:
+        """Disconnect the stick from an input, or connect it again."""
+        if silent:
+            self._send_newest(f"channel {channel}", f"channel {channel} silent")
+        else:
+            self._show_stick(channel)
+
+    def set_automatic(self, automatic: bool) -> None:
+        """Let all sticks move by themselves, or hold them where they are.
+
+        Disconnected sticks stay disconnected.
+        """
+        snapshot = self._snapshot
+        if snapshot is None:
+            return
+        low, high = STICK_ENDS[snapshot.source]
+        for channel, seen in zip(CHANNELS, snapshot.channels, strict=True):
+            if automatic:
+                self._held.pop(channel, None)
+            elif channel not in self._held:
+                value = seen.stick(snapshot.source) if seen.has_signal else None
+                share = 0.5 if value is None else (value - low) / (high - low)
+                self._held[channel] = min(max(share, 0.0), 1.0)
+            if seen.has_signal:
+                self._show_stick(channel)
+        self.changed.emit()
+
+    def centre_sticks(self) -> None:
+        if self._snapshot is not None:
+            low, high = STICK_ENDS[self._snapshot.source]
+            for channel, seen in zip(CHANNELS, self._snapshot.channels, strict=True):
+                if seen.has_signal:
+                    self.hold_stick(channel, (low + high) / 2)
+
+    def set_load(self, motor: int, amperes: float) -> None:
+        """Set the current that motor 1 or 2 draws at full speed."""
+        self._send_newest(f"load {motor}", f"load {motor} {amperes:.1f}")
+
+    def set_fault(self, motor: int, fault: bool) -> None:
+        self._send(f"fault {motor} {switch(fault)}")
+
+    def restore_factory(self) -> None:
+        """Reset everything to its state at the start, the EEPROM to factory defaults.
+
+        It takes as long as a power cycle. An unplugged cable stays unplugged.
+        """
+        self._discard_unsent()
+        self._held.clear()
+        self.set_mute(False)
+        self.set_noise(0)
+        self._switch_off_and("factory", "power on")
+        self.factory_reset.emit()
+        self.changed.emit()
+
+    def _switch_off_and(self, *lines: str) -> None:
+        self._after_off = lines
+        self._send("power off")
+        self._off.start()
+
+    @Slot()
+    def _on_off_long_enough(self) -> None:
+        if "factory" in self._after_off:
+            self._held.clear()  # sticks moved in the meantime
+        for line in self._after_off:
+            self._send(line)
+
+    def _show_stick(self, channel: int) -> None:
+        """Connect the signal that a stick gives now."""
+        text = "rest"
+        if channel in self._held and self._snapshot is not None:
+            low, high = STICK_ENDS[self._snapshot.source]
+            text = signal_text(low + self._held[channel] * (high - low), self._snapshot.source)
+        self._send_newest(f"channel {channel}", f"channel {channel} {text}")
+
+    # --- Snapshots ----------------------------------------------------------------------
+
+    def _take(self, snapshot: DemoSnapshot) -> None:
+        before = self._snapshot
+        super()._take(snapshot)
+        if before is not None and before.source is not snapshot.source:
+            # The sticks now give voltages instead of pulses, or the reverse; they stay in place.
+            for channel in self._held:
+                if snapshot.channels[channel - 1].has_signal:
+                    self._show_stick(channel)
+
+    def _discard(self) -> None:
+        super()._discard()
+        self._off.stop()
+        self._held.clear()

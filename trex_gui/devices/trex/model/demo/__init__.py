@@ -1,1 +1,0 @@
-"""The simulated board as the window handles it."""
