@@ -109,12 +109,12 @@ def test_stop_button_is_visible_on_low_screen(asking: AskingWindow) -> None:
 
 def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: AskingWindow) -> None:
     asking.window.resize(*LOW)
-    asking.trigger("page5")
+    asking.trigger("trex_parameters")
     assert asking.find(QWidget, "parametersView").height() > 100
     area = asking.find(QScrollArea, "parametersPageArea")
     assert area.verticalScrollBar().maximum() == 0
 
-    asking.trigger("page3")
+    asking.trigger("trex_motors")
     bar = asking.find(QScrollArea, "motorsPageArea").verticalScrollBar()
     assert bar.maximum() > 0
     asking.window.resize(*HIGH)

@@ -141,7 +141,8 @@ class RobotWindow(WindowDriver):
 
     def show_page(self, index: int) -> None:
         """Turn to a page of the robot by its menu entry."""
-        self.trigger(f"aracna_page{index}")
+        key = ("robot", "poses", "log", "transcript")[index]
+        self.trigger(f"aracna_{key}")
         assert aracna(self.program).workspace.pages.currentIndex() == index
 
     def choose_row(self, list_name: str, text: str) -> None:

@@ -1,7 +1,8 @@
-"""Menus and shortcuts: one table, one `QAction` each, wherever it stands."""
+"""Menus and shortcuts: one table for the frame, one for each workspace, one `QAction` an entry."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from enum import Enum, auto
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
@@ -23,94 +24,100 @@ class ActionInfo:
     checkable: bool = False
 
 
+Entries = Sequence[ActionInfo | str]
+"""Actions and separators of one menu."""
+
+
+class Menu(Enum):
+    """Menus that the frame and the workspaces share, in their order."""
+
+    FILE = auto()
+    EDIT = auto()
+    DEVICE = auto()
+    WINDOW = auto()
+    HELP = auto()
+
+
+Menus = Mapping[Menu | str, Entries]
+"""Entries of a workspace by shared menu, or by the title of one of its own."""
+
+
 def tr(text: str) -> str:
     """Translate a text of this table."""
     return QCoreApplication.translate("actions", text)
 
 
-def menus() -> Mapping[str, tuple[ActionInfo | str, ...]]:
-    """The whole menu bar, in the words that users of the maker's programs know."""
+@dataclass(frozen=True, slots=True)
+class _FrameMenu:
+    """A shared menu: its title, and the frame's entries above and below the workspaces'."""
+
+    title: str
+    above: Entries = ()
+    below: Entries = ()
+
+
+def _frame_menus() -> Mapping[Menu, _FrameMenu]:
     return {
-        tr("&File"): (
-            ActionInfo("new", tr("&New settings file…"), QKeySequence.StandardKey.New, "new"),
-            ActionInfo("open", tr("&Open settings file…"), "Ctrl+O", "open"),
-            ActionInfo("save", tr("&Save settings file…"), "Ctrl+S", "save"),
-            ActionInfo("print", tr("Prin&t settings…"), "", "print"),
-            ActionInfo("export", tr("&Export as code…"), "", "console"),
-            SEPARATOR,
-            ActionInfo("history", tr("&History…"), "Ctrl+H", "history"),
-            SEPARATOR,
-            ActionInfo("record", tr("&Record…"), "Ctrl+Shift+R", "record"),
-            ActionInfo("open_recording", tr("Open recor&ding…"), "Ctrl+Shift+O", "plot"),
-            SEPARATOR,
-            ActionInfo("quit", tr("E&xit"), QKeySequence.StandardKey.Quit),
+        Menu.FILE: _FrameMenu(
+            tr("&File"),
+            below=(SEPARATOR, ActionInfo("quit", tr("E&xit"), QKeySequence.StandardKey.Quit)),
         ),
-        tr("&Edit"): (
-            ActionInfo("undo", tr("&Undo"), QKeySequence.StandardKey.Undo, "undo"),
-            ActionInfo("redo", tr("&Redo"), QKeySequence.StandardKey.Redo, "redo"),
-            SEPARATOR,
-            ActionInfo("discard", tr("&Discard all edits"), "", "clear"),
+        Menu.EDIT: _FrameMenu(tr("&Edit")),
+        Menu.DEVICE: _FrameMenu(
+            tr("&Device"),
+            above=(
+                ActionInfo("connect", tr("&Connect"), "Ctrl+K", "connect"),
+                ActionInfo("disconnect", tr("&Disconnect"), "Ctrl+D", "disconnect"),
+                ActionInfo("line", tr("&Line settings…"), "", "settings"),
+                ActionInfo("find", tr("&Find a board…"), "Ctrl+Shift+F", "find"),
+                SEPARATOR,
+                ActionInfo("stop", tr("&Stop motor"), "Esc", "stop"),
+            ),
         ),
-        tr("&Device"): (
-            ActionInfo("connect", tr("&Connect"), "Ctrl+K", "connect"),
-            ActionInfo("disconnect", tr("&Disconnect"), "Ctrl+D", "disconnect"),
-            ActionInfo("line", tr("&Line settings…"), "", "settings"),
-            ActionInfo("find", tr("&Find a board…"), "Ctrl+Shift+F", "find"),
-            SEPARATOR,
-            ActionInfo("stop", tr("&Stop motor"), "Esc", "stop"),
-            ActionInfo("run", tr("&Run motor"), "Ctrl+R", "run"),
-            SEPARATOR,
-            ActionInfo("reload", tr("Re&load settings from device"), "Ctrl+L", "reload"),
-            ActionInfo("apply", tr("&Apply settings…"), "Ctrl+P", "apply"),
-            ActionInfo("power", tr("Make stored settings acti&ve…"), "", "power"),
-            SEPARATOR,
-            ActionInfo("learn", tr("Lear&n channels…"), "", "calibrate"),
-            ActionInfo("test_sticks", tr("&Test the sticks…")),
-            ActionInfo("bench", tr("&Bench test…"), "Ctrl+B", "plot"),
-            SEPARATOR,
-            ActionInfo("defaults", tr("Restore &factory defaults…")),
-            ActionInfo("serial_defaults", tr("Restore serial de&faults…")),
+        Menu.WINDOW: _FrameMenu(
+            tr("&Window"),
+            below=(
+                SEPARATOR,
+                ActionInfo("system", tr("Colours of the s&ystem"), checkable=True),
+                ActionInfo("light", tr("L&ight colours"), checkable=True),
+                ActionInfo("dark", tr("Dar&k colours"), checkable=True),
+            ),
         ),
-        tr("&Window"): (
-            ActionInfo("page0", tr("S&tatus"), "Ctrl+1"),
-            ActionInfo("page1", tr("&Channels"), "Ctrl+2"),
-            ActionInfo("page2", tr("Cali&bration"), "Ctrl+3"),
-            ActionInfo("page3", tr("&Motors"), "Ctrl+4"),
-            ActionInfo("page4", tr("C&urrents"), "Ctrl+5"),
-            ActionInfo("page5", tr("&Parameters"), "Ctrl+6"),
-            ActionInfo("page6", tr("T&ranscript"), "Ctrl+7"),
-            SEPARATOR,
-            ActionInfo("demo", tr("&Demo TReX panel"), checkable=True),
-            SEPARATOR,
-            ActionInfo("system", tr("Colours of the s&ystem"), checkable=True),
-            ActionInfo("light", tr("L&ight colours"), checkable=True),
-            ActionInfo("dark", tr("Dar&k colours"), checkable=True),
-        ),
-        tr("&Help"): (
-            ActionInfo("guide", tr("Online &documentation…"), "F1", "help"),
-            ActionInfo("about", tr("&About…"), "", "info"),
+        Menu.HELP: _FrameMenu(
+            tr("&Help"),
+            above=(
+                ActionInfo("guide", tr("Online &documentation…"), "F1", "help"),
+                ActionInfo("about", tr("&About…"), "", "info"),
+            ),
         ),
     }
 
 
+def frame_actions() -> Iterator[ActionInfo]:
+    """Yield the frame's own actions."""
+    for menu in _frame_menus().values():
+        yield from (one for one in (*menu.above, *menu.below) if isinstance(one, ActionInfo))
+
+
+def _menu_bar(workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
+    """Yield titles and entries; menus that only one workspace has come before `WINDOW`."""
+    for key, menu in _frame_menus().items():
+        if key is Menu.WINDOW:
+            for menus in workspaces:
+                yield from ((own, menus[own]) for own in menus if isinstance(own, str))
+        middle = [entry for menus in workspaces for entry in (SEPARATOR, *menus.get(key, ()))]
+        yield menu.title, (*menu.above, *middle, *menu.below)
+
+
 def build_menus(
-    window: QMainWindow,
-    slots: Mapping[str, Callable[[], object]],
-    more: Sequence[Mapping[str, Sequence[ActionInfo | str]]] = (),
+    window: QMainWindow, slots: Mapping[str, Callable[[], object]], workspaces: Sequence[Menus]
 ) -> dict[str, QAction]:
     """Fill the window's menu bar; return the actions by key.
 
-    Every action of the table needs a slot: a missing one is a `KeyError` at start. The menus of
-    `more` stand before that of the window.
+    Qt shows no separator at an end of a menu or behind another one.
     """
     actions: dict[str, QAction] = {}
-    table: dict[str, Sequence[ActionInfo | str]] = {}
-    for title, ours in menus().items():
-        if title == tr("&Window"):
-            for others in more:
-                table |= others
-        table[title] = ours
-    for title, entries in table.items():
+    for title, entries in _menu_bar(workspaces):
         menu = window.menuBar().addMenu(title)
         menu.setToolTipsVisible(True)
         for entry in entries:

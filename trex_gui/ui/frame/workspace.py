@@ -2,14 +2,16 @@
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QTabWidget, QWidget
 
-from trex_gui.ui.frame.actions import ActionInfo
+from trex_gui.ui.frame.actions import ActionInfo, Menu, Menus
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +32,21 @@ class FileKind:
     open_offline: Callable[[Path], object] | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class PageInfo:
+    """One page of a workspace: its tab, and its entry in the Window menu with Ctrl and its number.
+
+    Attributes:
+        key: names it in code and in the key of its action, `WORKSPACE_KEY`.
+        title: of its tab, with the mnemonic of its menu entry.
+    """
+
+    key: str
+    title: str
+    page: QWidget
+    icon: str = ""
+
+
 class Workspace(QWidget):
     """The pages of a device, the bar below them, and what its menus do.
 
@@ -48,6 +65,7 @@ class Workspace(QWidget):
         self.key = key
         self._pages = QTabWidget(self)
         self._pages.setDocumentMode(True)
+        self._infos: tuple[PageInfo, ...] = ()
 
     @property
     def pages(self) -> QTabWidget:
@@ -84,13 +102,35 @@ class Workspace(QWidget):
         """What stands at the right of the window; the desk shows and hides it."""
         return ()
 
-    def menus(self) -> Mapping[str, Sequence[ActionInfo | str]]:
-        """Return menus of its own by title; they stand before that of the window."""
-        return {}
+    def add_pages(self, infos: Sequence[PageInfo]) -> None:
+        """Add a tab for each page; the tab is found by the object name of the page."""
+        self._infos = tuple(infos)
+        for info in infos:
+            self._pages.addTab(ScrollBox(info.page, self), info.title.replace("&", ""))
+
+    def show_page(self, key: str) -> None:
+        """Turn to a page."""
+        keys = [info.key for info in self._infos]
+        self._pages.setCurrentIndex(keys.index(key))
+
+    def page_actions(self) -> tuple[ActionInfo, ...]:
+        """Return the menu entries that show the pages."""
+        return tuple(
+            ActionInfo(f"{self.key}_{info.key}", info.title, f"Ctrl+{number}", info.icon)
+            for number, info in enumerate(self._infos, start=1)
+        )
+
+    def page_slots(self) -> Mapping[str, Callable[[], object]]:
+        """Return what the entries of `page_actions` do."""
+        return {f"{self.key}_{info.key}": partial(self.show_page, info.key) for info in self._infos}
+
+    def menus(self) -> Menus:
+        """Return the entries of its own by menu, or by title of an additional menu."""
+        return {Menu.WINDOW: self.page_actions()}
 
     def slots(self) -> Mapping[str, Callable[[], object]]:
-        """Return what each of its actions does, by key; the others do not see them."""
-        return {}
+        """Return what each of its actions does, by key."""
+        return self.page_slots()
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         """Take the actions that stand for its slots, by key, once the menus are made."""

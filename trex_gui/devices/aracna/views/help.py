@@ -1,14 +1,13 @@
 """Help on the Aracna: its pages, what its link cannot do, and the keys, as its menus have them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from html import escape
 
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QKeySequence
 
 from trex_gui.devices.aracna.protocol.commands import BAUD
-from trex_gui.ui.frame.actions import ActionInfo
-from trex_gui.ui.frame.actions import menus as frame_menus
+from trex_gui.ui.frame.actions import ActionInfo, Menus, frame_actions
 
 _OF_THE_FRAME = ("connect", "disconnect", "find")
 
@@ -18,7 +17,7 @@ def tr(text: str) -> str:
     return QCoreApplication.translate("AracnaHelp", text)
 
 
-def help_text(menus: Mapping[str, Sequence[ActionInfo | str]]) -> str:
+def help_text(menus: Menus) -> str:
     """Return rich text; keys and names come from the `menus` of the desk."""
     parts = [
         _section(tr("The pages"), _pages()),
@@ -76,16 +75,11 @@ def _files() -> list[str]:
     ]
 
 
-def _keys(menus: Mapping[str, Sequence[ActionInfo | str]]) -> str:
+def _keys(menus: Menus) -> str:
     mine = [entry for entries in menus.values() for entry in entries]
-    frame = [entry for entries in frame_menus().values() for entry in entries]
     rows = [(tr("Esc"), tr("End the sequence and send nothing more; works in every window"))]
     rows += [_row(entry) for entry in mine if isinstance(entry, ActionInfo) and entry.shortcut]
-    rows += [
-        _row(entry)
-        for entry in frame
-        if isinstance(entry, ActionInfo) and entry.key in _OF_THE_FRAME
-    ]
+    rows += [_row(entry) for entry in frame_actions() if entry.key in _OF_THE_FRAME]
     cells = "".join(
         f"<tr><td><b>{escape(key)}</b>&nbsp;&nbsp;</td><td>{escape(what)}</td></tr>"
         for key, what in rows

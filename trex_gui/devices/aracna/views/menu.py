@@ -1,11 +1,9 @@
 """The menus of an Aracna, in the places of those of a TReX; the same shortcuts where they fit."""
 
-from collections.abc import Mapping, Sequence
-
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QKeySequence
 
-from trex_gui.ui.frame.actions import SEPARATOR, ActionInfo
+from trex_gui.ui.frame.actions import SEPARATOR, ActionInfo, Entries, Menu, Menus
 
 
 def tr(text: str) -> str:
@@ -13,8 +11,8 @@ def tr(text: str) -> str:
     return QCoreApplication.translate("AracnaMenu", text)
 
 
-def menus() -> Mapping[str, Sequence[ActionInfo | str]]:
-    """Return the menus by title; the keys begin with `aracna_`."""
+def menus(pages: Entries) -> Menus:
+    """Return the entries by menu; `pages` are those that show a page. Keys begin with `aracna_`."""
     undo, redo = QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo
     return {
         tr("&Aracna"): (
@@ -30,13 +28,6 @@ def menus() -> Mapping[str, Sequence[ActionInfo | str]]:
             ActionInfo("aracna_open_recording", tr("Ope&n recording…"), "Ctrl+Shift+O", "plot"),
             SEPARATOR,
             ActionInfo("aracna_limits", tr("Reset the joints' &limits")),
-            SEPARATOR,
-            ActionInfo("aracna_page0", tr("R&obot page"), "Ctrl+1"),
-            ActionInfo("aracna_page1", tr("Poses p&age"), "Ctrl+2"),
-            ActionInfo("aracna_page2", tr("Lo&g page"), "Ctrl+3"),
-            ActionInfo("aracna_page3", tr("&Transcript page"), "Ctrl+4"),
-            SEPARATOR,
-            ActionInfo("aracna_demo", tr("&Demo robot"), checkable=True),
         ),
         tr("P&oses"): (
             ActionInfo("aracna_new", tr("&New pose file"), QKeySequence.StandardKey.New, "new"),
@@ -48,5 +39,10 @@ def menus() -> Mapping[str, Sequence[ActionInfo | str]]:
             ActionInfo("aracna_redo", tr("&Redo"), redo, "redo"),
             SEPARATOR,
             ActionInfo("aracna_capture", tr("&Capture the present position as a pose"), "Ctrl+P"),
+        ),
+        Menu.WINDOW: (
+            *pages,
+            SEPARATOR,
+            ActionInfo("aracna_demo", tr("&Demo robot"), checkable=True),
         ),
     }

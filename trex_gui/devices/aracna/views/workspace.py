@@ -19,14 +19,12 @@ from trex_gui.devices.aracna.views.poses_page import PosesPage
 from trex_gui.devices.aracna.views.recordings import AracnaRecordings
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.frame.actions import ActionInfo
+from trex_gui.ui.frame.actions import Menus
 from trex_gui.ui.frame.main_window import MainWindow
-from trex_gui.ui.frame.workspace import FileKind, Workspace
+from trex_gui.ui.frame.workspace import FileKind, PageInfo, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
-from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _PAGE = "aracna/page"
-_POSES = 1
 
 
 class AracnaWorkspace(Workspace):
@@ -50,14 +48,14 @@ class AracnaWorkspace(Workspace):
         traffic = TrafficPage(
             robot.traffic, "aracnaTranscript", self.tr("a robot"), self.notifier, self
         )
-        pages = {
-            self.tr("Robot"): self._page,
-            self.tr("Poses"): self._poses,
-            self.tr("Log"): LogPage(robot, self),
-            self.tr("Transcript"): traffic,
-        }
-        for title, page in pages.items():
-            tabs.addTab(ScrollBox(page, self), title)
+        self.add_pages(
+            (
+                PageInfo("robot", self.tr("R&obot"), self._page),
+                PageInfo("poses", self.tr("Pos&es"), self._poses),
+                PageInfo("log", self.tr("Lo&g"), LogPage(robot, self)),
+                PageInfo("transcript", self.tr("&Transcript"), traffic),
+            )
+        )
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
         bar = RobotBar(robot, self)
@@ -107,7 +105,7 @@ class AracnaWorkspace(Workspace):
     def _open_poses(self, path: Path) -> None:
         """Open a pose file, after the question that is due, and show what is in it."""
         if self._poses.panel.files.open_file(path):
-            self.pages.setCurrentIndex(_POSES)
+            self.show_page("poses")
 
     @property
     def docks(self) -> Sequence[QDockWidget]:
@@ -116,16 +114,11 @@ class AracnaWorkspace(Workspace):
 
     # --- What its menus do --------------------------------------------------------------
 
-    def menus(self) -> Mapping[str, Sequence[ActionInfo | str]]:
-        """Return the menus of the robot and of its poses."""
-        return menus()
+    def menus(self) -> Menus:
+        return menus(self.page_actions())
 
     def slots(self) -> Mapping[str, Callable[[], object]]:
         """Return what each of its actions does."""
-
-        def page(index: int) -> Callable[[], object]:
-            return lambda: self.pages.setCurrentIndex(index)
-
         controls, files, undo = self._page.controls, self._poses.panel.files, self._library.undo
         return {
             "aracna_move": self._page.move_now,
@@ -137,7 +130,7 @@ class AracnaWorkspace(Workspace):
             "aracna_record": self.recordings.toggle,
             "aracna_open_recording": self.recordings.choose_and_open,
             "aracna_limits": self._robot.limits.reset,
-            **{f"aracna_page{index}": page(index) for index in range(self.pages.count())},
+            **self.page_slots(),
             "aracna_new": files.new,
             "aracna_open": files.ask_and_open,
             "aracna_save": files.save,
@@ -179,12 +172,12 @@ class AracnaWorkspace(Workspace):
 
     def _play(self) -> None:
         """Play what is chosen, and show which step runs."""
-        self.pages.setCurrentIndex(_POSES)
+        self.show_page("poses")
         self._poses.panel.play()
 
     def _capture(self) -> None:
         """Keep the present position, and let its name be typed."""
-        self.pages.setCurrentIndex(_POSES)
+        self.show_page("poses")
         self._poses.panel.capture()
 
     # --- What has changed ---------------------------------------------------------------

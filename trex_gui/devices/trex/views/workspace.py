@@ -18,6 +18,7 @@ from trex_gui.devices.trex.views.demo.panel import DemoPanel
 from trex_gui.devices.trex.views.history.dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
+from trex_gui.devices.trex.views.menus import menus
 from trex_gui.devices.trex.views.pages.calibration.page import CalibrationPage
 from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
@@ -30,13 +31,13 @@ from trex_gui.devices.trex.views.review.power_cycle_dialog import PowerCycleDial
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.frame.actions import Menus
 from trex_gui.ui.frame.main_window import MainWindow
-from trex_gui.ui.frame.workspace import FileKind, Workspace
+from trex_gui.ui.frame.workspace import FileKind, PageInfo, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.file_drop import TEXT
 from trex_gui.ui.widgets.inline_prompt import PromptAnswer
-from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 GUIDE_URL = "https://www.pololu.com/docs/0J1"
 
@@ -65,18 +66,17 @@ class TrexWorkspace(Workspace):
         transcript_page = TrafficPage(
             device.traffic, "transcript", self.tr("a board"), self.notifier, self
         )
-        pages = {
-            self.tr("Status"): StatusPage(device, self),
-            self.tr("Channels"): ChannelsPage(device, self),
-            self.tr("Calibration"): calibration_page,
-            self.tr("Motors"): motors_page,
-            self.tr("Currents"): CurrentsPage(device, self),
-            self.tr("Parameters"): parameters_page,
-            self.tr("Transcript"): transcript_page,
-        }
-        for title, page in pages.items():
-            tabs.addTab(ScrollBox(page, self), title)
-        parameters_index = list(pages.values()).index(parameters_page)
+        self.add_pages(
+            (
+                PageInfo("status", self.tr("S&tatus"), StatusPage(device, self)),
+                PageInfo("channels", self.tr("&Channels"), ChannelsPage(device, self)),
+                PageInfo("calibration", self.tr("Cali&bration"), calibration_page),
+                PageInfo("motors", self.tr("&Motors"), motors_page),
+                PageInfo("currents", self.tr("C&urrents"), CurrentsPage(device, self)),
+                PageInfo("parameters", self.tr("&Parameters"), parameters_page),
+                PageInfo("transcript", self.tr("T&ranscript"), transcript_page),
+            )
+        )
 
         self._recordings = Recordings(device, frame)
         self._bar = ActionBar(device, self)
@@ -92,7 +92,7 @@ class TrexWorkspace(Workspace):
         self._learn = LearnDialog(learning, frame)
         self._bench = BenchOpener(device, frame)
 
-        self._files.staged.connect(lambda: tabs.setCurrentIndex(parameters_index))
+        self._files.staged.connect(lambda: self.show_page("parameters"))
         self._recordings.accept_drops(frame, self)
         self._recordings.settings_wanted.connect(self._files.open_editor)
         self._recordings.changed.connect(self._on_recording_changed)
@@ -107,7 +107,7 @@ class TrexWorkspace(Workspace):
         calibration_page.learn_requested.connect(self._learn.learn)
         learning.taken.connect(self._review.review)
         motors_page.parameter_wanted.connect(parameters_page.show_parameter)
-        motors_page.parameter_wanted.connect(lambda: tabs.setCurrentIndex(parameters_index))
+        motors_page.parameter_wanted.connect(lambda: self.show_page("parameters"))
         controller.changed.connect(self._on_demo_changed)
         controller.demo_board.rejected.connect(self.notifier.error)
         self._demo.wanted_changed.connect(self._on_demo_changed)
@@ -154,12 +154,11 @@ class TrexWorkspace(Workspace):
 
     # --- What its menus do --------------------------------------------------------------
 
+    def menus(self) -> Menus:
+        return menus(self.page_actions())
+
     def slots(self) -> Mapping[str, Callable[[], object]]:
         """Return what each of its actions does."""
-
-        def page(index: int) -> Callable[[], object]:
-            return lambda: self.pages.setCurrentIndex(index)
-
         return {
             "new": self._files.ask_and_begin,
             "open": self._files.ask_and_open,
@@ -181,7 +180,7 @@ class TrexWorkspace(Workspace):
             "bench": self._bench.open,
             "defaults": lambda: self._defaults.preview(serial_only=False),
             "serial_defaults": lambda: self._defaults.preview(serial_only=True),
-            **{f"page{index}": page(index) for index in range(self.pages.count())},
+            **self.page_slots(),
             "demo": self._demo.toggle,
         }
 
