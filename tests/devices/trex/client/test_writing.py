@@ -85,7 +85,7 @@ def test_write_outside_serial_mode_explains_what_to_do(mode: str) -> None:
     stage, settings = staged(mode=mode)
     with pytest.raises(Rejected) as caught:
         write_parameter(stage.client(settings).request, TIMEOUT, 5)
-    assert caught.value.code is ResultCode.NOT_SERIAL_MODE
+    assert caught.value.result is ResultCode.NOT_SERIAL_MODE
     for words in ("Serial Timeout", "serial mode", "code 3", "remove the mode jumper"):
         assert words in str(caught.value)
 
@@ -94,15 +94,15 @@ def test_rejected_value_is_reported_with_result_code(stage: Stage) -> None:
     generous = replace(SPECS["motor_mode"], valid=frozenset(range(128)))
     with pytest.raises(Rejected) as caught:
         write_parameter(stage.client().request, generous, 99)
-    assert caught.value.code is ResultCode.BAD_VALUE
-    assert "Motor Mode: the board refuses this value (code 2)" in str(caught.value)
+    assert caught.value.result is ResultCode.BAD_VALUE
+    assert "Motor Mode: the board rejects this value (code 2)" in str(caught.value)
 
 
 def test_unknown_parameter_error_mentions_firmware() -> None:
     stage, settings = staged(firmware="1.0")
     with pytest.raises(Rejected, match=r"code 1.*firmware") as caught:
         write_parameter(stage.client(settings).request, SPECS["uart_response_delay"], 1)
-    assert caught.value.code is ResultCode.BAD_PARAMETER
+    assert caught.value.result is ResultCode.BAD_PARAMETER
 
 
 def test_rejected_write_is_not_retried() -> None:
@@ -143,7 +143,7 @@ def test_wrong_read_back_of_value_is_reported(stage: Stage) -> None:
         stage.board.eeprom.write("serial_timeout", 7)
         return reply
 
-    with pytest.raises(BadReply, match=r"did not stick: wrote 1\.5 s.*reads back 0\.7 s"):
+    with pytest.raises(BadReply, match=r"could not be verified: wrote 1\.5 s.*reads back 0\.7 s"):
         write_parameter(forgetful, TIMEOUT, 15)
 
 
@@ -155,7 +155,7 @@ def test_wrong_read_back_of_calibration_is_reported(stage: Stage) -> None:
         stage.board.eeprom.write_calibration(InputSource.RC, 2, Calibration(1, 2, 3, 0))
         return reply
 
-    with pytest.raises(BadReply, match="Calibration of channel 2 did not stick"):
+    with pytest.raises(BadReply, match="Calibration of channel 2 could not be verified"):
         write_calibration(forgetful, CalibrationKey.RC_CHANNEL_2, LEARNED)
 
 

@@ -29,6 +29,7 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetMode
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.session.messages import Reload, Report, RunCommand
 from trex_gui.devices.trex.session.session import TrexSession
 
@@ -102,7 +103,7 @@ def test_armed_motors_stop_after_heartbeat_timeout(stage: Stage) -> None:
     assert after == [True]
     (halted,) = among(reports, MotorsStopped)
     assert halted.confirmed
-    assert "did not respond" in halted.reason
+    assert halted.reason is ErrorCode.NO_HEARTBEAT
     assert is_stopped(stage.board), "late wishes count no more"
 
 
@@ -166,7 +167,7 @@ def test_late_confirmation_of_failed_stop_is_reported(stage: Stage) -> None:
         lambda _settings: stage.transport,
     ).run()
     assert isinstance(outcomes(stage.reports)[1].error, NoReply)
-    assert among(stage.reports, MotorsStopped) == [MotorsStopped("", confirmed=True)]
+    assert among(stage.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
     assert stage.reports[-1] == Closed(None, may_move=False)
     assert is_stopped(stage.board)
 

@@ -181,7 +181,7 @@ def test_stop_after_line_error_is_confirmed_on_quiet_line() -> None:
     run_for(stage, 5.0)
     assert early == [{}], "a clean status alone proves nothing there"
     assert late[0][1].error is None
-    assert among(stage.reports, MotorsStopped) == [MotorsStopped("", confirmed=True)]
+    assert among(stage.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
     assert moving(stage.transport.sent).count(STOP[0]) > 4
 
 
@@ -226,7 +226,7 @@ def test_stop_is_confirmed_when_board_responds_again() -> None:
     run_for(stage, 5.5)
     assert isinstance(outcomes(stage.reports)[1].error, NoReply)
     assert not among(stage.reports, NotResponding)
-    assert among(stage.reports, MotorsStopped) == [MotorsStopped("", confirmed=True)]
+    assert among(stage.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
     assert set(moving(stage.transport.sent[mark[0] :])) <= {
         *STOP,
         DriveMotor(1, Drive.brake()),

@@ -8,7 +8,17 @@ import pytest
 from trex_gui.core import errors
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.protocol import errors as trex_errors
-from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
+from trex_gui.devices.trex.protocol.errors import (
+    ErrorCode,
+    Rejected,
+    ResultCode,
+    Skipped,
+    TrexBadReplyError,
+    TrexError,
+    TrexNoReplyError,
+    TrexRequestError,
+    describe,
+)
 
 EVERY_ERROR: list[StudioError] = [
     StudioError("the worst has happened"),
@@ -16,7 +26,12 @@ EVERY_ERROR: list[StudioError] = [
     PortUnavailable("/dev/ttyUSB0 is busy"),
     NoReply("2 of 7 bytes came"),
     BadReply("the CRC is 08, not 07"),
-    *(Rejected("Serial Timeout", code) for code in ResultCode),
+    *(Rejected("Serial Timeout", code) for code in ResultCode if code),
+    TrexError(ErrorCode.CLOSED),
+    TrexRequestError(ErrorCode.LOCKED_OUT),
+    TrexNoReplyError(ErrorCode.NO_REPLY, "81"),
+    TrexBadReplyError(ErrorCode.OTHER_DEVICE, "COM3", "It is garbled."),
+    Skipped(ErrorCode.WRITE_CANCELLED),
 ]
 
 
@@ -49,14 +64,25 @@ def test_pickled_rejection_keeps_subject_and_code() -> None:
     arrived = pickle.loads(pickle.dumps(error))
     assert isinstance(arrived, Rejected)
     assert arrived.what == "calibration of channel 2"
-    assert arrived.code is ResultCode.BAD_VALUE
+    assert arrived.result is ResultCode.BAD_VALUE
+
+
+@pytest.mark.parametrize("code", list(ErrorCode))
+def test_every_code_has_a_sentence(code: ErrorCode) -> None:
+    assert "{" not in describe(code, ("A", "B", "C"))
+
+
+def test_error_inside_an_error_is_translated_too() -> None:
+    cause = TrexBadReplyError(ErrorCode.LATE_REPLIES)
+    text = describe(ErrorCode.OTHER_DEVICE, ("COM3", cause), str.upper)
+    assert "LATE REPLIES" in text
 
 
 @pytest.mark.parametrize(
     ("code", "words"),
     [
         (ResultCode.BAD_PARAMETER, "does not know this parameter (code 1)"),
-        (ResultCode.BAD_VALUE, "refuses this value (code 2)"),
+        (ResultCode.BAD_VALUE, "rejects this value (code 2)"),
         (ResultCode.NOT_SERIAL_MODE, "not in serial mode (code 3)"),
     ],
 )

@@ -38,7 +38,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetCalibration,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
+from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
@@ -96,7 +96,7 @@ SAMPLES = (
 REPORTS: list[Report] = [
     Progress(1, 2, "x"),
     NotResponding("x", Counters(requests=3)),
-    MotorsStopped("x", confirmed=False),
+    MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed=False),
     Batch(SAMPLES, Counters(1, 2, 3, 4, 0.5)),
     Outcome(1, LEARNED),
     Outcome(2, (WriteResult(CalibrationKey.RC_CHANNEL_1, LEARNED), WriteResult("motor_mode", 1))),
@@ -139,7 +139,7 @@ def test_pickled_error_keeps_type_and_message(error: StudioError) -> None:
 
 def test_pickled_rejection_keeps_its_code() -> None:
     copy = there_and_back(Rejected("Serial Timeout", ResultCode.BAD_VALUE))
-    assert (copy.what, copy.code) == ("Serial Timeout", ResultCode.BAD_VALUE)
+    assert (copy.what, copy.result) == ("Serial Timeout", ResultCode.BAD_VALUE)
 
 
 def test_error_with_cause_can_be_pickled() -> None:

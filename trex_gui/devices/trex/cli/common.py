@@ -18,9 +18,8 @@ from trex_gui.core.cli.options import (
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.client import TrexClient, diagnose
 from trex_gui.devices.trex.client.reading import ask
-from trex_gui.devices.trex.discovery.diagnosis import diagnose
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Framing

@@ -28,7 +28,7 @@ from trex_gui.devices.trex.cli.settings_io import FILE, content_of, name_of, rea
 from trex_gui.devices.trex.cli.snapshots import keep
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import Skipped, WriteResult, write_all
+from trex_gui.devices.trex.client.writing import WriteResult, write_all
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     CALIBRATION_KEYS,
@@ -36,6 +36,7 @@ from trex_gui.devices.trex.protocol.calibration import (
     CalibrationKey,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import Skipped
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.edit_in_place import amend

@@ -32,6 +32,7 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.protocol.commands import Drive, GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode, describe
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import (
@@ -209,8 +210,8 @@ class _Run:
                         self._take_control(by_serial=sample.by_serial)
             case NotResponding(reason=reason):
                 self._finish(f"The board has stopped answering: {reason}")
-            case MotorsStopped(reason=reason) if reason:
-                self._finish(reason)
+            case MotorsStopped(reason=ErrorCode() as code):
+                self._finish(describe(code))
             case Outcome(error=error):
                 self._stop_error = error
                 self._requests.append(Close())

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Protocol
 
-from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.errors import BadReply, NoReply, StudioError
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.protocol.commands import (
     Command,
@@ -18,7 +18,12 @@ from trex_gui.devices.trex.protocol.commands import (
     SetParameter,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.errors import ResultCode
+from trex_gui.devices.trex.protocol.errors import (
+    ErrorCode,
+    ResultCode,
+    TrexBadReplyError,
+    TrexNoReplyError,
+)
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import parameter_number
@@ -148,14 +153,13 @@ class TrexClient:
                 self.counters.silences += 1
                 self._is_unanswered = True
                 self._unanswered += 1
-                raise NoReply(self._silence(packet, received))
+                raise _missing_reply(packet, received)
         match state:
             case Malformed(raw, reason):
                 self.counters.damaged += 1
                 # Whatever else is on its way belongs to the same damage.
                 self._transport.wait(line.seconds(16))
-                message = f"The reply {raw.hex(' ').upper()} is damaged: {reason}."
-                raise BadReply(message)
+                raise TrexBadReplyError(ErrorCode.CORRUPTED_REPLY, _hex(raw), reason)
             case Reply(raw, value):
                 took = self._transport.clock() - begun
                 if self._unanswered and command.reply_size():
@@ -242,7 +246,7 @@ class TrexClient:
         self._unanswered = 0
         if more:
             self.counters.stale += len(answer) + len(more)
-            raise BadReply("Answers were held up and came late: nobody knows which is whose.")
+            raise TrexBadReplyError(ErrorCode.LATE_REPLIES)
 
     def _read_echo(self, packet: bytes) -> bytes:
         seconds = self._settings.line.seconds(len(packet)) + self._allowance
@@ -285,8 +289,26 @@ class TrexClient:
             if before is not None:
                 self._address(before)
 
-    def _silence(self, packet: bytes, received: bytes) -> str:
-        sent = packet.hex(" ").upper()
-        if received:
-            return f"Only {received.hex(' ').upper()} came in answer to {sent}."
-        return f"No answer to {sent}."
+
+def _hex(data: bytes) -> str:
+    return data.hex(" ").upper()
+
+
+def _missing_reply(packet: bytes, received: bytes) -> TrexNoReplyError:
+    if received:
+        return TrexNoReplyError(ErrorCode.INCOMPLETE_REPLY, _hex(packet), _hex(received))
+    return TrexNoReplyError(ErrorCode.NO_REPLY, _hex(packet))
+
+
+def diagnose(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
+    """Return why no TReX was found, judged by the error of the first query and by its echo."""
+    where = settings.text()
+    if isinstance(error, BadReply):
+        return TrexBadReplyError(ErrorCode.OTHER_DEVICE, where, error)
+    if not isinstance(error, NoReply):
+        return error
+    if echo:
+        return TrexNoReplyError(ErrorCode.ECHO_ONLY, where)
+    if settings.device_number is not None:
+        return TrexNoReplyError(ErrorCode.NO_BOARD_AT_NUMBER, where, settings.device_number)
+    return TrexNoReplyError(ErrorCode.NO_BOARD, where)

@@ -29,7 +29,14 @@ from trex_gui.devices.trex.protocol.commands import (
     SetCalibration,
     SetParameter,
 )
-from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
+from trex_gui.devices.trex.protocol.errors import (
+    ErrorCode,
+    Rejected,
+    ResultCode,
+    Skipped,
+    TrexBadReplyError,
+    TrexNoReplyError,
+)
 from trex_gui.devices.trex.protocol.flags import InputSource, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
@@ -38,10 +45,6 @@ from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpe
 _FAILURES = (BadRequest, Rejected, BadReply, NoReply, PortUnavailable)
 
 _LINE, _POLYNOMIAL = ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL
-
-
-class Skipped(StudioError):  # noqa: N818 - nothing went wrong
-    """The writing was ended on purpose before this had its turn; it is as it was."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,11 +89,8 @@ def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
         stored = ask(request, GetParameter(spec.number))
         if stored == wire or (stored := ask(request, GetParameter(spec.number))) == wire:
             return wire
-    message = (
-        f"{spec.name} did not stick: wrote {spec.text(wire)}, "
-        f"but the board reads back {spec.text(stored)}"
-    )
-    raise BadReply(message)
+    texts = spec.text(wire), spec.text(stored)
+    raise TrexBadReplyError(ErrorCode.PARAMETER_MISMATCH, spec.name, *texts)
 
 
 def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibration) -> Calibration:
@@ -115,10 +115,7 @@ def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibrati
 
     def require_source() -> None:
         if (now := _serial_source(request, what)) is not key.source:
-            message = (
-                f"{what} is for {key.source.value} inputs, but the board reads {now.value} now"
-            )
-            raise BadReply(message)
+            raise TrexBadReplyError(ErrorCode.OTHER_SOURCE, what, key.source.value, now.value)
 
     stored = wanted
     for _ in range(ATTEMPTS):
@@ -126,8 +123,7 @@ def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibrati
         stored = ask(request, GetCalibration(key.channel))
         if stored == wanted or (stored := ask(request, GetCalibration(key.channel))) == wanted:
             return wanted
-    message = f"{what} did not stick: the board reads back {stored}"
-    raise BadReply(message)
+    raise TrexBadReplyError(ErrorCode.CALIBRATION_MISMATCH, what, stored)
 
 
 def _serial_source(request: Requester, what: str) -> InputSource:
@@ -295,7 +291,7 @@ class _Work:
         for key, wire in serial:
             self.store(key, wire, may_cancel=False)
         if route is _Route.BY_WAY_OF_FACTORY:
-            self._tell_where_the_line_is_left()
+            self._note_uncertain_line()
 
     def _route(self, wanted: Mapping[str, int]) -> "_Route":
         """Return how to come from the serial settings that are stored to those wanted."""
@@ -309,25 +305,25 @@ class _Work:
         is_same = stored[_LINE] == wanted[_LINE]
         return _Route.POLYNOMIAL_FIRST if is_same else _Route.BY_WAY_OF_FACTORY
 
-    def _tell_where_the_line_is_left(self) -> None:
+    def _note_uncertain_line(self) -> None:
         """Add to a failure that the line settings may be neither the old nor the new ones."""
         spec = self.specs[_LINE]
         for number, result in enumerate(self.results):
             if result.key == _LINE and result.error is not None:
-                message = (
-                    f"{result.error} {spec.name} may be the factory's meanwhile: the board, "
-                    f"switched off and on, then runs at {spec.text(spec.default)}"
-                )
-                is_gone = isinstance(result.error, (NoReply, PortUnavailable))
-                kind = type(result.error) if is_gone else BadReply
-                self.results[number] = WriteResult(_LINE, error=kind(message))
+                fields = result.error, spec.name, spec.text(spec.default)
+                is_gone = isinstance(result.error, NoReply)
+                kind = TrexNoReplyError if is_gone else TrexBadReplyError
+                error: StudioError = kind(ErrorCode.LINE_SETTINGS_UNCERTAIN, *fields)
+                if isinstance(result.error, PortUnavailable):
+                    error = PortUnavailable(str(error))
+                self.results[number] = WriteResult(_LINE, error=error)
 
     def _say(self, name: str) -> None:
         self.progress(len(self.results), self.total, name)
 
     def _look_whether_cancelled(self) -> None:
         if self.fatal_error is None and self.cancelled():
-            self.fatal_error = Skipped("The writing was ended before this was tried.")
+            self.fatal_error = Skipped(ErrorCode.WRITE_CANCELLED)
 
     def _try(self, key: str, write: Callable[[], int | Calibration]) -> None:
         result = WriteResult(key, error=self.fatal_error)
@@ -362,6 +358,6 @@ def _if_hopeless(error: StudioError) -> StudioError | None:
     """Return the error when every later write would meet it too."""
     if isinstance(error, (NoReply, PortUnavailable)):
         return error
-    if isinstance(error, Rejected) and error.code is ResultCode.NOT_SERIAL_MODE:
+    if isinstance(error, Rejected) and error.result is ResultCode.NOT_SERIAL_MODE:
         return error
     return None

@@ -11,9 +11,10 @@ from collections.abc import Callable, Sequence
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
-from trex_gui.devices.trex.driving.motor_output import UNCONFIRMED, Event, MotorOutput
+from trex_gui.devices.trex.driving.motor_output import Event, MotorOutput
 from trex_gui.devices.trex.driving.requests import packets
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
 from trex_gui.devices.trex.protocol.line_settings import Detection
 
 log = logging.getLogger(__name__)
@@ -165,7 +166,9 @@ class MotorDriver:
         except Exception:
             output.put_back(stops)
             raise
-        output.report_stops(stops, None if confirmed else NoReply(UNCONFIRMED))
+        output.report_stops(
+            stops, None if confirmed else TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED)
+        )
 
     def stop_early(self) -> None:
         """Send the requested stops on a line of which nothing is known yet.

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from enum import Enum, auto
 
-from trex_gui.core.errors import BadRequest, NoReply, StudioError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.session.messages import Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
@@ -25,20 +25,10 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.driving.setpoints import IdleRefresh, SetpointRetry, SetpointSlots
 from trex_gui.devices.trex.protocol.commands import Command
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError, TrexRequestError
 
 STOP_RETRY_INTERVAL = 0.25
 """Seconds after which an unconfirmed stop is sent again."""
-
-UNCONFIRMED = (
-    "The stop was sent, but the board does not confirm it. If a motor still turns, cut its power."
-)
-
-_NOISY = (
-    "The stop was sent and the board answers, but the line damages bytes. It is sent again until "
-    "the line is quiet. If a motor still turns, cut its power."
-)
-
-_NO_HEARTBEAT = "The window did not respond for a second."
 
 
 class Arming(Enum):
@@ -203,7 +193,7 @@ class MotorOutput:
                     self._retry.clear()
                     self.idle.clear()
                 case Action.FAIL_NOISY_STOPS:
-                    self._end_noisy_stops(NoReply(_NOISY))
+                    self._end_noisy_stops(TrexNoReplyError(ErrorCode.STOP_ON_NOISY_LINE))
 
     # --- Requests -----------------------------------------------------------------------
 
@@ -231,7 +221,7 @@ class MotorOutput:
         if self.arming is Arming.LOCKED_OUT and now >= self._lockout_end:
             self.handle(Event.LOCKOUT_OVER, now)
         if command.moves and self.arming in {Arming.LOCKED_OUT, Arming.UNREACHABLE}:
-            raise BadRequest("The motors are locked for a while after a stop; nothing was sent.")
+            raise TrexRequestError(ErrorCode.LOCKED_OUT)
 
     def _heartbeat_received(self, at: float) -> None:
         """Take a heartbeat, but not one that comes after the timeout.
@@ -334,19 +324,22 @@ class MotorOutput:
             self._noisy_stops = list(stops)
             self._noisy_until = now + self._timeouts.stop_confirmation
         else:
-            self.report_stops(stops, None if answered else NoReply(UNCONFIRMED))
+            self.report_stops(
+                stops, None if answered else TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED)
+            )
 
     def end_stop_retry(self) -> None:
         """Report what a repeated stop has achieved."""
         if not self.may_move:
             self._end_noisy_stops(None)
-            self._report(MotorsStopped("", confirmed=True))
+            self._report(MotorsStopped(None, confirmed=True))
         elif self._stopped_at >= self._noisy_until:
-            self._end_noisy_stops(NoReply(_NOISY))
+            self._end_noisy_stops(TrexNoReplyError(ErrorCode.STOP_ON_NOISY_LINE))
 
     def end_heartbeat_stop(self, *, answered: bool) -> None:
         """Report that the motors were stopped because the heartbeat was missing."""
-        self._report(MotorsStopped(_NO_HEARTBEAT, confirmed=answered and not self.may_move))
+        confirmed = answered and not self.may_move
+        self._report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
 
     def report_stops(self, stops: Sequence[Stop], error: StudioError | None) -> None:
         """Report the outcome of stops."""

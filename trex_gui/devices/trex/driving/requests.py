@@ -13,6 +13,7 @@ from trex_gui.devices.trex.protocol.commands import (
     DriveBoth,
     DriveMotor,
 )
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 
 HEARTBEAT_INTERVAL = 0.25
 """Seconds between two heartbeats while motors are armed."""
@@ -80,11 +81,11 @@ class MotorsStopped:
     """The motors were stopped automatically, or an unconfirmed stop was confirmed at last.
 
     Attributes:
-        reason: why they were stopped, for the user; empty for a late confirmation.
+        reason: why they were stopped; `None` for a late confirmation.
         confirmed: whether the board's status confirmed the stop.
     """
 
-    reason: str
+    reason: ErrorCode | None
     confirmed: bool
 
 

@@ -12,7 +12,6 @@ from trex_gui.devices.trex.client.explanations import who_controls
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.discovery.diagnosis import suggests_scan
 from trex_gui.devices.trex.discovery.reconnect_candidates import reconnect_candidates
 from trex_gui.devices.trex.model.board_state import in_force
 from trex_gui.devices.trex.model.connection import Connection
@@ -33,6 +32,7 @@ from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import suggests_scan
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
@@ -352,13 +352,15 @@ class Device(QObject):
 
     @Slot(object)
     def _on_connection_failed(self, error: StudioError) -> None:
-        self._on_request_failed(str(error))
+        text = str(error)
+        self.request_failed.emit(text)
+        if suggests_scan(error):
+            text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
+        self.notifier.error.emit(text)
 
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:
         self.request_failed.emit(reason)
-        if suggests_scan(reason):
-            reason = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(reason)
         self.notifier.error.emit(reason)
 
     # --- Reports from the line ----------------------------------------------------------

@@ -84,12 +84,12 @@ def way_to(source: InputSource, mode: Mode) -> str:
 def why_not_stored(error: StudioError) -> str:
     """Explain why a calibration was not stored; the board's own codes in full."""
     words = sentence(error)
-    if isinstance(error, Rejected) and error.code is ResultCode.BAD_VALUE:
+    if isinstance(error, Rejected) and error.result is ResultCode.BAD_VALUE:
         words += (
             " It takes a calibration only when minimum is not above neutral, neutral is not "
             "above maximum, and minimum and maximum differ."
         )
-    if isinstance(error, Rejected) and error.code is ResultCode.NOT_SERIAL_MODE:
+    if isinstance(error, Rejected) and error.result is ResultCode.NOT_SERIAL_MODE:
         words += " The edits are kept meanwhile."
     return words
 

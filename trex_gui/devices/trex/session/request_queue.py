@@ -3,7 +3,6 @@
 from collections import deque
 from collections.abc import Callable
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.core.session.loop import Inbox
 from trex_gui.core.session.messages import Close, Outcome
 from trex_gui.devices.trex.driving.motor_output import MotorOutput
@@ -16,6 +15,7 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexRequestError
 from trex_gui.devices.trex.session.messages import (
     Job,
     Reload,
@@ -80,7 +80,7 @@ class RequestQueue:
         for job in list(self.jobs):
             if isinstance(job, RunCommand) and job.command.moves:
                 self.jobs.remove(job)
-                error = BadRequest("A stop came before it; nothing was sent.")
+                error = TrexRequestError(ErrorCode.OVERTAKEN_BY_STOP)
                 self._report(Outcome(job.id, error=error))
 
     def abandon(self) -> list[int]:

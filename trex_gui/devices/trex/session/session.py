@@ -12,7 +12,7 @@ from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
 from trex_gui.core.session.loop import SHORTEST_WAIT, Closing, Inbox, run_until_closed
 from trex_gui.core.session.messages import Closed, Outcome, Progress
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.client.client import Counters, TrexClient
+from trex_gui.devices.trex.client.client import Counters, TrexClient, diagnose
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.client.telemetry import (
     LatchedStatus,
@@ -23,12 +23,11 @@ from trex_gui.devices.trex.client.telemetry import (
     poll,
 )
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
-from trex_gui.devices.trex.discovery.diagnosis import diagnose
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
 from trex_gui.devices.trex.driving.motor_output import Event, MotorOutput
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.errors import Rejected
+from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, TrexError, TrexNoReplyError
 from trex_gui.devices.trex.protocol.line_settings import baud_rates
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import (
@@ -119,12 +118,12 @@ class TrexSession:
         error = run_until_closed(
             self._open,
             self._step,
-            lambda detail: StudioError(f"Internal error in the connection: {detail}"),
+            lambda detail: TrexError(ErrorCode.INTERNAL, detail),
         )
         if self._client is not None:
             self._leave_safely(self._client)
         self._queue.collect()
-        reason = error or StudioError("The line was closed before this was done.")
+        reason = error or TrexError(ErrorCode.CLOSED)
         for number in self._queue.abandon():
             self._emit(Outcome(number, error=reason))
         self._emit(Closed(error, self._motors.may_move))
@@ -256,7 +255,7 @@ class TrexSession:
     def _result_of(self, job: Job) -> object:
         if self._liveness.is_scanning(self._line, self._queue.candidates):
             # Nothing may reach a board at unknown settings.
-            raise NoReply("No board answers; it is being looked for.")
+            raise TrexNoReplyError(ErrorCode.SCANNING)
         match job:
             case RunCommand(command=command) if command.moves:
                 # At once: behind a stop that comes now it would start what was stopped.
@@ -277,7 +276,7 @@ class TrexSession:
         Motors that may be moving do not wait for that.
         """
         if self._state is None:
-            raise NoReply("No board has been read yet.")
+            raise TrexNoReplyError(ErrorCode.NOT_READ)
         stop_is_due = True
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:

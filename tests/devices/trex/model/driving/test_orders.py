@@ -18,6 +18,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.drive_controller import DriveController
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.program import Program
@@ -121,7 +122,7 @@ def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
     notifier = Notifier()
     driving = DriveController(motors, connection, notifier)
     with qtbot.waitSignal(notifier.error) as said:
-        connection.motors_stopped.emit(MotorsStopped(STOOD_STILL, confirmed=False))
+        connection.motors_stopped.emit(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed=False))
     assert said.args == [f"{STOOD_STILL} A stop was sent, and is not confirmed yet."]
     assert motors.stop_reason == STOOD_STILL
     assert not driving.may_move

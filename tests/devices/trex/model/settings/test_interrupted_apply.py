@@ -7,9 +7,10 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.model.test_device import DeviceRecorder
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.client.writing import Skipped, WriteResult
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import Skipped
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings, settings_of

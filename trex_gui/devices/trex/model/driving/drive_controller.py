@@ -19,6 +19,7 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import describe
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
@@ -148,13 +149,14 @@ class DriveController(QObject):
 
     @Slot(object)
     def _on_halted(self, report: MotorsStopped) -> None:
-        if report.reason:
+        if report.reason is not None:
+            reason = describe(report.reason)
             if report.confirmed:
                 text = self.tr("{0} The motors were stopped. Press Run motor to go on.")
             else:
                 text = self.tr("{0} A stop was sent, and is not confirmed yet.")
-            self._notifier.error.emit(text.format(report.reason))
-            self._motors.stop(report.reason)
+            self._notifier.error.emit(text.format(reason))
+            self._motors.stop(reason)
         if report.confirmed:
             self._may_move = self._motors.armed
             self.confirmed.emit()

@@ -3,7 +3,7 @@
 import pytest
 
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
-from trex_gui.devices.trex.discovery.diagnosis import diagnose
+from trex_gui.devices.trex.client.client import diagnose
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
@@ -12,7 +12,7 @@ SETTINGS = ConnectionSettings("/dev/ttyUSB0")
 
 def test_missing_reply_message_lists_checks() -> None:
     error = diagnose(SETTINGS, echo=False, error=NoReply("No answer to 81."))
-    assert type(error) is NoReply
+    assert isinstance(error, NoReply)
     assert "/dev/ttyUSB0 at 19200 baud, no error detection, 1 stop bit" in str(error)
     assert "power" in str(error)
     assert "device number" not in str(error)
@@ -26,14 +26,14 @@ def test_missing_reply_message_names_device_number() -> None:
 
 def test_echo_without_board_is_explained() -> None:
     error = diagnose(SETTINGS, echo=True, error=NoReply("x"))
-    assert type(error) is NoReply
+    assert isinstance(error, NoReply)
     assert "TX and RX are joined" in str(error)
 
 
 @pytest.mark.parametrize("echo", [False, True])
 def test_bad_reply_message_contains_its_error(*, echo: bool) -> None:
     error = diagnose(SETTINGS, echo=echo, error=BadReply("The reply 41 is damaged."))
-    assert type(error) is BadReply
+    assert isinstance(error, BadReply)
     assert "The reply 41 is damaged." in str(error)
 
 
