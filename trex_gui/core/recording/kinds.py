@@ -127,7 +127,8 @@ MARKERS = SampleKind(
         Column("marker_kind", "TEXT", "stop, fault, apply, link, note and so on"),
         Column("text", "TEXT", "what happened"),
     ),
-    lambda marker: (marker.kind, marker.text),
+    # The name of a port may hold bytes that are not text on any system.
+    lambda marker: (marker.kind, marker.text.encode("utf-8", "backslashreplace").decode()),
     Marker,
 )
 

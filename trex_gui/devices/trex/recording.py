@@ -124,13 +124,7 @@ class Header:
         signature, settings = state.signature, _settings_text(state)
         started = datetime.now(UTC)
         return cls(
-            started,
-            clock,
-            signature.model,
-            signature.firmware,
-            state.mode,
-            settings,
-            device_number,
+            started, clock, signature.model, signature.firmware, state.mode, settings, device_number
         )
 
     @property

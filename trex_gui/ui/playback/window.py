@@ -145,11 +145,7 @@ class RecordingWindow(QMainWindow):
         theme().changed.connect(self.plot.draw)
 
     def arrange(
-        self,
-        stop: QWidget,
-        buttons: Sequence[QWidget],
-        below_plot: QWidget,
-        above_events: QWidget,
+        self, stop: QWidget, buttons: Sequence[QWidget], below_plot: QWidget, above_events: QWidget
     ) -> None:
         """Lay out the window once; `buttons` are added to the top row."""
         top = QHBoxLayout()

@@ -88,6 +88,12 @@ def test_tables_are_readable_without_the_program(
     assert "motor_2_current_counts INTEGER NOT NULL, -- current of motor 2" in schema["currents"]
 
 
+def test_undecodable_port_name_does_not_end_the_recording(tmp_path: Path) -> None:
+    path = tmp_path / "a.trexrec"
+    write(path, [Marker(1300.0, "link", "/dev/\udce9 is closed.")])
+    assert read_file(path)[1] == [Marker(1300.0, "link", "/dev/\\udce9 is closed.")]
+
+
 # --- Crash, power failure, full disk ------------------------------------------------------
 
 

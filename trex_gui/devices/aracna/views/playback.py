@@ -103,34 +103,6 @@ class RobotPlaybackWindow(RecordingWindow):
         self.plot.set_shown(self.playback.traces.traces[motor].name, shown=on)
 
 
-class RecordedGoals(QObject):
-    """Last goal of each joint; before the first one its position.
-
-    Signals:
-        changed: `goals`.
-    """
-
-    changed = Signal()
-
-    def __init__(self, motors: int, parent: QObject) -> None:
-        super().__init__(parent)
-        self._goals = (CENTRE,) * motors
-
-    @property
-    def goals(self) -> tuple[int, ...]:
-        """In units, motor 0 first."""
-        return self._goals
-
-    def follow(self, known: RobotState) -> None:
-        """Take the goals of this moment."""
-        goals = known.goals
-        if goals is None:
-            goals = tuple(CENTRE if place is None else place for place in known.present)
-        if goals != self._goals:
-            self._goals = goals
-            self.changed.emit()
-
-
 class RecordedRobot(QObject):
     """The robot at the position of a recording, as the drawing takes one.
 
@@ -144,15 +116,9 @@ class RecordedRobot(QObject):
         super().__init__(parent)
         self._playback = playback
         self.moment: Moment = playback.state()
-        self._targets = RecordedGoals(self.motors, self)
 
         playback.moved.connect(self._on_moved)
         playback.loaded.connect(self._on_moved)
-        self._on_moved()
-
-    @property
-    def targets(self) -> RecordedGoals:
-        return self._targets
 
     @property
     def known(self) -> RobotState:
@@ -165,13 +131,23 @@ class RecordedRobot(QObject):
         return tuple(self.known.present)
 
     @property
+    def targets(self) -> "RecordedRobot":
+        return self
+
+    @property
+    def goals(self) -> tuple[int, ...]:
+        """Last goal of each joint; before the first one its position."""
+        if self.known.goals is not None:
+            return self.known.goals
+        return tuple(CENTRE if place is None else place for place in self.present)
+
+    @property
     def motors(self) -> int:
         return self._playback.header.motors
 
     @Slot()
     def _on_moved(self) -> None:
         self.moment = self._playback.state()
-        self._targets.follow(self.known)
         self.changed.emit()
 
 
