@@ -24,7 +24,7 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.player import RecordingPlayer
 from trex_gui.ui.playback.transport import TransportBar
-from trex_gui.ui.plotting.event_list import EventList, EventModel
+from trex_gui.ui.plotting.event_list import EventList
 from trex_gui.ui.plotting.export import ExportButton
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.runtime import runtime
@@ -46,9 +46,9 @@ class _RecordedEvents(EventList):
     _player: RecordingPlayer[Any, Any, Any] | None = None
 
     def __init__(
-        self, model: EventModel, player: RecordingPlayer[Any, Any, Any], parent: QWidget
+        self, plot: TracePlot, player: RecordingPlayer[Any, Any, Any], parent: QWidget
     ) -> None:
-        super().__init__(model, parent)
+        super().__init__(plot, parent)
         self._player = player
         player.loaded.connect(self._on_loaded)
         self._describe()
@@ -124,8 +124,7 @@ class RecordingWindow(QMainWindow):
         self._picture = ExportButton(
             self.plot, self.notifier, self, name=playback.path.stem, tables=False
         )
-        self._events = EventModel(self.plot, self)
-        self._list = _RecordedEvents(self._events, playback, self)
+        self._list = _RecordedEvents(self.plot, playback, self)
         self._transport = TransportBar(playback, self)
 
         QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
@@ -237,7 +236,7 @@ class RecordingWindow(QMainWindow):
     def _on_loaded(self) -> None:
         self.show_curves()
         self.show_all()
-        self._events.refresh()
+        self._list.refresh()
         self.update_figures()
         self.plot.set_cursor(self.player.position)
         self.update_state()

@@ -1,19 +1,8 @@
 """The events of a plot's source, newest at the bottom; choosing one shows it in the plot."""
 
-from collections.abc import Sequence
-
-from PySide6.QtCore import (
-    QAbstractListModel,
-    QModelIndex,
-    QObject,
-    QPersistentModelIndex,
-    QSize,
-    Qt,
-    Signal,
-    Slot,
-)
-from PySide6.QtGui import QPainter, QPaintEvent, QPixmap
-from PySide6.QtWidgets import QListView, QWidget
+from PySide6.QtCore import QSize, Qt, Signal, Slot
+from PySide6.QtGui import QIcon, QPainter, QPaintEvent, QPixmap
+from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
 from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.plotting.marks import EVENT_COLORS
@@ -23,58 +12,9 @@ from trex_gui.ui.theme.theme import theme
 MAX_LISTED = 1000
 """Events listed: the newest."""
 
-Index = QModelIndex | QPersistentModelIndex
 
-
-class EventModel(QAbstractListModel):
-    """A line for each event: its time since the origin, and its text."""
-
-    def __init__(self, plot: TracePlot, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._plot = plot
-        self._events: Sequence[Event] = ()
-        self._origin: float | None = None
-
-    def refresh(self) -> None:
-        """Take the events that there are now."""
-        events: Sequence[Event] = ()
-        if self._plot.source is not None:
-            events = self._plot.source.events_between(float("-inf"), float("inf"))[-MAX_LISTED:]
-        if tuple(events) != self._events or self._origin != self._plot.origin:
-            self.beginResetModel()
-            self._events = tuple(events)
-            self._origin = self._plot.origin
-            self.endResetModel()
-
-    def event_at(self, index: Index) -> Event:
-        """Return the event of a row."""
-        return self._events[index.row()]
-
-    def row_of(self, event: Event) -> int:
-        """Return the row of an event; -1 when it is not listed."""
-        return self._events.index(event) if event in self._events else -1
-
-    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - as Qt has it
-        return 0 if parent.isValid() else len(self._events)
-
-    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
-        if not index.isValid():
-            return None
-        event = self._events[index.row()]
-        match role:
-            case Qt.ItemDataRole.DisplayRole:
-                return f"{self._plot.text_of_time(event.time)}  {event.text}"
-            case Qt.ItemDataRole.ToolTipRole:
-                return event.text
-            case Qt.ItemDataRole.DecorationRole:
-                dot = QPixmap(8, 8)
-                dot.fill(theme().color(EVENT_COLORS[event.kind]))
-                return dot
-        return None
-
-
-class EventList(QListView):
-    """The list of events.
+class EventList(QListWidget):
+    """A line for each event: its time since the origin of the plot, and its text.
 
     Signals:
         chosen: the `Event` to show.
@@ -82,29 +22,50 @@ class EventList(QListView):
 
     chosen = Signal(object)
 
-    def __init__(self, model: EventModel, parent: QWidget | None = None) -> None:
+    def __init__(self, plot: TracePlot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._events = model
+        self._plot = plot
+        self._events: tuple[Event, ...] = ()
+        self._origin: float | None = None
         self.setObjectName("eventList")
         self.setAccessibleName(self.tr("Events"))
-        self.setModel(model)
         self.setUniformItemSizes(True)
         self.setTextElideMode(Qt.TextElideMode.ElideRight)
-        self.activated.connect(self._on_activated)
-        self.clicked.connect(self._on_activated)
-        model.modelReset.connect(self.scrollToBottom)
-        model.modelReset.connect(self._describe)
-        theme().changed.connect(self.viewport().update)
+        self.itemActivated.connect(self._on_chosen)
+        self.itemClicked.connect(self._on_chosen)
+        theme().changed.connect(self._fill)
         self._describe()
 
     def sizeHint(self) -> QSize:
         metrics = self.fontMetrics()
         return QSize(metrics.averageCharWidth() * 34, metrics.height() * 5)
 
+    def refresh(self) -> None:
+        """Take the events that there are now."""
+        events: tuple[Event, ...] = ()
+        if self._plot.source is not None:
+            found = self._plot.source.events_between(float("-inf"), float("inf"))
+            events = tuple(found[-MAX_LISTED:])
+        if (events, self._plot.origin) != (self._events, self._origin):
+            self._events, self._origin = events, self._plot.origin
+            self._fill()
+            self.scrollToBottom()
+            self._describe()
+
+    @Slot()
+    def _fill(self) -> None:
+        self.clear()
+        for event in self._events:
+            dot = QPixmap(8, 8)
+            dot.fill(theme().color(EVENT_COLORS[event.kind]))
+            text = f"{self._plot.text_of_time(event.time)}  {event.text}"
+            item = QListWidgetItem(QIcon(dot), text, self)
+            item.setToolTip(event.text)
+
     @property
     def empty_text(self) -> str:
         """What is shown instead of events; empty when there are some."""
-        if self._events.rowCount():
+        if self._events:
             return ""
         return self.tr("No events yet. Stops, Apply, faults and limits will be listed here.")
 
@@ -127,10 +88,9 @@ class EventList(QListView):
 
     def choose(self, event: Event) -> None:
         """Select an event, as the user does."""
-        row = self._events.row_of(event)
-        if row >= 0:
-            self.setCurrentIndex(self._events.index(row, 0))
+        if event in self._events:
+            self.setCurrentRow(self._events.index(event))
 
-    @Slot(QModelIndex)
-    def _on_activated(self, index: QModelIndex) -> None:
-        self.chosen.emit(self._events.event_at(index))
+    @Slot(QListWidgetItem)
+    def _on_chosen(self, item: QListWidgetItem) -> None:
+        self.chosen.emit(self._events[self.row(item)])

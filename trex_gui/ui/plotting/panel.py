@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QSplitter, QWidget
 from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.data.traces import Traces
-from trex_gui.ui.plotting.event_list import EventList, EventModel
+from trex_gui.ui.plotting.event_list import EventList
 from trex_gui.ui.plotting.export import ExportButton
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.table import TraceTable, TraceTableView
@@ -63,8 +63,7 @@ class TracePanel(QWidget):
         self.export = ExportButton(self.plot, self.notifier, self)
         self._table = TraceTable(self.plot, self)
         self._view = TraceTableView(self._table, self)
-        self._events = EventModel(self.plot, self)
-        self._list = EventList(self._events, self)
+        self._list = EventList(self.plot, self)
 
         splitter = QSplitter(Qt.Orientation.Vertical, self)
         splitter.setObjectName("tracesSplitter")
@@ -112,7 +111,7 @@ class TracePanel(QWidget):
     def _refresh_figures(self) -> None:
         self._table.refresh()
         self._view.show_needed_columns()
-        self._events.refresh()
+        self._list.refresh()
 
     def _length_text(self, seconds: float) -> str:
         if seconds < 60:

@@ -93,6 +93,7 @@ class TracePlot(FocusFramed):
         self._curves: dict[str, Curve] = {}
         self._limits: dict[str, Line] = {}
         self._peaks: dict[str, Line] = {}
+        self._drawn_axes: object = None
         self._hovered: float | None = None  # pixels: under a mouse at rest the time moves on
         self.setObjectName("tracePlot")
         self.setAccessibleName(name or self.tr("Plot of currents and speeds against time"))
@@ -134,6 +135,7 @@ class TracePlot(FocusFramed):
         self.origin = None
         self.shown = {trace.name for trace in source.traces if trace.shown}
         self._left, self._right = ValueAxis(source.left_unit), ValueAxis(source.right_unit)
+        self._drawn_axes = None
         canvas, pens = self._canvas, Qt.PenStyle
         for trace in source.traces:
             style = pens.DotLine if self._is_right(trace) else pens.SolidLine
@@ -240,16 +242,24 @@ class TracePlot(FocusFramed):
                 extremes[self._is_right(trace)].append(ends)
         self._left.fit(extremes[False])
         self._right.fit(extremes[True])
-        # First the axis that takes room from the plot.
-        labels = self._right.labels() if extremes[True] else []
-        onto = self._right.onto
-        self._canvas.set_right_axis([(onto(self._left, value), text) for value, text in labels])
-        origin = self.origin or 0.0
+        self._show_axes(has_right=bool(extremes[True]))
+        return lines
+
+    def _show_axes(self, *, has_right: bool) -> None:
+        span, origin, left, right = self.span, self.origin or 0.0, self._left, self._right
+        axes = (
+            *(span.live, span.length, left.reach, has_right, right.reach),
+            None if span.live else (span.start, origin),
+        )
+        if axes == self._drawn_axes:
+            return
+        self._drawn_axes = axes
         since = since_labels(span.start - origin, span.end - origin)
         x_labels = ago_labels(span.length) if span.live else since
-        x = -span.length, 0.0
-        self._canvas.set_axes(x, self._left.reach, x_labels, self._left.labels())
-        return lines
+        # First the axis that takes room from the plot.
+        labels = right.labels() if has_right else []
+        self._canvas.set_right_axis([(right.onto(left, value), text) for value, text in labels])
+        self._canvas.set_axes((-span.length, 0.0), left.reach, x_labels, left.labels())
 
     def _draw_curves(self, source: Traces, lines: dict[str, Points]) -> dict[str, float]:
         """Draw the curves; return the pixel from the top at which each ends."""
