@@ -32,9 +32,9 @@ def test_settings_check_warns_while_settings_are_edited(
     device.discard_edits()
 
     edit("uart_settings", LineSettings(76800).to_wire())
-    assert "cannot do 76800 baud" in "\n".join(findings(window)), "the port of this computer"
+    assert "does not support 76800 baud" in "\n".join(findings(window)), "the port of this computer"
     edit("uart_settings", LineSettings(9600).to_wire())
-    assert "cannot do" not in "\n".join(findings(window))
+    assert "does not support" not in "\n".join(findings(window))
 
     edit("ignored_channels", 1)
     assert window.has("adviceList")

@@ -131,8 +131,7 @@ def test_set_warns_of_conflicting_settings(trexcmd: RunCommand) -> None:
     assert trexcmd("set", "motor1_current_limit", "20").exit_code == 0
     result = trexcmd("set", "motor_mode", "joint")
     assert result.exit_code == 0
-    assert "Warning: Motor 1 Current Limit" in result.stderr
-    assert "nothing in joint mode" in result.stderr
+    assert "Warning: No effect in joint mode: Motor 1 Current Limit" in result.stderr
 
 
 def test_calibration_with_excessive_deadband_prints_warning(trexcmd: RunCommand) -> None:
@@ -217,7 +216,7 @@ def test_baud_rate_that_port_lacks_prints_warning(
     words = ("uart_settings", "10") if command == "set" else (str(file),)
     result = trexcmd(*command.split(), *words)
     assert result.exit_code == 0, result.stderr
-    told = "This computer's serial port cannot do 115200 baud" in result.stderr
+    told = "This computer's serial port does not support 115200 baud" in result.stderr
     assert told is (rates is not None)
 
 

@@ -157,8 +157,8 @@ def test_calibrations_of_inactive_source_are_skipped_and_named(
 
 def test_conflicting_settings_print_a_warning(trexcmd: RunCommand, saved: Path) -> None:
     file = changed(saved, motor_mode=1, motor1_current_limit=20)
-    assert "does nothing in joint mode" in trexcmd("check-settings", str(file)).stderr
-    assert "does nothing in joint mode" in trexcmd("set-settings", str(file)).stderr
+    assert "No effect in joint mode" in trexcmd("check-settings", str(file)).stderr
+    assert "No effect in joint mode" in trexcmd("set-settings", str(file)).stderr
 
 
 def test_unplugging_during_set_settings_fails_without_traceback(

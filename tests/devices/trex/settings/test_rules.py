@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from types import MappingProxyType
+from typing import NamedTuple
 
 import pytest
 from hypothesis import Phase, given
@@ -13,7 +15,7 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibra
 from trex_gui.devices.trex.protocol.crc7 import crc7
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, accept, advise
+from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, accept, lint
 
 thorough = examples(40, phases=[Phase.generate])
 NOTHING_ELSE = Context()
@@ -28,9 +30,19 @@ def trex(firmware: str | None = None, **parameters: int) -> Settings:
     return Settings(TREX, firmware, parameters)
 
 
+class Expected(NamedTuple):
+    """A finding as the user sees it."""
+
+    rule: str
+    message: str
+    keys: tuple[str, ...]
+    change: Mapping[str, int] = MappingProxyType({})
+    proposal: str = ""
+
+
 def only(given_settings: Settings, context: Context = NOTHING_ELSE) -> LintFinding:
-    """Return the one advice on some settings."""
-    (found,) = advise(given_settings, context)
+    """Return the only finding."""
+    (found,) = lint(given_settings, context)
     return found
 
 
@@ -38,19 +50,19 @@ def calibrated(key: str, *points: int) -> Settings:
     return Settings(TREX, None, {}, {CALIBRATION_KEYS[key]: Calibration(*points)})
 
 
-# One advice a rule, in full
+# One finding for each rule, in full
 
 
-EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
+EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
     found.rule: (given_settings, context, found)
     for given_settings, context, found in [
         (
             trex(serial_timeout=0),
             DRIVING,
-            LintFinding(
+            Expected(
                 "no_serial_timeout",
-                "Serial Timeout is off while a computer drives the motors: when the cable or the "
-                "computer fails, the motors go on as they were told last.",
+                "Serial Timeout is off while a computer drives the motors: if the cable or the "
+                "computer fails, the motors keep running at their last setpoint.",
                 ("serial_timeout",),
                 {"serial_timeout": 5},
                 "Set Serial Timeout to 0.5 s",
@@ -59,10 +71,10 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             trex(motor_mode=1, motor1_current_limit=10, motor2_current_limit=20),
             Context(),
-            LintFinding(
+            Expected(
                 "limit_in_joint_mode",
-                "Motor 1 Current Limit (3 A) and Motor 2 Current Limit (6 A) do nothing in joint "
-                "mode, for the board measures no current then. The motor is not protected by it.",
+                "No effect in joint mode: Motor 1 Current Limit (3 A) and Motor 2 Current Limit (6 "
+                "A). The board measures no current then, so the motor is not protected.",
                 ("motor_mode", "motor1_current_limit", "motor2_current_limit"),
                 {"motor1_current_limit": 0, "motor2_current_limit": 0},
                 "Set Motor 1 Current Limit and Motor 2 Current Limit to off",
@@ -71,11 +83,11 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             trex(motor2_current_limit=10, motor2_current_limit_p=0),
             Context(),
-            LintFinding(
+            Expected(
                 "limit_without_gain",
                 "Motor 2 Current Limit is 3 A, but its proportionality constant P, how strongly "
-                "the limiter answers, is 0. Inferred: what the board then does is documented "
-                "nowhere, and the limit may have no effect.",
+                "the limiter reacts, is 0. Inferred: the behaviour of the board is not documented, "
+                "and the limit may have no effect.",
                 ("motor2_current_limit", "motor2_current_limit_p"),
                 {"motor2_current_limit_p": 5},
                 "Set Motor 2 Current Limit Proportionality Constant P to 5",
@@ -84,7 +96,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             trex(motor1_current_limit=10, motor1_acceleration=0),
             Context(),
-            LintFinding(
+            Expected(
                 "limit_without_ramp",
                 "Motor 1 Current Limit is 3 A and Motor 1 Acceleration is 0, which means at once. "
                 "Inferred: as soon as the current falls below the limit, the motor jumps back to "
@@ -97,7 +109,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             Settings(TREX_JR, None, {"motor2_pwm_prescaler": 0, "motor2_pwm_maximum": 63}),
             Context(),
-            LintFinding(
+            Expected(
                 "pwm_above_rating",
                 "The PWM of motor 2 runs at 19.5 kHz (inferred), but the motor driver of a TReX "
                 "Jr is rated for 10 kHz; above that it gets hot. The prescaler clock / 64 gives "
@@ -110,10 +122,10 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             trex(required_channels=0b00111, ignored_channels=0b10110),
             Context(),
-            LintFinding(
+            Expected(
                 "required_but_ignored",
-                "Channels 2 and 3 are required and ignored at once: their signals move nothing, "
-                "but without them the motors may not run in RC mode (inferred).",
+                "Both required and ignored: channel 2 and channel 3. The signal moves nothing, but "
+                "without it the motors may not run in RC mode (inferred).",
                 ("required_channels", "ignored_channels"),
                 {"required_channels": 1},
                 "Set Required Channels to channel 1",
@@ -122,19 +134,19 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             calibrated("rc_channel_2", 2500, 3750, 5000, 1250),
             Context(),
-            LintFinding(
+            Expected(
                 "deadband_over_travel",
-                "The deadband of RC channel 2 reaches from its neutral to its minimum and "
-                "maximum: there is only standstill or full speed.",
+                "The deadband of RC channel 2 reaches from neutral to its minimum and maximum: "
+                "there is nothing between standstill and full speed on that side.",
                 ("rc_channel_2",),
             ),
         ),
         (
             calibrated("analog_channel_3", 0, 512, 1100, 20),
             Context(),
-            LintFinding(
+            Expected(
                 "end_out_of_reach",
-                "The maximum of analog channel 3, 1100, lies above 1023, the highest count that "
+                "The maximum of analog channel 3, 1100, is above 1023, the highest count that "
                 "the board measures: full speed on that side is never reached.",
                 ("analog_channel_3",),
             ),
@@ -142,9 +154,9 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             trex(crc7_polynomial=0x1B, uart_settings=uart(19200, Detection.EVEN)),
             Context(),
-            LintFinding(
+            Expected(
                 "polynomial_without_crc",
-                "CRC-7 Polynomial is 0x9B instead of the factory's 0x89, but CRC-7 is not "
+                "CRC-7 Polynomial is 0x9B instead of the default 0x89, but CRC-7 is not "
                 "switched on: no packet is checked with it.",
                 ("crc7_polynomial", "uart_settings"),
                 {"crc7_polynomial": 9},
@@ -154,7 +166,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             trex(crc7_polynomial=0, uart_settings=uart(19200, Detection.CRC7)),
             Context(),
-            LintFinding(
+            Expected(
                 "crc_that_checks_nothing",
                 "With 0x80 as CRC-7 Polynomial the checksum of every packet is 0, so CRC-7 finds "
                 "no damage at all.",
@@ -166,10 +178,10 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             trex("1.1", uart_settings=uart(38400, Detection.ODD, 2)),
             Context(),
-            LintFinding(
+            Expected(
                 "half_rate",
-                "A TReX with firmware 1.1 set to 38400 baud really runs at 19200 baud; this was "
-                "mended in firmware 1.2. Programs have to use 19200 baud.",
+                "A TReX with firmware 1.1 set to 38400 baud really runs at 19200 baud; firmware "
+                "1.2 corrects this. Programs must use 19200 baud.",
                 ("uart_settings",),
                 {"uart_settings": uart(19200, Detection.ODD, 2)},
                 "Set UART Settings to 19200 baud, odd parity, 2 stop bits",
@@ -178,10 +190,10 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             trex(uart_settings=uart(76800)),
             Context(port_rates=[9600, 57600, 115200]),
-            LintFinding(
+            Expected(
                 "rate_the_port_lacks",
-                "This computer's serial port cannot do 76800 baud: after the next power cycle it "
-                "would not reach the board any more.",
+                "This computer's serial port does not support 76800 baud: after the next power "
+                "cycle it could not reach the board any more.",
                 ("uart_settings",),
                 {"uart_settings": uart(57600)},
                 "Set UART Settings to 57600 baud, no error detection, 1 stop bit",
@@ -190,11 +202,11 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
         (
             trex(uart_settings=uart(115200)),
             Context(used_by_line=LineSettings()),
-            LintFinding(
+            Expected(
                 "line_will_change",
-                "After the next power cycle the board talks at 115200 baud, no error detection, 1 "
-                "stop bit; now it is 19200 baud, no error detection, 1 stop bit. Programs that "
-                "talk to it have to be changed then.",
+                "After the next power cycle the line settings of the board are 115200 baud, no "
+                "error detection, 1 stop bit; now they are 19200 baud, no error detection, 1 stop "
+                "bit. Change the programs that use the board then.",
                 ("uart_settings",),
             ),
         ),
@@ -209,14 +221,17 @@ def test_every_rule_has_example() -> None:
 @pytest.mark.parametrize("rule", RULES)
 def test_rule_reports_expected_finding(rule: str) -> None:
     given_settings, context, expected = EXAMPLES[rule]
-    assert only(given_settings, context) == expected
+    found = only(given_settings, context)
+    shown = Expected(found.rule, found.message, found.keys, found.change, found.proposal)
+    assert shown == expected
 
 
 @pytest.mark.parametrize("rule", RULES)
 def test_accepted_proposal_clears_finding(rule: str) -> None:
     given_settings, context, expected = EXAMPLES[rule]
     if expected.change:
-        assert advise(accept(given_settings, expected), context) == ()
+        found = only(given_settings, context)
+        assert lint(accept(given_settings, found), context) == ()
 
 
 @pytest.mark.parametrize("rule", RULES)
@@ -224,7 +239,7 @@ def test_rule_is_silent_if_required_setting_is_missing(rule: str) -> None:
     given_settings, context, _ = EXAMPLES[rule]
     for key in given_settings.parameters:
         rest = {k: wire for k, wire in given_settings.parameters.items() if k != key}
-        found = advise(replace(given_settings, parameters=rest), context)
+        found = lint(replace(given_settings, parameters=rest), context)
         assert not [one for one in found if key in one.keys]
 
 
@@ -235,28 +250,28 @@ def test_rule_is_silent_if_required_setting_is_missing(rule: str) -> None:
 @pytest.mark.parametrize("firmware", [None, "1.0", "1.3"])
 def test_factory_settings_have_no_findings(model: str, firmware: str | None) -> None:
     every = Context(port_rates=baud_rates(), used_by_line=LineSettings())
-    assert advise(factory(model, firmware), every) == ()
+    assert lint(factory(model, firmware), every) == ()
 
 
 def test_empty_settings_have_no_findings() -> None:
     every = Context(drives_from_computer=True, port_rates=[], used_by_line=LineSettings(1200))
-    assert advise(Settings(TREX), every) == ()
+    assert lint(Settings(TREX), every) == ()
 
 
 def test_timeout_rule_applies_only_if_computer_drives() -> None:
-    assert advise(trex(serial_timeout=0)) == ()
-    assert advise(trex(serial_timeout=1), DRIVING) == ()
+    assert lint(trex(serial_timeout=0)) == ()
+    assert lint(trex(serial_timeout=1), DRIVING) == ()
 
 
 def test_joint_mode_finding_names_only_active_limit() -> None:
     found = only(trex(motor_mode=1, motor1_current_limit=1, motor2_current_limit=0))
-    assert found.message.startswith("Motor 1 Current Limit (0.3 A) does nothing")
+    assert found.message.startswith("No effect in joint mode: Motor 1 Current Limit (0.3 A).")
     assert found.proposal == "Set Motor 1 Current Limit to off"
 
 
 def test_joint_mode_limit_needs_no_gain_or_ramp() -> None:
     parameters = {"motor1_current_limit": 1, "motor1_acceleration": 0, "motor1_current_limit_p": 0}
-    found = advise(Settings(TREX, None, {"motor_mode": 1, **parameters}))
+    found = lint(Settings(TREX, None, {"motor_mode": 1, **parameters}))
     assert [one.rule for one in found] == ["limit_in_joint_mode"]
 
 
@@ -266,7 +281,7 @@ def test_pwm_proposal_is_smallest_sufficient_prescaler(prescaler: int, maximum: 
     parameters = {"motor1_pwm_prescaler": prescaler, "motor1_pwm_maximum": maximum}
     divisors = (8, 64, 256, 1024)
     frequencies = [20e6 / (divisor * (2 * maximum + 2)) for divisor in divisors]
-    found = advise(Settings(TREX_JR, None, parameters))
+    found = lint(Settings(TREX_JR, None, parameters))
     if frequencies[prescaler] <= 10_000:
         assert found == ()
     else:
@@ -275,7 +290,7 @@ def test_pwm_proposal_is_smallest_sufficient_prescaler(prescaler: int, maximum: 
 
 
 def test_pwm_of_driver_with_unknown_rating_is_not_checked() -> None:
-    assert advise(trex(motor1_pwm_prescaler=0, motor1_pwm_maximum=0)) == ()
+    assert lint(trex(motor1_pwm_prescaler=0, motor1_pwm_maximum=0)) == ()
 
 
 @pytest.mark.parametrize(
@@ -291,9 +306,9 @@ def test_pwm_of_driver_with_unknown_rating_is_not_checked() -> None:
 def test_deadband_reaching_end_of_travel_is_reported(
     points: tuple[int, int, int, int], ends: list[str]
 ) -> None:
-    messages = [found.message for found in advise(calibrated("rc_channel_1", *points))]
+    messages = [found.message for found in lint(calibrated("rc_channel_1", *points))]
     assert len(messages) == len(ends)
-    assert all(f"to its {end}: on that side" in "".join(messages) for end in ends)
+    assert all(f"to its {end}: " in "".join(messages) for end in ends)
 
 
 @pytest.mark.parametrize(
@@ -310,13 +325,13 @@ def test_deadband_reaching_end_of_travel_is_reported(
 def test_calibration_end_out_of_reach_is_reported(
     key: str, points: tuple[int, int, int, int], words: list[str]
 ) -> None:
-    messages = [found.message for found in advise(calibrated(key, *points))]
+    messages = [found.message for found in lint(calibrated(key, *points))]
     assert [message.split()[1] for message in messages] == words
 
 
 @pytest.mark.parametrize("key", ["rc_channel_4", "rc_channel_5"])
 def test_switch_calibrations_are_not_checked(key: str) -> None:
-    assert advise(calibrated(key, 0, 3750, 9000, 9000)) == ()
+    assert lint(calibrated(key, 0, 3750, 9000, 9000)) == ()
 
 
 def test_polynomial_0x80_always_gives_checksum_zero() -> None:
@@ -328,12 +343,12 @@ def test_polynomial_0x80_always_gives_checksum_zero() -> None:
 def test_old_firmware_is_checked_at_its_actual_baud_rate(baud: int, real: int) -> None:
     old, new = trex("1.1", uart_settings=uart(baud)), trex("1.2", uart_settings=uart(baud))
     in_use = Context(port_rates=[real], used_by_line=LineSettings(real))
-    assert [found.rule for found in advise(old, in_use)] == ["half_rate"]
-    assert [found.rule for found in advise(new, in_use)] == [
+    assert [found.rule for found in lint(old, in_use)] == ["half_rate"]
+    assert [found.rule for found in lint(new, in_use)] == [
         "rate_the_port_lacks",
         "line_will_change",
     ]
-    assert advise(new) == advise(trex(uart_settings=uart(baud))) == ()
+    assert lint(new) == lint(trex(uart_settings=uart(baud))) == ()
 
 
 @pytest.mark.parametrize(
@@ -354,7 +369,7 @@ def test_proposed_baud_rate_is_supported_by_port(
     context = Context(port_rates=rates, used_by_line=used)
     found = [
         one
-        for one in advise(trex("1.0", uart_settings=uart(76800)), context)
+        for one in lint(trex("1.0", uart_settings=uart(76800)), context)
         if one.rule == "rate_the_port_lacks"
     ]
     if wanted == "silent":
@@ -367,7 +382,7 @@ def test_proposed_baud_rate_is_supported_by_port(
 
 def test_next_faster_rate_is_proposed_without_slower_one() -> None:
     context = Context(port_rates=[115200, 9600, 19200])
-    (found,) = advise(trex(uart_settings=uart(2400)), context)
+    (found,) = lint(trex(uart_settings=uart(2400)), context)
     assert found.change == {"uart_settings": uart(9600)}
 
 
@@ -386,7 +401,7 @@ def test_invalid_values_are_not_checked() -> None:
         },
         {CalibrationKey.RC_CHANNEL_1: Calibration(9, 8, 7, 6)},
     )
-    assert advise(broken, Context(port_rates=[])) == ()
+    assert lint(broken, Context(port_rates=[])) == ()
 
 
 # All rules, any settings
@@ -429,8 +444,8 @@ def any_context(draw: st.DrawFn) -> Context:
     )
 
 
-def is_told(found: LintFinding, after: tuple[LintFinding, ...]) -> bool:
-    """Whether an advice is given again."""
+def is_reported(found: LintFinding, after: tuple[LintFinding, ...]) -> bool:
+    """Whether a finding is reported again."""
     return any((one.rule, one.keys) == (found.rule, found.keys) for one in after)
 
 
@@ -440,14 +455,14 @@ def test_any_proposal_is_valid_and_clears_its_finding(
     given_settings: Settings, context: Context
 ) -> None:
     specs = given_settings.specs
-    for found in advise(given_settings, context):
+    for found in lint(given_settings, context):
         assert found.rule in RULES
         assert set(found.keys) <= {spec.key for spec in specs} | set(CALIBRATION_KEYS)
         assert set(found.change) <= set(found.keys)
         assert all(specs[key].problem(wire) is None for key, wire in found.change.items())
         assert bool(found.change) == bool(found.proposal)
         if found.change:
-            assert not is_told(found, advise(accept(given_settings, found), context))
+            assert not is_reported(found, lint(accept(given_settings, found), context))
 
 
 @thorough
@@ -456,9 +471,9 @@ def test_accepting_all_proposals_leaves_no_proposal(
     given_settings: Settings, context: Context
 ) -> None:
     better = given_settings
-    for found in advise(given_settings, context):
+    for found in lint(given_settings, context):
         better = accept(better, found)
-    assert not [found for found in advise(better, context) if found.change]
+    assert not [found for found in lint(better, context) if found.change]
 
 
 @thorough
@@ -471,7 +486,7 @@ def test_findings_do_not_depend_on_order_of_settings(
         parameters=dict(reversed(list(given_settings.parameters.items()))),
         calibrations=dict(reversed(list(given_settings.calibrations.items()))),
     )
-    found = advise(given_settings, context)
-    assert advise(turned, context) == found
+    found = lint(given_settings, context)
+    assert lint(turned, context) == found
     order = [list(RULES).index(one.rule) for one in found]
     assert order == sorted(order)

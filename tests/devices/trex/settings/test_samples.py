@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.settings.rules import Context, advise
+from trex_gui.devices.trex.settings.rules import Context, lint
 from trex_gui.devices.trex.settings.writer import parameter_line, write_settings
 
 SAMPLES = {
@@ -56,7 +56,7 @@ def test_sample_is_read_without_findings(name: str) -> None:
 
 @every_sample
 def test_sample_passes_every_rule(name: str) -> None:
-    assert advise(settings_of(name), SAMPLES[name]) == ()
+    assert lint(settings_of(name), SAMPLES[name]) == ()
 
 
 @every_sample

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings, settings_of
-from trex_gui.devices.trex.settings.rules import Context, advise
+from trex_gui.devices.trex.settings.rules import Context, lint
 
 
 def read_board(client: TrexClient) -> DeviceState:
@@ -23,9 +23,9 @@ def read_board(client: TrexClient) -> DeviceState:
 
 
 def warn(settings: Settings, context: Context) -> None:
-    """Say what is odd about settings."""
-    for odd in advise(settings, context):
-        say(f"Warning: {odd.message}" + (f" {odd.proposal}." if odd.proposal else ""))
+    """Report the findings of the settings check."""
+    for found in lint(settings, context):
+        say(f"Warning: {found.message}" + (f" {found.proposal}." if found.proposal else ""))
 
 
 def say_changes(result: Comparison) -> None:

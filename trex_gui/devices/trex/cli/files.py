@@ -41,7 +41,7 @@ from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow,
 from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.settings.rules import Context, advise
+from trex_gui.devices.trex.settings.rules import Context, lint
 from trex_gui.devices.trex.settings.writer import write_settings
 
 
@@ -120,11 +120,11 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
         settings, findings = read_settings(data, name_of(file))
     except SettingsError as error:
         findings = error.findings
-    advice = advise(settings) if settings is not None else ()
+    lint_findings = lint(settings) if settings is not None else ()
     for finding in findings:
         say(f"{name_of(file)}: {finding}")
-    for odd in advice:
-        say(f"{name_of(file)}: warning: {odd.message}")
+    for found in lint_findings:
+        say(f"{name_of(file)}: warning: {found.message}")
     if as_json:
         report = {
             "usable": settings is not None,
@@ -138,7 +138,8 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
                 for finding in findings
             ],
             "advice": [
-                {"rule": odd.rule, "keys": list(odd.keys), "message": odd.message} for odd in advice
+                {"rule": found.rule, "keys": list(found.keys), "message": found.message}
+                for found in lint_findings
             ],
         }
         click.echo(json.dumps(report, indent=2, ensure_ascii=False))

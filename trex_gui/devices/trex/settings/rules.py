@@ -1,12 +1,11 @@
-"""What is odd about settings when they are looked at together; the window and trexcmd both ask.
+"""Rules for settings that are valid one by one but questionable together.
 
-A rule speaks of values that the board takes one by one and that together do something a person
-hardly wants. It never forbids: it says what is odd and, where one change is plainly better,
-proposes it.
+A rule never forbids. It reports a finding and, where one change is plainly better, proposes it.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 from typing import NamedTuple
 
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -15,6 +14,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.rule_texts import MESSAGES, joined, proposal_text
 
 _MOTORS = (1, 2)
 _MOTOR_CHANNELS = (1, 2, 3)
@@ -45,52 +45,71 @@ class Context:
 
 @dataclass(frozen=True, slots=True)
 class LintFinding:
-    """One oddity.
+    """What a rule found.
 
     Attributes:
         rule: the rule's stable key, such as `limit_in_joint_mode`.
-        message: for people: what is odd, and what it does to them.
-        keys: the settings concerned, as a settings file spells them.
-        change: wire values by key that end it; empty when a person must decide.
-        proposal: the change in words; empty without a change.
+        keys: the settings concerned.
+        fields: names and values for the message, as text.
+        change: wire values by key that resolve it; empty where the user must decide.
+        proposed: names and new values of `change`, as text.
+        variant: which of several messages of the rule.
     """
 
     rule: str
-    message: str
     keys: tuple[str, ...]
+    fields: Mapping[str, str]
     change: Mapping[str, int] = field(default_factory=dict)
-    proposal: str = ""
+    proposed: tuple[tuple[str, str], ...] = ()
+    variant: str = ""
+
+    @property
+    def message(self) -> str:
+        """Return the finding as a sentence."""
+        return MESSAGES[self.rule + self.variant].format(**self.fields)
+
+    @property
+    def proposal(self) -> str:
+        """Return the change as a request; empty without one."""
+        return proposal_text(self.proposed)
 
 
 _NOTHING_MORE = Context()
 
 
-def advise(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFinding, ...]:
-    """Return what is odd about the settings, always in the same order.
+def lint(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFinding, ...]:
+    """Check the settings together; the findings are always in the same order.
 
-    A rule that needs a setting which is not given, or whose value the board would refuse, says
-    nothing. Each change may be taken without the others; taken in order, they never quarrel: of
-    two for the same setting the later one serves both.
+    A rule is silent if a setting that it needs is missing or invalid. Each change may be made
+    without the others; of two changes of one setting the later one resolves both.
     """
     case = _Case.of(settings, context)
     return tuple(
-        LintFinding(rule, odd.message, odd.keys, odd.change, _proposal(case, odd.change))
+        LintFinding(
+            rule,
+            found.keys,
+            found.fields,
+            found.change,
+            tuple((case.name(key), case.text(key, wire)) for key, wire in found.change.items()),
+            found.variant,
+        )
         for rule, find in RULES.items()
-        for odd in find(case)
+        for found in find(case)
     )
 
 
-def accept(settings: Settings, advice: LintFinding) -> Settings:
-    """Return the settings with what an advice proposes."""
-    return replace(settings, parameters={**settings.parameters, **advice.change})
+def accept(settings: Settings, finding: LintFinding) -> Settings:
+    """Return the settings with the change that a finding proposes."""
+    return replace(settings, parameters={**settings.parameters, **finding.change})
 
 
 class _Match(NamedTuple):
-    """What a rule found: message, keys and change of the advice."""
+    """A finding of a rule."""
 
-    message: str
     keys: tuple[str, ...]
-    change: Mapping[str, int]
+    fields: Mapping[str, str]
+    change: Mapping[str, int] = MappingProxyType({})
+    variant: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,52 +162,22 @@ class _Case:
         return self.settings.specs[key].default
 
 
-def _proposal(case: _Case, change: Mapping[str, int]) -> str:
-    """Say a change as an order: `Set Serial Timeout to 0.5 s`."""
-    names: dict[str, list[str]] = {}
-    for key, wire in change.items():
-        names.setdefault(case.text(key, wire), []).append(case.name(key))
-    parts = [f"{_joined(of_one)} to {text}" for text, of_one in names.items()]
-    return f"Set {_joined(parts)}" if parts else ""
-
-
-def _joined(words: list[str]) -> str:
-    *first, last = words
-    return f"{', '.join(first)} and {last}" if first else last
-
-
-def _channels(mask: int) -> str:
-    """Return `Channel 2` or `Channels 2 and 5`."""
-    numbers = [str(channel) for channel in channels_in(mask)]
-    return f"Channel{'s' if len(numbers) > 1 else ''} {_joined(numbers)}"
-
-
-# The rules, in the order in which a person reads them: safety, motors, channels, line
+# The rules, in the order in which the user reads them: safety, motors, channels, line
 
 
 def _no_timeout(case: _Case) -> Iterator[_Match]:
     key = ParameterKey.SERIAL_TIMEOUT
     if case.context.drives_from_computer and case.wires.get(key) == 0:
-        change: dict[str, int] = {key: case.settings.specs[key].wire(_TIMEOUT)}
-        yield _Match(
-            f"{case.name(key)} is off while a computer drives the motors: when the cable or the "
-            "computer fails, the motors go on as they were told last.",
-            (key,),
-            change,
-        )
+        change = {str(key): case.settings.specs[key].wire(_TIMEOUT)}
+        yield _Match((key,), {"name": case.name(key)}, change)
 
 
 def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
     keys = [MotorParameter.CURRENT_LIMIT.of(motor) for motor in _MOTORS]
     if set_keys := [key for key in keys if case.is_joint and case.wires.get(key)]:
-        limits = _joined([f"{case.name(key)} ({case.text(key)})" for key in set_keys])
-        verb = "does" if len(set_keys) == 1 else "do"
-        yield _Match(
-            f"{limits} {verb} nothing in joint mode, for the board measures no current then. "
-            "The motor is not protected by it.",
-            (ParameterKey.MOTOR_MODE, *set_keys),
-            dict.fromkeys(set_keys, 0),
-        )
+        limits = joined([f"{case.name(key)} ({case.text(key)})" for key in set_keys])
+        change = dict.fromkeys(set_keys, 0)
+        yield _Match((ParameterKey.MOTOR_MODE, *set_keys), {"limits": limits}, change)
 
 
 def _limit_without_gain(case: _Case) -> Iterator[_Match]:
@@ -196,26 +185,16 @@ def _limit_without_gain(case: _Case) -> Iterator[_Match]:
         limit = MotorParameter.CURRENT_LIMIT.of(motor)
         gain = MotorParameter.CURRENT_LIMIT_P.of(motor)
         if case.wires.get(limit) and case.wires.get(gain) == 0:
-            yield _Match(
-                f"{case.name(limit)} is {case.text(limit)}, but its proportionality constant P, "
-                "how strongly the limiter answers, is 0. Inferred: what the board then does is "
-                "documented nowhere, and the limit may have no effect.",
-                (limit, gain),
-                {gain: case.default(gain)},
-            )
+            fields = {"limit": case.name(limit), "value": case.text(limit)}
+            yield _Match((limit, gain), fields, {gain: case.default(gain)})
 
 
 def _limit_without_ramp(case: _Case) -> Iterator[_Match]:
     for motor in () if case.is_joint else _MOTORS:
         limit, ramp = MotorParameter.CURRENT_LIMIT.of(motor), MotorParameter.ACCELERATION.of(motor)
         if case.wires.get(limit) and case.wires.get(ramp) == 0:
-            yield _Match(
-                f"{case.name(limit)} is {case.text(limit)} and {case.name(ramp)} is 0, which "
-                "means at once. Inferred: as soon as the current falls below the limit, the "
-                "motor jumps back to its full target speed, so it may run in jerks.",
-                (limit, ramp),
-                {ramp: _ACCELERATION},
-            )
+            fields = {"limit": case.name(limit), "value": case.text(limit), "ramp": case.name(ramp)}
+            yield _Match((limit, ramp), fields, {ramp: _ACCELERATION})
 
 
 def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
@@ -229,16 +208,19 @@ def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
         now = frequencies[case.wires[prescaler]]
         if now <= highest:
             continue
+        fields = {
+            "motor": str(motor),
+            "now": _kilohertz(now),
+            "product": case.settings.product.name,
+            "highest": _kilohertz(highest),
+        }
         better = [n for n, frequency in enumerate(frequencies) if frequency <= highest]
-        message = (
-            f"The PWM of motor {motor} runs at {_kilohertz(now)} (inferred), but the motor driver "
-            f"of a {case.settings.product.name} is rated for {_kilohertz(highest)}; above that "
-            "it gets hot."
-        )
-        if better:
-            gives = _kilohertz(frequencies[better[0]])
-            message += f" The prescaler {case.text(prescaler, better[0])} gives {gives}."
-        yield _Match(message, (prescaler, top), {prescaler: better[0]} if better else {})
+        if not better:
+            yield _Match((prescaler, top), fields)
+            continue
+        fields["prescaler"] = case.text(prescaler, better[0])
+        fields["gives"] = _kilohertz(frequencies[better[0]])
+        yield _Match((prescaler, top), fields, {prescaler: better[0]}, ".better")
 
 
 def _kilohertz(hertz: float) -> str:
@@ -246,18 +228,11 @@ def _kilohertz(hertz: float) -> str:
 
 
 def _required_but_ignored(case: _Case) -> Iterator[_Match]:
-    required = case.wires.get(ParameterKey.REQUIRED_CHANNELS)
-    ignored = case.wires.get(ParameterKey.IGNORED_CHANNELS)
-    if required is None or ignored is None or not (both := required & ignored):
-        return
-    is_one = len(channels_in(both)) == 1
-    yield _Match(
-        f"{_channels(both)} {'is' if is_one else 'are'} required and ignored at once: "
-        f"{'its signal moves' if is_one else 'their signals move'} nothing, but without "
-        f"{'it' if is_one else 'them'} the motors may not run in RC mode (inferred).",
-        (ParameterKey.REQUIRED_CHANNELS, ParameterKey.IGNORED_CHANNELS),
-        {ParameterKey.REQUIRED_CHANNELS: required & ~ignored},
-    )
+    keys = ParameterKey.REQUIRED_CHANNELS, ParameterKey.IGNORED_CHANNELS
+    required, ignored = (case.wires.get(key, 0) for key in keys)
+    if both := required & ignored:
+        fields = {"channels": joined([f"channel {n}" for n in channels_in(both)])}
+        yield _Match(keys, fields, {str(keys[0]): required & ~ignored})
 
 
 def _motor_calibrations(case: _Case) -> Iterator[tuple[CalibrationKey, Calibration]]:
@@ -271,76 +246,56 @@ def _motor_calibrations(case: _Case) -> Iterator[tuple[CalibrationKey, Calibrati
 def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
     for key, found in _motor_calibrations(case):
         ends = {"minimum": found.neutral - found.minimum, "maximum": found.maximum - found.neutral}
-        # An end that coincides with neutral is meant so: a channel that goes one way.
+        # An end equal to neutral is intended: a channel with one direction.
         if lost := [end for end, travel in ends.items() if 0 < travel <= found.deadband]:
-            where = "on that side there is" if len(lost) == 1 else "there is"
-            yield _Match(
-                f"The deadband of {key.label} reaches from its neutral to its {_joined(lost)}: "
-                f"{where} only standstill or full speed.",
-                (key,),
-                {},
-            )
+            yield _Match((key,), {"channel": key.label, "ends": joined(lost)})
 
 
 def _end_out_of_reach(case: _Case) -> Iterator[_Match]:
     for key, found in _motor_calibrations(case):
         lowest = _SHORTEST_PULSE if key.source is InputSource.RC else 0
         highest = key.source.highest_count
-        odd = []
         if found.minimum < min(lowest, found.neutral):
-            odd.append(f"minimum of {key.label}, {found.minimum}, lies below {lowest}, the lowest")
+            fields = {"count": str(found.minimum), "limit": str(lowest)}
+            yield _Match((key,), {"channel": key.label, **fields}, variant=".minimum")
         if found.maximum > max(highest, found.neutral):
-            odd.append(
-                f"maximum of {key.label}, {found.maximum}, lies above {highest}, the highest"
-            )
-        for end in odd:
-            yield _Match(
-                f"The {end} count that the board measures: full speed on that side is never "
-                "reached.",
-                (key,),
-                {},
-            )
+            fields = {"count": str(found.maximum), "limit": str(highest)}
+            yield _Match((key,), {"channel": key.label, **fields}, variant=".maximum")
 
 
 def _polynomial_without_crc(case: _Case) -> Iterator[_Match]:
     key, line = ParameterKey.CRC7_POLYNOMIAL, case.line
     if key not in case.wires or line is None or line.detection is Detection.CRC7:
         return
-    if case.wires[key] != case.default(key):
-        yield _Match(
-            f"{case.name(key)} is {case.text(key)} instead of the factory's "
-            f"{case.text(key, case.default(key))}, but CRC-7 is not switched on: no packet is "
-            "checked with it.",
-            (key, ParameterKey.UART_SETTINGS),
-            {key: case.default(key)},
-        )
+    default = case.default(key)
+    if case.wires[key] != default:
+        fields = {
+            "name": case.name(key),
+            "value": case.text(key),
+            "default": case.text(key, default),
+        }
+        yield _Match((key, ParameterKey.UART_SETTINGS), fields, {str(key): default})
 
 
 def _crc_that_checks_nothing(case: _Case) -> Iterator[_Match]:
     key, line = ParameterKey.CRC7_POLYNOMIAL, case.line
     if case.wires.get(key) == 0 and line is not None and line.detection is Detection.CRC7:
         # Divided by x^7, the seven zero bits behind any packet leave no remainder.
-        yield _Match(
-            f"With {case.text(key)} as {case.name(key)} the checksum of every packet is 0, so "
-            "CRC-7 finds no damage at all.",
-            (key, ParameterKey.UART_SETTINGS),
-            {key: case.default(key)},
-        )
+        fields = {"name": case.name(key), "value": case.text(key)}
+        yield _Match((key, ParameterKey.UART_SETTINGS), fields, {str(key): case.default(key)})
 
 
 def _half_rate(case: _Case) -> Iterator[_Match]:
     line = case.line
     if line is None or (real := case.real(line.baud)) == line.baud:
         return
-    honest: dict[str, int] = {}
-    if real in baud_rates():
-        honest[ParameterKey.UART_SETTINGS] = replace(line, baud=real).to_wire()
-    yield _Match(
-        f"A {case.board} set to {line.baud} baud really runs at {real} baud; this was mended in "
-        f"firmware {device_table().half_rate_fixed_in}. Programs have to use {real} baud.",
-        (ParameterKey.UART_SETTINGS,),
-        honest,
-    )
+    fields = {
+        "board": case.board,
+        "baud": str(line.baud),
+        "real": str(real),
+        "fixed_in": device_table().half_rate_fixed_in,
+    }
+    yield _line_match(fields, replace(line, baud=real) if real in baud_rates() else None)
 
 
 def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
@@ -355,15 +310,7 @@ def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
     best = slower[-1] if slower else known[0] if known else None
     if used is not None and used.baud in baud_rates() and case.real(used.baud) == used.baud:
         best = used.baud
-    change: dict[str, int] = {}
-    if best is not None:
-        change[ParameterKey.UART_SETTINGS] = replace(line, baud=best).to_wire()
-    yield _Match(
-        f"This computer's serial port cannot do {wanted} baud: after the next power cycle it "
-        "would not reach the board any more.",
-        (ParameterKey.UART_SETTINGS,),
-        change,
-    )
+    yield _line_match({"baud": str(wanted)}, None if best is None else replace(line, baud=best))
 
 
 def _line_will_change(case: _Case) -> Iterator[_Match]:
@@ -372,12 +319,12 @@ def _line_will_change(case: _Case) -> Iterator[_Match]:
         return
     real = replace(line, baud=case.real(line.baud))
     if real != used:
-        yield _Match(
-            f"After the next power cycle the board talks at {real.text()}; now it is "
-            f"{used.text()}. Programs that talk to it have to be changed then.",
-            (ParameterKey.UART_SETTINGS,),
-            {},
-        )
+        yield _line_match({"new": real.text(), "now": used.text()}, None)
+
+
+def _line_match(fields: Mapping[str, str], proposed: LineSettings | None) -> _Match:
+    key = ParameterKey.UART_SETTINGS
+    return _Match((key,), fields, {} if proposed is None else {str(key): proposed.to_wire()})
 
 
 RULES: Mapping[str, Callable[[_Case], Iterator[_Match]]] = {
@@ -395,4 +342,4 @@ RULES: Mapping[str, Callable[[_Case], Iterator[_Match]]] = {
     "rate_the_port_lacks": _rate_the_port_lacks,
     "line_will_change": _line_will_change,
 }
-"""What finds each oddity, by its key."""
+"""What applies each rule, by its key."""

@@ -213,11 +213,11 @@ def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
     stored = FACTORY | {"motor1_current_limit": 10, "motor1_current_limit_p": 0}
     draft.take_settings(Settings(SPECS.model, "1.2", stored))
     draft.parameters.set_both_motors(True)
-    adviser = SettingsLinter(draft)
-    advice = next(a for a in adviser.advice if "motor1_current_limit_p" in a.change)
+    linter = SettingsLinter(draft)
+    advice = next(a for a in linter.findings if "motor1_current_limit_p" in a.change)
     draft.parameters.edit("motor2_current_limit_p", 9, alone=True)
     steps = draft.undo.count()
-    adviser.accept(advice)
+    linter.accept(advice)
     assert draft.parameters.value_of("motor1_current_limit_p") == 5
     assert draft.parameters.value_of("motor2_current_limit_p") == 5
     assert draft.undo.count() == steps + 1

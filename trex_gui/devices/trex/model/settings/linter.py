@@ -1,18 +1,18 @@
-"""What is odd about the settings shown, taken together, and what would mend it."""
+"""The settings check, kept up to date with edits and with the connection."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.settings.rules import Context, LintFinding, advise
+from trex_gui.devices.trex.settings.rules import Context, LintFinding, lint
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 class SettingsLinter(QObject):
-    """Looks at stored values and edits after each change; takes nothing into its own hands.
+    """Applies the rules to stored values and edits after each change.
 
     Signals:
-        changed: `advice` is another.
+        changed: `findings`.
     """
 
     changed = Signal()
@@ -20,7 +20,7 @@ class SettingsLinter(QObject):
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._draft = draft
-        self._advice: tuple[LintFinding, ...] = ()
+        self._findings: tuple[LintFinding, ...] = ()
         self._context: Context | None = Context()
 
         draft.loaded.connect(self._on_changed)
@@ -28,36 +28,35 @@ class SettingsLinter(QObject):
         self._on_changed()
 
     @property
-    def advice(self) -> tuple[LintFinding, ...]:
-        """What is odd now."""
-        return self._advice
+    def findings(self) -> tuple[LintFinding, ...]:
+        return self._findings
 
     def set_context(self, context: Context | None) -> None:
-        """Say what is known beside the settings; `None`: nothing is to be said of them now."""
+        """Set the facts beside the settings; `None` switches the check off."""
         if context != self._context:
             self._context = context
             self._on_changed()
 
-    def accept(self, advice: LintFinding) -> None:
-        """Make the proposed values edits that wait for Apply; one step to undo."""
-        if advice.change:
-            with self._draft.one_edit(advice.proposal):
-                for key, wire in advice.change.items():
+    def accept(self, finding: LintFinding) -> None:
+        """Make the proposed change an edit; one step to undo."""
+        if finding.change:
+            with self._draft.one_edit(finding.proposal):
+                for key, wire in finding.change.items():
                     self._draft.parameters.edit(key, wire)
 
     @Slot()
     def _on_changed(self) -> None:
-        advice: tuple[LintFinding, ...] = ()
+        findings: tuple[LintFinding, ...] = ()
         shown = self._draft.shown
         if shown is not None and self._context is not None:
-            advice = advise(shown, self._context)
-        if advice != self._advice:
-            self._advice = advice
+            findings = lint(shown, self._context)
+        if findings != self._findings:
+            self._findings = findings
             self.changed.emit()
 
 
-class BoardAdviser(SettingsLinter):
-    """Knows of the line and of the motors; has nothing to say while no board answers."""
+class BoardLinter(SettingsLinter):
+    """Uses the line and the motors as context; reports nothing while no board is connected."""
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(device.draft, parent)

@@ -53,6 +53,7 @@ class HistoryDialog(QDialog):
         self._history = device.history
         self._table = SnapshotTable(device.history, self)
         self._store = QSettings(self)
+        self._bound_problem = ""
         self._later = runtime().timer(self)
         self._later.setSingleShot(True)
         self._later.setInterval(0)
@@ -167,8 +168,9 @@ class HistoryDialog(QDialog):
         self._bound.refresh()
         if self._bound.problem:
             self._banner.show_problem(self._bound.problem)
-        elif self._banner.text.startswith(str(self._history.folder)):
+        elif self._bound_problem and self._banner.text == self._bound_problem:
             self._banner.clear()
+        self._bound_problem = self._bound.problem
         self._renew()
 
     def event(self, event: QEvent) -> bool:

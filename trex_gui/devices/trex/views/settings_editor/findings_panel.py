@@ -1,4 +1,4 @@
-"""What is wrong with a settings file or odd about it, each with its line."""
+"""The findings about a settings file, each with its line."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -30,7 +30,7 @@ _COLOURS = {"error": "danger", "warning": "warning", "info": "info"}
 
 @dataclass(frozen=True, slots=True)
 class _Row:
-    """What one row says."""
+    """The content of one row."""
 
     sign: str
     kind: str
@@ -40,29 +40,29 @@ class _Row:
 
 
 def line_of_key(text: str, key: str) -> int | None:
-    """Return the line of a settings file in which a setting stands, counted from 1."""
+    """Return the line of a setting in a file, counted from 1."""
     found = re.search(rf"^\W*{re.escape(key)}\W*:", text, re.MULTILINE)
     return None if found is None else len(LINE_END.findall(text, 0, found.start())) + 1
 
 
 class FindingsPanel(QWidget):
-    """A table of findings and of advice; a double click asks for the line.
+    """A table of the findings of reader and linter; a double click requests the line.
 
     Signals:
-        line_chosen: the number of a line, from 1, that a person wants to see.
-        accepted: an `LintFinding` whose change a person wants.
+        line_chosen: the number of a line, from 1, to show.
+        accepted: a `LintFinding`; its change is to be made.
     """
 
     line_chosen = Signal(int)
     accepted = Signal(object)
 
     def __init__(self, parent: QWidget | None = None, *, with_lines: bool = True) -> None:
-        """List findings; `with_lines` says that somebody shows the lines that are asked for."""
+        """List findings; `with_lines`: a double click shows the line."""
         super().__init__(parent)
         self.setObjectName("findingsPanel")
         self._with_lines = with_lines
         self._findings: tuple[Finding, ...] = ()
-        self._advice: tuple[LintFinding, ...] = ()
+        self._lint_findings: tuple[LintFinding, ...] = ()
         self._text = ""
 
         self._summary = QLabel(self)
@@ -113,31 +113,34 @@ class FindingsPanel(QWidget):
     @property
     def count(self) -> int:
         """How many findings are listed."""
-        return len(self._findings) + len(self._advice)
+        return len(self._findings) + len(self._lint_findings)
 
     def show_findings(
         self,
         findings: Iterable[Finding],
-        advice: Iterable[LintFinding] = (),
+        lint_findings: Iterable[LintFinding] = (),
         *,
         text: str = "",
         summary: str = "",
     ) -> None:
-        """List what reading found, and what the rules say of settings that `text` gives.
+        """List the findings of the reader, and those of the linter about the settings in `text`.
 
-        A `summary` stands in place of the counts.
+        A `summary` replaces the counts.
         """
-        before = self._findings, self._advice, self._text if self._advice else ""
+        before = self._shown()
         self._findings = tuple(findings)
-        self._advice = tuple(advice)
+        self._lint_findings = tuple(lint_findings)
         self._text = text
         self._summary.setText(summary or self._count_text())
-        if before != (self._findings, self._advice, self._text if self._advice else ""):
+        if before != self._shown():
             self._fill()
+
+    def _shown(self) -> tuple[object, ...]:
+        return self._findings, self._lint_findings, self._text if self._lint_findings else ""
 
     def _count_text(self) -> str:
         if not self.count:
-            return self.tr("Nothing is wrong with this file, and nothing is odd about it.")
+            return self.tr("No errors, warnings or suggestions.")
         errors = sum(found.severity is Severity.ERROR for found in self._findings)
         warnings = len(self._findings) - errors
         parts = [
@@ -145,7 +148,7 @@ class FindingsPanel(QWidget):
             for count, one, many in (
                 (errors, self.tr("1 error"), self.tr("{0} errors")),
                 (warnings, self.tr("1 warning"), self.tr("{0} warnings")),
-                (len(self._advice), self.tr("1 piece of advice"), self.tr("{0} pieces of advice")),
+                (len(self._lint_findings), self.tr("1 suggestion"), self.tr("{0} suggestions")),
             )
             if count
         ]
@@ -153,7 +156,7 @@ class FindingsPanel(QWidget):
         if self._with_lines:
             words += " " + self.tr("A double click shows the line.")
         if errors:
-            words += " " + self.tr("With errors a file gives no settings.")
+            words += " " + self.tr("A file with errors cannot be used.")
         return words
 
     @Slot()
@@ -171,7 +174,7 @@ class FindingsPanel(QWidget):
                 if column == 0:
                     item.setIcon(icon(row.sign, _COLOURS[row.sign]))
                 self._table.setItem(number, column, item)
-        proposals = [n for n, found in enumerate(self._advice) if found.change]
+        proposals = [n for n, found in enumerate(self._lint_findings) if found.change]
         if current < 0 and proposals:
             current = len(self._findings) + proposals[0]
         self._table.setCurrentCell(min(current, self.count - 1), 0)
@@ -184,16 +187,16 @@ class FindingsPanel(QWidget):
             kind = self.tr("Error") if is_error else self.tr("Warning")
             sign = "error" if is_error else "warning"
             yield _Row(sign, kind, found.line, found.key or "", found.message)
-        for advice in self._advice:
-            lines = (line_of_key(self._text, key) for key in advice.keys)
+        for finding in self._lint_findings:
+            lines = (line_of_key(self._text, key) for key in finding.keys)
             line = next((line for line in lines if line is not None), None)
-            message = advice.message
-            if advice.change:
-                message += " " + self.tr("Proposal: {0}.").format(advice.proposal.rstrip("."))
-            yield _Row("info", self.tr("LintFinding"), line, ", ".join(advice.keys), message)
+            message = finding.message
+            if finding.change:
+                message += " " + self.tr("Proposal: {0}.").format(finding.proposal.rstrip("."))
+            yield _Row("info", self.tr("Suggestion"), line, ", ".join(finding.keys), message)
 
     def _fit(self) -> None:
-        """Give the words the room that the rest leaves, in as many lines as they need."""
+        """Wrap the messages in the width that the other columns leave."""
         header = self._table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         character = self.fontMetrics().averageCharWidth()
@@ -203,21 +206,21 @@ class FindingsPanel(QWidget):
             header.resizeSection(column, min(size, widest * character))
         self._fitting.start()
 
-    def _current_advice(self) -> LintFinding | None:
+    def _current_finding(self) -> LintFinding | None:
         row = self._table.currentRow() - len(self._findings)
-        return self._advice[row] if 0 <= row < len(self._advice) else None
+        return self._lint_findings[row] if 0 <= row < len(self._lint_findings) else None
 
     @Slot()
     def _on_current_changed(self) -> None:
-        advice = self._current_advice()
-        self._accept.setVisible(any(found.change for found in self._advice))
-        self._accept.setEnabled(advice is not None and bool(advice.change))
+        finding = self._current_finding()
+        self._accept.setVisible(any(found.change for found in self._lint_findings))
+        self._accept.setEnabled(finding is not None and bool(finding.change))
 
     @Slot()
     def _on_accept(self) -> None:
-        advice = self._current_advice()
-        if advice is not None:
-            self.accepted.emit(advice)
+        finding = self._current_finding()
+        if finding is not None:
+            self.accepted.emit(finding)
 
     @Slot(QTableWidgetItem)
     def _on_activated(self, item: QTableWidgetItem) -> None:

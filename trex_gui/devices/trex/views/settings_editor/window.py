@@ -56,11 +56,11 @@ class SettingsEditor(QMainWindow):
         self._document = document
         document.setParent(self)
         self._device = device
-        self._adviser = SettingsLinter(document.draft, self)
+        self._linter = SettingsLinter(document.draft, self)
         self._store = QSettings(self)
 
         self._banner = Banner(self)
-        self._parameters = ParameterTable(document.draft, self._adviser, self)
+        self._parameters = ParameterTable(document.draft, self._linter, self)
         self._calibrations = CalibrationEditor(document.draft, self)
         self._findings = FindingsPanel(self)
         self._text = TextPage(document, self)
@@ -93,7 +93,7 @@ class SettingsEditor(QMainWindow):
             self.resize(1000, 720)
 
         document.changed.connect(self._on_document_changed)
-        self._adviser.changed.connect(self._on_document_changed)
+        self._linter.changed.connect(self._on_document_changed)
         document.draft.undo.indexChanged.connect(self._on_actions_changed)
         self._text.editor.undoAvailable.connect(self._on_actions_changed)
         self._text.editor.redoAvailable.connect(self._on_actions_changed)
@@ -182,7 +182,7 @@ class SettingsEditor(QMainWindow):
         if settings is None:
             return None
         remarks = [str(found) for found in self._document.findings]
-        remarks += [advice.message for advice in self._adviser.advice]
+        remarks += [found.message for found in self._linter.findings]
         return PrintedSettings(settings, self._document.name, remarks)
 
     def preview(self) -> QDialog | None:
@@ -282,8 +282,8 @@ class SettingsEditor(QMainWindow):
         document = self._document
         self.setWindowTitle(self.tr("{0}[*] – TReX settings file").format(document.name))
         self.setWindowModified(document.modified)
-        advice = self._adviser.advice if document.readable else ()
-        self._findings.show_findings(document.findings, advice, text=document.text)
+        findings = self._linter.findings if document.readable else ()
+        self._findings.show_findings(document.findings, findings, text=document.text)
         count = self._findings.count
         title = self.tr("Findings ({0})").format(count) if count else self.tr("Findings")
         self._tabs.setTabText(self._findings_index, title)
@@ -325,8 +325,8 @@ class SettingsEditor(QMainWindow):
         self._text.show_line(line)
 
     @Slot(object)
-    def _on_accepted(self, advice: LintFinding) -> None:
-        self._adviser.accept(advice)
+    def _on_accepted(self, finding: LintFinding) -> None:
+        self._linter.accept(finding)
 
     # --- The end ------------------------------------------------------------------------
 

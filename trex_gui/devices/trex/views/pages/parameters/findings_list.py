@@ -14,19 +14,19 @@ _ICON = 16
 
 
 class FindingsList(QWidget):
-    """The first findings below each other; not there while nothing is odd."""
+    """The first findings, one below the other; hidden without any."""
 
-    def __init__(self, adviser: SettingsLinter, parent: QWidget | None = None) -> None:
+    def __init__(self, linter: SettingsLinter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("adviceList")
         self.setAccessibleName(self.tr("Findings about the settings"))
-        self._adviser = adviser
+        self._linter = linter
         self._rows: list[QWidget] = []
 
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(0, 0, 0, 0)
 
-        adviser.changed.connect(self._on_changed)
+        linter.changed.connect(self._on_changed)
         theme().changed.connect(self._on_changed)
         self._on_changed()
 
@@ -36,23 +36,23 @@ class FindingsList(QWidget):
             self._layout.removeWidget(row)
             row.setParent(None)
             row.deleteLater()  # later: the click that brought us here may be one of its own
-        advice = self._adviser.advice
-        self._rows = [self._row(index) for index in range(min(_SHOWN, len(advice)))]
-        if len(advice) > _SHOWN:
-            more = QLabel(self.tr("… and {0} more").format(len(advice) - _SHOWN), self)
+        findings = self._linter.findings
+        self._rows = [self._row(index) for index in range(min(_SHOWN, len(findings)))]
+        if len(findings) > _SHOWN:
+            more = QLabel(self.tr("… and {0} more").format(len(findings) - _SHOWN), self)
             self._rows.append(more)
         for row in self._rows:
             self._layout.addWidget(row)
         self.setVisible(bool(self._rows))
 
     def _row(self, index: int) -> QWidget:
-        advice = self._adviser.advice[index]
+        finding = self._linter.findings[index]
         row = QWidget(self)
         sign = QLabel(row)
         sign.setPixmap(icon("warning").pixmap(_ICON, _ICON))
-        text = QLabel(advice.message, row)
+        text = QLabel(finding.message, row)
         text.setObjectName(f"advice{index}")
-        text.setToolTip(advice.message)
+        text.setToolTip(finding.message)
         text.setWordWrap(True)
         text.setMinimumHeight(2 * text.fontMetrics().lineSpacing() + 4)
         text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
@@ -60,10 +60,10 @@ class FindingsList(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(sign)
         layout.addWidget(text, 1)
-        if advice.change:
-            accept = QPushButton(advice.proposal, row)
+        if finding.change:
+            accept = QPushButton(finding.proposal, row)
             accept.setObjectName(f"acceptAdvice{index}")
             accept.setToolTip(self.tr("Make this an edit; nothing is written before Apply"))
-            accept.clicked.connect(partial(self._adviser.accept, advice))
+            accept.clicked.connect(partial(self._linter.accept, finding))
             layout.addWidget(accept)
         return row

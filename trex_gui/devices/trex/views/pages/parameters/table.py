@@ -30,7 +30,7 @@ class ParameterTable(QWidget):
     refused = Signal(str)
 
     def __init__(
-        self, draft: SettingsDraft, adviser: SettingsLinter, parent: QWidget | None = None
+        self, draft: SettingsDraft, linter: SettingsLinter, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._model = draft.parameters
@@ -45,7 +45,7 @@ class ParameterTable(QWidget):
         self._nothing = _Nothing(self._view.viewport())
         below = QWidget(self)
         below.setObjectName("aboutParameters")
-        self._advice = FindingsList(adviser, below)
+        self._findings = FindingsList(linter, below)
         self._help = ParameterHelp(self._model.text, below)
         box = ScrollBox(below, self)
         box.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
@@ -53,7 +53,7 @@ class ParameterTable(QWidget):
 
         texts = QVBoxLayout(below)
         texts.setContentsMargins(0, 0, 0, 0)
-        texts.addWidget(self._advice)
+        texts.addWidget(self._findings)
         texts.addWidget(self._help)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
