@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QListView, QTableView
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.ui.devices.event_log import EventKind
+from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.plotting.panel import TracePanel
 
 

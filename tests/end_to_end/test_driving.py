@@ -20,7 +20,7 @@ from tests.devices.trex.session.helpers import moving
 from tests.support.pages.motors import BRAKE, FULL, Gesture, MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.driving.motors import remembered_lockout
+from trex_gui.devices.trex.model.motors import remembered_lockout
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     Drive,

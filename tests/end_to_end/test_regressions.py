@@ -17,7 +17,7 @@ from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import write_parameter
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.calibration import Calibration

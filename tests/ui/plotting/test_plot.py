@@ -21,7 +21,7 @@ from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
-from trex_gui.ui.devices.event_log import Event, EventKind
+from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
 from trex_gui.ui.plotting.panel import TracePanel

@@ -15,7 +15,7 @@ from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import HeaderT, Marker, RecordT, Value
 from trex_gui.core.recording.replay import Replay, StateT
 from trex_gui.core.recording.store import Recording
-from trex_gui.ui.devices.event_log import Event, EventKind
+from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.playback.cursor import PlaybackCursor
 from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces

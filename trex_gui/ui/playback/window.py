@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
-from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.player import RecordingPlayer

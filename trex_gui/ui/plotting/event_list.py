@@ -4,7 +4,7 @@ from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtGui import QIcon, QPainter, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
-from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.event_log import Event
 from trex_gui.ui.plotting.marks import EVENT_COLORS
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.theme.theme import theme

@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QSize, Qt, Signal, 
 from PySide6.QtGui import QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 
-from trex_gui.ui.devices.event_log import Event, EventKind
+from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.plotting.axes import clock_text, spread
 from trex_gui.ui.plotting.data.history import Statistics
 from trex_gui.ui.plotting.data.traces import TraceInfo, Traces

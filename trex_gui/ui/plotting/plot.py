@@ -12,7 +12,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.event_log import Event
 from trex_gui.ui.plotting.axes import Span, ValueAxis, ago_labels, clock_text, since_labels
 from trex_gui.ui.plotting.canvas import Curve, Line, PlotCanvas
 from trex_gui.ui.plotting.data.history import Points

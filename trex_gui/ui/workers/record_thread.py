@@ -12,7 +12,7 @@ from trex_gui.core.recording.backlog import Backlog
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.recording.kinds import HeaderT, Marker, RecordingFormat, RecordT, marker
 from trex_gui.core.recording.store import RecordingWriter
-from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.event_log import Event
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers import orphaned_threads
 from trex_gui.ui.workers.thread import WorkerThread

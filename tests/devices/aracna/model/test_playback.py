@@ -27,7 +27,7 @@ from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.units import degrees
 from trex_gui.devices.aracna.recording import Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, Restarted, Stuck
-from trex_gui.ui.devices.event_log import EventKind
+from trex_gui.ui.event_log import EventKind
 
 PATIENCE = 20_000
 

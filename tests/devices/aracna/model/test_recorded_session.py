@@ -29,7 +29,7 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.event_log import EventKind
+from trex_gui.ui.event_log import EventKind
 
 PATIENCE = 15_000
 RECORDED = (

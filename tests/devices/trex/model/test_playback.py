@@ -31,7 +31,7 @@ from trex_gui.devices.trex.recording import (
     SetpointRecord,
     SettingsSnapshot,
 )
-from trex_gui.ui.devices.event_log import EventKind
+from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.file_worker import FileWorker
 

@@ -15,7 +15,7 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
     Sample,
 )
-from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.telemetry import Series, Telemetry
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.session.messages import Batch

@@ -6,10 +6,10 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver
+from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
 from trex_gui.devices.trex.model.parameters.parameters import Column, Role
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.model.settings.linter import SettingsLinter
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable

@@ -4,7 +4,7 @@ from PySide6.QtCore import QCoreApplication
 
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.event_log import EventKind
+from trex_gui.ui.event_log import EventKind
 
 
 def tr(text: str) -> str:

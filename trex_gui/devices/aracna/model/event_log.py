@@ -13,7 +13,7 @@ from trex_gui.devices.aracna.session.messages import (
     SpeedsHeld,
     Stuck,
 )
-from trex_gui.ui.devices.event_log import EventKind, EventLog
+from trex_gui.ui.event_log import EventKind, EventLog
 
 
 def tr(text: str) -> str:

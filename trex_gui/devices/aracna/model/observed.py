@@ -24,7 +24,7 @@ from trex_gui.devices.aracna.session.messages import (
     SetLimits,
 )
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.event_log import EventKind, EventLog
+from trex_gui.ui.event_log import EventKind, EventLog
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
 from trex_gui.ui.traffic.model import TrafficModel

@@ -22,7 +22,7 @@ from trex_gui.devices.aracna.session.messages import (
     PlayEnded,
     StepBegun,
 )
-from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.event_log import Event
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import TraceInfo, Traces

@@ -12,7 +12,7 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.recording import FORMAT, Header, Record, Report, StoppedResponding
 from trex_gui.devices.aracna.session.messages import NotResponding, Passed, SpeedsHeld
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.event_log import EventKind
+from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
 

@@ -10,7 +10,7 @@ from trex_gui.devices.aracna.model.observed import ObservedRobot
 from trex_gui.devices.aracna.model.robot_state import PlayState
 from trex_gui.devices.aracna.session.messages import Drag, EndPlay, Halt, Move, Play, SetTimeScale
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.event_log import EventKind
+from trex_gui.ui.event_log import EventKind
 
 
 class Robot(ObservedRobot):

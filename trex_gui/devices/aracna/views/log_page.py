@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.event_log import Event, EventKind
+from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets.behaviour import only_when_visible

@@ -15,15 +15,15 @@ from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.discovery.reconnect_candidates import reconnect_candidates
 from trex_gui.devices.trex.model.board_state import in_force
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.model.driving.drive_controller import (
+from trex_gui.devices.trex.model.drive_controller import (
     SHUTDOWN,
     AfterStop,
     DriveController,
     why_the_board_stopped,
 )
-from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.model.errors import ErrorLog
 from trex_gui.devices.trex.model.event_watch import EventWatch
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.parameters.parameters import Column
 from trex_gui.devices.trex.model.settings.apply import Apply
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
@@ -46,7 +46,7 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.event_log import EventLog
+from trex_gui.ui.event_log import EventLog
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.traffic.model import TrafficModel
 

@@ -6,10 +6,10 @@ from trex_gui.core.session.messages import Closed
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
 from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason
-from trex_gui.ui.devices.event_log import EventKind, EventLog
+from trex_gui.ui.event_log import EventKind, EventLog
 
 GOES_ON = 1.0
 """Seconds within which a bit that is seen again is the same event going on.

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter
 from trex_gui.devices.trex.recording import FORMAT, BoardSnapshot, Header, Record
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.event_log import Event
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.data.history import MAX_GAP, SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces

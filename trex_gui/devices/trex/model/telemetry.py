@@ -13,7 +13,7 @@ from trex_gui.devices.trex.client.telemetry import (
     Raw,
     Remapped,
 )
-from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.plotting.data.history import SampleHistory

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from operator import attrgetter
 
-from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.event_log import Event
 from trex_gui.ui.plotting.data.history import Points, SampleHistory, Statistics
 from trex_gui.ui.plotting.data.pyramid import Floats
 

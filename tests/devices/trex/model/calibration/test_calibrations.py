@@ -5,7 +5,7 @@ from PySide6.QtGui import QUndoStack
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.model.calibration.calibrations import Calibrations
+from trex_gui.devices.trex.model.settings.calibrations import Calibrations
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     Calibration,

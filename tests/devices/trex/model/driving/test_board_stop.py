@@ -6,7 +6,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.program import trex
 from tests.support.simulator import StartSimulator
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.model.driving.drive_controller import why_the_board_stopped
+from trex_gui.devices.trex.model.drive_controller import why_the_board_stopped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.ui.devices.connection_state import ConnectionState

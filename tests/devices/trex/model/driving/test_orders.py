@@ -15,8 +15,8 @@ from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.drive_controller import DriveController
-from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.drive_controller import DriveController
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.ui.devices.connection_state import ConnectionState

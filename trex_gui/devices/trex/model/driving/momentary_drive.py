@@ -4,7 +4,7 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QObject
 
-from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
 

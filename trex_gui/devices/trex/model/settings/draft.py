@@ -7,8 +7,8 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.model.calibration.calibrations import Calibrations
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
+from trex_gui.devices.trex.model.settings.calibrations import Calibrations
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource

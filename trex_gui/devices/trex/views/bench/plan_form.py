@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QSpinBox, QWidget
 
 from trex_gui.devices.trex.bench.profile import LONGEST, SHORTEST, Plan, Profile, Shape
 from trex_gui.devices.trex.model.bench import Bench
-from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.widgets.builders import (
     check_box,

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.trex.model.driving.momentary_drive import Heading, HeldKeys, MomentaryDrive
-from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.views.driving.press_monitor import PressMonitor
 
 _HEADINGS: dict[int, Heading] = {

@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
+from trex_gui.devices.trex.model.power_cycle import PowerCycle
 from trex_gui.devices.trex.views.review.power_cycle_panel import PowerCyclePanel
 
 

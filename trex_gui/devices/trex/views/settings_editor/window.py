@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMainWindow, QTabWidget, QVB
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.files.text_files import load
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.devices.trex.model.settings.linter import SettingsLinter
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.rules import LintFinding

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.driving.motors import LONGEST, Motors, remember_lockout
+from trex_gui.devices.trex.model.motors import LONGEST, Motors, remember_lockout
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedEntry
 from trex_gui.ui.widgets import builders as ui

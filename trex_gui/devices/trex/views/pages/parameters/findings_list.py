@@ -5,7 +5,7 @@ from functools import partial
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.settings.linter import SettingsLinter
+from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 

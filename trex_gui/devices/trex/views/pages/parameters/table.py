@@ -3,10 +3,10 @@
 from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
 from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
+from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
 from trex_gui.devices.trex.model.parameters.parameters import Column, Role
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.model.settings.linter import SettingsLinter
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilters
 from trex_gui.devices.trex.views.pages.parameters.findings_list import FindingsList

@@ -8,11 +8,11 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.model.event_watch import EventWatch
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
-from trex_gui.ui.devices.event_log import MOST_EVENTS, EventKind, EventLog
+from trex_gui.ui.event_log import MOST_EVENTS, EventKind, EventLog
 
 
 class EventSetup:

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
 )
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import describe
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
