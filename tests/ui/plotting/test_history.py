@@ -112,8 +112,8 @@ def test_statistics_equal_a_plain_sum_of_samples(
     found = history.statistics(0, start, end)
     inside = (times >= start) & (times <= end)
     expected = plainly(times[inside], value[inside])
-    told = [found.seconds, found.integral, found.mean, found.rms, found.low, found.high]
-    assert told == pytest.approx(expected, rel=1e-9, abs=1e-9, nan_ok=True)
+    figures = [found.seconds, found.integral, found.mean, found.rms, found.low, found.high]
+    assert figures == pytest.approx(expected, rel=1e-9, abs=1e-9, nan_ok=True)
 
 
 def plainly(times: Floats, values: Floats) -> list[float]:

@@ -33,7 +33,7 @@ RATE = 80
 INFOS = [
     TraceInfo("motor1", "Motor 1", "A", "motor1", "1"),
     TraceInfo("motor2", "Motor 2", "A", "motor2", "2"),
-    TraceInfo("wish1", "Speed 1 wished", "", "good", "S1", shown=False),
+    TraceInfo("setpoint1", "Speed setpoint 1", "", "good", "S1", shown=False),
 ]
 
 
@@ -184,7 +184,7 @@ def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: 
     index = view.model().index(2, TraceColumn.CURVE)
     checked = Qt.ItemDataRole.CheckStateRole
     assert view.model().setData(index, Qt.CheckState.Checked, checked)
-    assert "wish1" in plot.shown
+    assert "setpoint1" in plot.shown
     assert count(plot, "good") > 50  # dotted
     axis = plot._canvas._axes["right"]
     assert axis.isVisible()
@@ -340,7 +340,7 @@ def test_table_shows_mean_rms_and_charge_of_the_shown_span(
     plot.show_span(10, 28)
     assert panel.cell("motor2", TraceColumn.CHARGE) == "15.00 mAh"
     assert panel.cell("motor1", TraceColumn.CHARGE) == "5.00 mAh"
-    assert panel.cell("wish1", TraceColumn.MEAN) == ""  # it is not shown
+    assert panel.cell("setpoint1", TraceColumn.MEAN) == ""  # it is not shown
 
 
 def test_cursor_shows_values_and_difference_from_the_mark(
@@ -457,7 +457,7 @@ def test_shown_span_is_exported_with_units_and_events(
     assert "801 samples" in str(reported.args)
     with (tmp_path / "shown.csv").open(newline="") as file:
         rows = list(csv.reader(file))
-    assert rows[0] == ["time (s)", "motor1 (A)", "motor2 (A)", "wish1", "event"]
+    assert rows[0] == ["time (s)", "motor1 (A)", "motor2 (A)", "setpoint1", "event"]
     assert rows[1] == ["10.0000", "1", "3", "-100", ""]
     assert len(rows) == 802
     assert [row[0] for row in rows if row[-1]] == ["time (s)", "12.0000"]

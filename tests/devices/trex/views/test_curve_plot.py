@@ -85,18 +85,18 @@ def driver(plot: CurvePlot, qtbot: QtBot) -> CurvePlotDriver:
 def test_dragged_handle_changes_its_value_once_on_release(
     plot: CurvePlot, driver: CurvePlotDriver, handle: Handle, field: str, target: int, expected: int
 ) -> None:
-    wished: list[Calibration] = []
+    edited: list[Calibration] = []
     previewed: list[Calibration] = []
-    plot.edited.connect(wished.append)
+    plot.edited.connect(edited.append)
     plot.previewed.connect(previewed.append)
     driver.drag_handle(handle, target)
-    assert len(wished) == 1
+    assert len(edited) == 1
     assert len(previewed) == 3
-    assert wished[0] == previewed[-1]
+    assert edited[0] == previewed[-1]
     pixel = 3700 / driver.viewport.width()
-    assert abs(getattr(wished[0], field) - expected) <= pixel
-    unchanged = replace(USUAL.calibration, **{field: getattr(wished[0], field)})
-    assert wished[0] == unchanged
+    assert abs(getattr(edited[0], field) - expected) <= pixel
+    unchanged = replace(USUAL.calibration, **{field: getattr(edited[0], field)})
+    assert edited[0] == unchanged
 
 
 def test_curve_follows_a_held_handle(plot: CurvePlot, driver: CurvePlotDriver) -> None:
@@ -115,15 +115,15 @@ def test_handle_blocked_by_another_shows_the_reason(
 ) -> None:
     start = driver.place(Handle.MINIMUM)
     beyond = QPoint(round(plot.x_of(4200)), start.y())
-    wished: list[Calibration] = []
-    plot.edited.connect(wished.append)
+    edited: list[Calibration] = []
+    plot.edited.connect(edited.append)
     driver.press(start)
     driver.move(beyond)
     assert plot.message == "Minimum cannot pass neutral."
     plot.grab()
     driver.release(beyond)
     assert plot.message == ""
-    assert wished == [Calibration(3750, 3750, 5000, 75)]
+    assert edited == [Calibration(3750, 3750, 5000, 75)]
 
 
 def test_handle_back_at_its_start_changes_nothing(
@@ -163,7 +163,7 @@ def test_axis_follows_a_handle_up_to_the_input_limits(
         shown = round(plot.x_of(handle.count(plot.curve.calibration)))
         assert 0 < shown < driver.viewport.width(), "the handle can be seen"
         driver.release(end)
-        assert plot.axis == (2000, 5500), "nobody took the wish"
+        assert plot.axis == (2000, 5500), "the edit was not applied"
 
 
 def test_handle_at_the_axis_end_moves_in_small_steps(
@@ -256,14 +256,14 @@ def test_nearby_handles_are_distinguished_by_height(
 ) -> None:
     narrow = ChannelCurve(Calibration(2500, 3750, 5000, 5))
     plot.show_channel(1, InputSource.RC, narrow, narrow, editable=True)
-    wished: list[Calibration] = []
-    plot.edited.connect(wished.append)
+    edited: list[Calibration] = []
+    plot.edited.connect(edited.append)
     driver.drag_handle(Handle.NEUTRAL, 3500)
     driver.drag_handle(Handle.DEADBAND_HIGH, 4000)
-    assert wished[0].neutral < 3600
-    assert wished[0].deadband == 5
-    assert wished[1].neutral == 3750
-    assert wished[1].deadband > 200
+    assert edited[0].neutral < 3600
+    assert edited[0].deadband == 5
+    assert edited[1].neutral == 3750
+    assert edited[1].deadband > 200
 
 
 def test_mouse_cursor_shows_draggable_handles(driver: CurvePlotDriver) -> None:

@@ -1,26 +1,27 @@
-"""Both motors' currents against time, with what was wished and what happened."""
+"""Currents of both motors against time, with setpoints, channels and events."""
 
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.traces import LiveTraces
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
+from trex_gui.ui.widgets.builders import column
 
 if TYPE_CHECKING:
     from trex_gui.ui.plotting.panel import TracePanel
 
 _FRAME_MS = 33
-_AFTERWARDS = 30
-"""Frames that are drawn after the last news."""
+_TRAILING_FRAMES = 30
+"""Frames drawn after the last new sample or event, so that the figures are up to date."""
 
 
 class CurrentsPage(QWidget):
-    """A live plot; the plotting library is imported when the page is first shown."""
+    """A live plot; pyqtgraph is imported when the page is first shown."""
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -34,20 +35,17 @@ class CurrentsPage(QWidget):
         self._timer = runtime().timer(self)
         self._timer.setInterval(_FRAME_MS)
 
-        self._layout = QVBoxLayout(self)
-
         self._timer.timeout.connect(self._on_frame)
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
 
     def _make_panel(self) -> "TracePanel":
-        """Load the plotting library when the page is first seen: it takes as long as Qt."""
-        from trex_gui.ui.plotting.panel import TracePanel  # noqa: PLC0415
+        from trex_gui.ui.plotting.panel import TracePanel  # noqa: PLC0415 - takes as long as Qt
 
         panel = TracePanel(parent=self)
         panel.plot.setObjectName("currentsPlot")
         panel.set_source(self._live.traces)
-        self._layout.addWidget(panel)
+        column(panel, into=self)
         return panel
 
     @Slot()
@@ -65,10 +63,10 @@ class CurrentsPage(QWidget):
         elif self._device.is_joint:
             note = empty = self.tr("Joint mode: the board does not sense currents.")
         else:
-            empty = self.tr("No current was read yet.")
+            empty = self.tr("No current has been read yet.")
             step = state.signature.model.current_unit * 1000
             note = self.tr("One count of this board is {0:.0f} mA.").format(step)
-        # What an export has said stays until there is something else to say.
+        # The result of an export remains until the note changes.
         if note != self._note:
             self._note = note
             self._panel.set_note(note)
@@ -77,11 +75,10 @@ class CurrentsPage(QWidget):
 
     @Slot()
     def _on_frame(self) -> None:
-        """Draw while there is news, and so long after it that the figures are of it too."""
         now = self._device.telemetry.samples, len(self._device.events.all)
         self._idle = 0 if now != self._drawn else self._idle + 1
         self._drawn = now
-        if self._panel is not None and self._idle < _AFTERWARDS:
+        if self._panel is not None and self._idle < _TRAILING_FRAMES:
             self._panel.frame()
 
     def showEvent(self, event: QShowEvent) -> None:
