@@ -98,7 +98,7 @@ def test_slider_entry_and_brake_button_drive_their_motor(armed: MotorsPage) -> N
     armed.type_into("brakeEntry", "0")
     armed.click("motor1Brake")
     armed.wait_for_targets(("brake", 0), None)
-    assert armed.text("motor1Asked") == "Asked: coast"
+    assert armed.text("motor1Asked") == "Setpoint: coast"
 
 
 def test_number_typed_without_enter_is_discarded(armed: MotorsPage) -> None:

@@ -96,7 +96,7 @@ def test_motors_stop_when_gamepad_control_ends(page: GamepadPage) -> None:
     page.drive()
     page.gamepad.unplug()
     page.wait_for_motors("brake")
-    page.panel.wait_for_state("has gone")
+    page.panel.wait_for_state("was disconnected")
     assert not page.is_armed(), "unplugged"
 
     page.plug_in()

@@ -147,7 +147,7 @@ def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: AskingWind
 def test_reload_and_close_with_edits_show_a_prompt(asking: AskingWindow) -> None:
     asking.edit()
     asking.trigger("reload")
-    assert "forget the edits" in asking.question.text
+    assert "discard the edits" in asking.question.text
     assert not asking.question.isWindow()
     asking.check_that_stop_works()
     asking.click("questionCancel")
@@ -164,7 +164,7 @@ def test_reload_and_close_with_edits_show_a_prompt(asking: AskingWindow) -> None
 
     asking.edit()
     assert not asking.window.close()
-    assert "not applied" in asking.question.text
+    assert "unapplied changes" in asking.question.text
     asking.check_that_stop_works()
     asking.click("questionCancel")
     assert asking.is_shown()
@@ -230,7 +230,7 @@ def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
 
     asking.begin_to_write()
     assert not asking.window.close()
-    assert "Settings are being written. Close all the same?" in asking.question.text
+    assert "Settings are still being written. Close anyway?" in asking.question.text
     assert asking.is_shown()
     asking.may_store = True  # closing waits for what is being stored
     asking.click("closeYes")

@@ -104,8 +104,8 @@ def test_review_reports_stored_and_failed_settings(
     review.open()
     review.click("writeButton")
     review.root.close()
-    assert "stored and read back" not in window.text("bannerText")
-    window.wait_for_text("bannerText", "stored and read back")
+    assert "written and verified" not in window.text("bannerText")
+    window.wait_for_text("bannerText", "written and verified")
 
     edit(window, serial_timeout=15, motor1_acceleration=5)
     simulator.do("jumper mode rc")
@@ -331,7 +331,7 @@ def test_pending_edits_survive_a_disconnect(
     window.disconnect()
     assert window.action("save").isEnabled()
     window.connect(simulator.url)
-    window.wait_for_text("bannerText", "Edits made before wait here: 1")
+    window.wait_for_text("bannerText", "1 earlier changes are still pending")
 
     junior = start_simulator("--unpaced", "--model", "trexjr")
     device.connect_to(ConnectionSettings(junior.url))

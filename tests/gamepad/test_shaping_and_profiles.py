@@ -81,9 +81,9 @@ def test_arbitrary_text_is_rejected_as_profile(text: str) -> None:
     ['"dead_zone": 0.9', '"dead_zone": NaN', '"expo": -1', '"hold": true', '"hold": -2',
      '"first": [1]', '"first": [true, false]', '"style": "crab"'],
 )  # fmt: skip
-def test_profile_with_one_invalid_value_is_rejected(spoilt: str) -> None:
+def test_profile_with_one_invalid_value_is_rejected(corrupted: str) -> None:
     good = GamepadProfile().to_text()
-    assert read_profile(good[:-1] + f", {spoilt}" + "}") is None  # the later of two counts
+    assert read_profile(good[:-1] + f", {corrupted}" + "}") is None  # the later of two counts
 
 
 def test_default_profile_uses_left_stick_and_left_shoulder() -> None:

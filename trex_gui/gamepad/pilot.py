@@ -63,7 +63,10 @@ class Pilot:
             if is_at_rest(state.axis(axis.number), profile.dead_zone):
                 self._rested.add(axis.number)
         self._released = self._released or not state.pressed(profile.hold)
-        first, second = self._wish(profile.first, state), self._wish(profile.second, state)
+        first, second = (
+            self._axis_value(profile.first, state),
+            self._axis_value(profile.second, state),
+        )
         stop_is_down = state.pressed(profile.stop)
         stop = stop_is_down and not self._stop_was_down
         self._stop_was_down = stop_is_down
@@ -72,11 +75,11 @@ class Pilot:
             return PilotRequest((first + second) / 2, (first - second) / 2, waits, stop)
         return PilotRequest(first, second, waits, stop)
 
-    def _wish(self, axis: Axis, state: PadState) -> float:
+    def _axis_value(self, axis: Axis, state: PadState) -> float:
         if axis.number not in self._rested:
             return 0.0
-        wish = shape(state.axis(axis.number), self._profile.dead_zone, self._profile.expo)
-        return -wish if axis.inverted and wish else wish
+        value = shape(state.axis(axis.number), self._profile.dead_zone, self._profile.expo)
+        return -value if axis.inverted and value else value
 
     def _waits(self, state: PadState, *, moved: bool) -> Waits:
         if not {self._profile.first.number, self._profile.second.number} <= self._rested:

@@ -46,7 +46,7 @@ def test_captured_pose_is_appended(library: Library, qtbot: QtBot) -> None:
 def test_unknown_position_cannot_be_captured(library: Library, lacking: int | None) -> None:
     with pytest.raises(BadRequest, match="motor 2"):
         library.capture((1, 2, lacking, 4, 5, 6, 7, 8))
-    with pytest.raises(BadRequest, match="not known"):
+    with pytest.raises(BadRequest, match="unknown"):
         library.capture((None,) * 8)
     assert not library.modified
 

@@ -14,6 +14,7 @@ from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.samples import Sample
 from trex_gui.devices.trex.calibration.travel import TASKS, Task, Travel, TravelWatch, Way
+from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 unhurried = settings(deadline=None)
@@ -114,7 +115,9 @@ def test_ends_only_passed_are_reported_and_block_proposal(rate: float) -> None:
     assert not travel.is_enough
     proposal = proposal_of(stick, travel)
     assert [problem.kind for problem in proposal.problems] == [ProblemKind.NOT_HELD]
-    assert "Both ends were only passed, so they may lie further out" in proposal.problems[0].text
+    assert "Both ends were only passed, so they may lie further out" in problem_text(
+        proposal.problems[0]
+    )
     assert proposal.calibration is None
 
 
@@ -122,7 +125,7 @@ def test_single_end_only_passed_is_named() -> None:
     moves = (*push(1.0, 0.2, 1.2, 0.4), (0.5, -0.8), (0.5, 0.0))
     (problem,) = travel_of(Stick(), moves, 8.0).problems
     assert problem.kind is ProblemKind.NOT_HELD
-    assert problem.text.startswith("The end below was only passed, so it may")
+    assert problem_text(problem).startswith("The end below was only passed, so it may")
 
 
 def test_pause_short_of_end_is_discarded_after_further_travel() -> None:
@@ -183,15 +186,15 @@ def test_still_analog_input_is_reported_as_maybe_unconnected(volts: float, words
     stick = Stick(rest=volts, source=InputSource.ANALOG)
     (problem,) = travel_of(stick, ((2.0, 0.0),), 50.0).problems
     assert problem.kind is ProblemKind.NEVER_MOVED
-    assert words in problem.text
-    assert "Either nothing is connected to it" in problem.text
-    assert "was not moved" in problem.text
+    assert words in problem_text(problem)
+    assert "Either nothing is connected to it" in problem_text(problem)
+    assert "was not moved" in problem_text(problem)
 
 
 def test_noisy_analog_input_is_reported_as_maybe_unconnected() -> None:
     found = neutral_of(Stick(rest=2.0, noise=0.4, source=InputSource.ANALOG))
     (problem,) = found.problems
     assert problem.kind is ProblemKind.NOISE
-    assert "An input to which nothing is connected does that, too." in problem.text
+    assert "An input to which nothing is connected does that, too." in problem_text(problem)
     (problem,) = neutral_of(Stick(noise=60)).problems
-    assert "nothing is connected" not in problem.text
+    assert "nothing is connected" not in problem_text(problem)

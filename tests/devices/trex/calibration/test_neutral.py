@@ -9,6 +9,7 @@ from tests.support.transmitter import Stick
 from trex_gui.devices.trex.calibration.neutral import deadband_floor, measure_neutral
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.samples import LIMITS, Sample
+from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 unhurried = settings(deadline=None)
@@ -77,7 +78,7 @@ def test_twitch_is_reported_as_movement(twitch: float, noise: float, seed: int) 
 def test_drift_is_reported_as_movement_with_direction(drift: float, seed: int) -> None:
     (problem,) = neutral_of(Stick(drift=drift, noise=0.5), seed).problems
     assert problem.kind is ProblemKind.MOVED
-    assert f"It drifted {'up' if drift > 0 else 'down'} by" in problem.text
+    assert f"It drifted {'up' if drift > 0 else 'down'} by" in problem_text(problem)
 
 
 @pytest.mark.parametrize("source", InputSource)
@@ -98,7 +99,7 @@ def problems_of(counts: list[int]) -> list[tuple[ProblemKind, str]]:
     """Measure an RC input at rest that gives these counts, 50 a second."""
     found = measure_neutral([Sample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC)
     assert found is not None
-    return [(problem.kind, problem.text) for problem in found.problems]
+    return [(problem.kind, problem_text(problem)) for problem in found.problems]
 
 
 def test_twitch_is_reported_only_beyond_ten_microseconds() -> None:
@@ -112,7 +113,7 @@ def test_twitch_is_reported_only_beyond_ten_microseconds() -> None:
 def test_missing_signal_is_reported_with_remedy() -> None:
     (problem,) = neutral_of(Stick(connected=False)).problems
     assert problem.kind is ProblemKind.NO_SIGNAL
-    assert "Is the transmitter on" in problem.text
+    assert "Is the transmitter on" in problem_text(problem)
 
 
 @pytest.mark.parametrize("lost", [0.7, 0.75])
@@ -138,7 +139,7 @@ def test_lost_pulses_are_reported_from_about_one_third() -> None:
 def test_reported_share_of_lost_pulses_is_roughly_right() -> None:
     found = neutral_of(Stick(lost=0.45, noise=2))
     (problem,) = found.problems
-    share = int(problem.text.removeprefix("About ").split("%")[0].strip())
+    share = int(problem_text(problem).removeprefix("About ").split("%")[0].strip())
     assert 30 <= share <= 60
     assert not problem.fatal
 
@@ -148,7 +149,9 @@ def test_frequent_outliers_are_reported_as_jitter() -> None:
     found = measure_neutral(samples, InputSource.RC)
     assert found is not None
     assert [problem.kind for problem in found.problems] == [ProblemKind.JITTER]
-    assert "9 of 80" in found.problems[0].text or "8 of 80" in found.problems[0].text
+    assert "9 of 80" in problem_text(found.problems[0]) or "8 of 80" in problem_text(
+        found.problems[0]
+    )
 
 
 def test_outliers_are_reported_only_beyond_three_percent() -> None:

@@ -14,6 +14,7 @@ from trex_gui.devices.trex.calibration.samples import Sample
 from trex_gui.devices.trex.calibration.travel import Task, Travel, TravelWatch, Way, least_travel
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.learning.checks import Check
+from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.calibration import Calibration, remap
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -125,7 +126,7 @@ def test_any_signal_gives_valid_calibration_or_fatal_problem(
         assert any(problem.fatal for problem in proposal.problems)
     else:
         assert proposal.calibration.problem() is None
-    assert all(problem.text.endswith((".", "?")) for problem in proposal.problems)
+    assert all(problem_text(problem).endswith((".", "?")) for problem in proposal.problems)
 
 
 def kinds(
@@ -144,8 +145,8 @@ def test_stick_that_never_moves_is_reported() -> None:
 def test_too_little_travel_is_reported_with_required_travel() -> None:
     (problem,) = learn(Stick(low=1450, high=1550)).problems
     assert problem.kind is ProblemKind.TOO_LITTLE
-    assert "81 µs are needed" in problem.text
-    assert "127 speeds" in problem.text
+    assert "81 µs are needed" in problem_text(problem)
+    assert "127 speeds" in problem_text(problem)
 
 
 def test_travel_in_one_direction_is_reported() -> None:
@@ -192,7 +193,7 @@ def travel_of_counts(counts: list[int | None]) -> Travel:
 def problems_with_lost_samples(lost: int) -> list[tuple[ProblemKind, str]]:
     """Push a stick to both ends; `lost` of the 50 samples have no signal."""
     travel = travel_of_counts([*[None] * lost, *[5000] * 10, *[2500] * (40 - lost)])
-    return [(problem.kind, problem.text) for problem in travel.problems]
+    return [(problem.kind, problem_text(problem)) for problem in travel.problems]
 
 
 def test_lost_samples_are_reported_only_beyond_one_tenth() -> None:
@@ -300,7 +301,7 @@ def test_throttle_output_stays_low_just_beyond_its_rest(rest: float, seed: int) 
 
 
 def texts(check_: Check) -> list[str]:
-    return [problem.text for problem in check_.problems]
+    return [problem_text(problem) for problem in check_.problems]
 
 
 def test_remark_describes_throttle_beyond_its_rest() -> None:
@@ -313,11 +314,11 @@ def test_remark_describes_throttle_beyond_its_rest() -> None:
 def test_full_speed_beyond_throttle_rest_is_reported() -> None:
     (problem,) = check(THROTTLE, 3, Calibration(2600, 2750, 4700, 75)).problems
     assert problem.kind is ProblemKind.SPEEDS_UP
-    assert "to 127 of 127" in problem.text
+    assert "to 127 of 127" in problem_text(problem)
     stick = Stick(rest=0.3, low=0.3, high=4.5, source=InputSource.ANALOG)
     (problem,) = check(stick, 3).problems
-    assert "at 0.00 V to 127 of 127" in problem.text
-    assert "broken wire" in problem.text
+    assert "at 0.00 V to 127 of 127" in problem_text(problem)
+    assert "broken wire" in problem_text(problem)
 
 
 def test_deadband_below_noise_is_reported() -> None:
@@ -364,8 +365,8 @@ def test_switching_point_is_reported_as_inferred() -> None:
 def test_unreversed_switch_resting_low_is_reported() -> None:
     (problem,) = check(THROTTLE, 5, reversed_=False).problems
     assert problem.kind is ProblemKind.NEVER_SWITCHES
-    assert "It is inactive in all its positions" in problem.text
-    assert "Should it be reversed" in problem.text
+    assert "It is inactive in all its positions" in problem_text(problem)
+    assert "Should it be reversed" in problem_text(problem)
 
 
 def test_switch_resting_at_its_switching_point_is_reported() -> None:
@@ -391,8 +392,8 @@ def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, see
     assert wanted is not None
     (problem,) = Check(1, ChannelCurve(wanted), neutral, travel).problems
     assert problem.kind is ProblemKind.RESTS_ELSEWHERE
-    assert problem.text.startswith("After letting go it rests at 1500 µs, not at ")
-    assert "sample it again, or take the new rest" in problem.text
+    assert problem_text(problem).startswith("After letting go it rests at 1500 µs, not at ")
+    assert "sample it again, or take the new rest" in problem_text(problem)
     taken = replace(wanted, neutral=travel.rest)
     assert Check(1, ChannelCurve(taken), neutral, travel).problems == ()
 

@@ -222,7 +222,7 @@ def typing_in(qtbot: QtBot, text: str) -> tuple[SpeedEntry, list[int]]:
     entry.activateWindow()
     entry.setFocus()
     qtbot.waitUntil(entry.hasFocus)
-    entry.show_wish(7)
+    entry.show_setpoint(7)
     entry.selectAll()
     QTest.keyClicks(entry, text)
     return entry, chosen
@@ -230,11 +230,11 @@ def typing_in(qtbot: QtBot, text: str) -> tuple[SpeedEntry, list[int]]:
 
 def test_setpoint_does_not_overwrite_a_typed_number(qtbot: QtBot) -> None:
     entry, chosen = typing_in(qtbot, "10")
-    entry.show_wish(30)
+    entry.show_setpoint(30)
     assert entry.text() == "10"
     QTest.keyClick(entry, Qt.Key.Key_Return)
     assert chosen == [10]
-    entry.show_wish(30)
+    entry.show_setpoint(30)
     assert entry.text() == "30"
 
 
@@ -257,7 +257,7 @@ def test_step_is_sent_at_once(qtbot: QtBot) -> None:
 )
 def test_unentered_number_is_discarded(qtbot: QtBot, leave: Callable[[SpeedEntry], object]) -> None:
     entry, chosen = typing_in(qtbot, "100")
-    entry.show_wish(30)
+    entry.show_setpoint(30)
     leave(entry)
     assert not chosen
     assert entry.text() == "30"

@@ -108,7 +108,7 @@ def test_unfocused_option_allows_driving_in_the_background(
 def test_unplugged_gamepad_is_reported_and_disarms(active_panel: Panel) -> None:
     active_panel.drive()
     active_panel.pads.unplug(PAD)
-    active_panel.wait_for_state("has gone")
+    active_panel.wait_for_state("was disconnected")
     assert not active_panel.motors.armed
 
 

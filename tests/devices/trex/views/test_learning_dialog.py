@@ -298,7 +298,7 @@ def test_review_compares_values_with_stored_ones(learning: LearningDialog) -> No
     texts = [label.text() for label in learning.find_all(QLabel)]
     assert any("was 1500 µs (3750)" in text for text in texts)
     assert texts.count("was not reversed") == 2
-    assert "An edit of it that waits for Apply is replaced" in learning.text("learnReasons1")
+    assert "This replaces a pending edit" in learning.text("learnReasons1")
     edits = learning.text("learnEarlierEdits")
     assert edits == "2 earlier edits are in the list of Apply, too."
 
@@ -364,7 +364,7 @@ def test_review_warns_about_implausible_values(learning: LearningDialog) -> None
         assert learning.problem(1) == ""
 
     learning.set_value("Minimum", 1, 4000)
-    assert "would not take this: minimum 4000 is above neutral" in learning.problem(1)
+    assert "would not accept these values: minimum 4000 is above neutral" in learning.problem(1)
     assert not learning.can_click("learnTakeButton")
 
     assert "Active above 1495 µs, off at rest (inferred" in learning.text("learnReasons5")
@@ -491,7 +491,7 @@ def test_unconfirmed_stop_blocks_learning(learning: LearningDialog, fault: str) 
     learning.simulator.do(f"line {fault}")
     learning.dialog.learn((1,))
     learning.wait(lambda: learning.can_click("learnAgainButton"))
-    reasons = ("not sure that the motors stand", "has stopped answering")
+    reasons = ("could not be confirmed as stopped", "has stopped answering")
     assert any(reason in learning.head for reason in reasons), learning.head
     assert not learning.can_click("learnNextButton")
     assert not learning.can_click("learnTakeButton")
@@ -519,8 +519,8 @@ def assert_braked(learning: LearningDialog) -> None:
 def test_current_after_the_stop_has_to_be_checked(learning: LearningDialog) -> None:
     learning.simulator.do("current 1 4.5")  # as another controller on the line would have it
     learning.dialog.learn((1,))
-    learning.wait_for_head("and yet motor 1 draws 4.5 A. Look at the motors")
-    assert learning.button("learnNextButton").text() == "The motors stand: go on"
+    learning.wait_for_head("but motor 1 draws 4.5 A. Check the motors")
+    assert learning.button("learnNextButton").text() == "The motors are stopped: continue"
     assert not learning.can_click("learnTakeButton")
 
     learning.simulator.do("current 1 auto")

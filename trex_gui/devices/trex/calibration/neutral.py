@@ -19,9 +19,6 @@ LEAST_SAMPLES = 15
 _SHOWN_LEAST = 0.1
 """Seconds that are said to be left while a sample lacks."""
 
-_OPEN_INPUT = " An input to which nothing is connected does that, too."
-"""Inferred: an open input of a converter follows whatever field is near it."""
-
 _JUDGED_FROM = 5
 """Samples from which on it is worth saying that something is wrong."""
 
@@ -157,15 +154,8 @@ def measure_neutral(samples: Sequence[Sample], source: InputSource) -> Neutral |
 
 
 def no_signal(source: InputSource) -> Problem:
-    """Say that nothing valid comes in."""
-    if source is InputSource.RC:
-        text = (
-            "No signal: no valid pulse comes in. Is the transmitter on, and the receiver's cable "
-            "in this channel?"
-        )
-    else:
-        text = "No signal comes in."
-    return Problem(ProblemKind.NO_SIGNAL, text)
+    """Return the problem that nothing valid comes in."""
+    return Problem(ProblemKind.NO_SIGNAL, source.name)
 
 
 def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int], int]:
@@ -202,20 +192,11 @@ def _movement(
     drifts = len(counts) >= LEAST_SAMPLES and abs(drift) > max(limits.drifted, drift_limit)
     is_steady = drifts and _noise_beside(counts, drift) <= noise_limit
     if noise > noise_limit and not is_steady:
-        text = (
-            f"It moved while it was sampled, between {source.text(min(counts))} and "
-            f"{source.text(max(counts))}. Take the hands off and sample again."
-        )
-        if source is InputSource.ANALOG:
-            text += _OPEN_INPUT
-        return [Problem(ProblemKind.MOVED, text)]
+        values = source.text(min(counts)), source.text(max(counts))
+        return [Problem(ProblemKind.MOVED, source.name, values)]
     if drifts:
-        way = "up" if drift > 0 else "down"
-        text = (
-            f"It drifted {way} by {source.text(abs(drift))} while it was sampled. Take the hands "
-            "off and sample again; if it goes on, the stick or the transmitter warms up or is worn."
-        )
-        return [Problem(ProblemKind.MOVED, text)]
+        way = "UP" if drift > 0 else "DOWN"
+        return [Problem(ProblemKind.MOVED, way, (source.text(abs(drift)),))]
     return []
 
 
@@ -230,21 +211,13 @@ def _jitter(invalid: float, spikes: int, total: int) -> list[Problem]:
     if invalid > _MOST_INVALID:
         return [lost_pulses(invalid)]
     if spikes > max(1, ceil(_MOST_SPIKES * total)):
-        text = (
-            f"{spikes} of {total} pulses were far from all others: the radio link is poor, or the "
-            "cable picks up noise."
-        )
-        return [Problem(ProblemKind.JITTER, text)]
+        return [Problem(ProblemKind.JITTER, "SPIKES", (spikes, total))]
     return []
 
 
 def lost_pulses(share: float, *, fatal: bool = True) -> Problem:
-    """Say that the signal comes and goes."""
-    text = (
-        f"The signal comes and goes: {share:.0%} of the samples had no valid pulse. Bring the "
-        "transmitter nearer, or look after aerial and cable."
-    )
-    return Problem(ProblemKind.JITTER, text, fatal)
+    """Return the problem that the signal comes and goes."""
+    return Problem(ProblemKind.JITTER, "LOST", (share,), fatal)
 
 
 def _stuck(counts: Sequence[int], spread: float, interval: float) -> list[Problem]:
@@ -263,20 +236,8 @@ def _stuck(counts: Sequence[int], spread: float, interval: float) -> list[Proble
     share = (alike - by_chance) / (1 - by_chance)
     if share < _STUCK_SHOWN:
         return []
-    text = (
-        f"About {share:.0%} of the pulses do not come, as far as that can be told: again and "
-        "again the value stays the same, where it otherwise varies. Bring the transmitter nearer, "
-        "or look after aerial and cable. Fewer than a third, or those of a steadier signal, are "
-        "not noticed: the board repeats the last value."
-    )
-    return [Problem(ProblemKind.JITTER, text, fatal=False)]
+    return [Problem(ProblemKind.JITTER, "STUCK", (share,), fatal=False)]
 
 
 def _too_noisy(noise: int, source: InputSource) -> Problem:
-    text = (
-        f"At rest its noise is {swing_text(noise / 2, source)}: a deadband that holds it still "
-        "would take a quarter of the way. Repair the cable, the supply or the stick first."
-    )
-    if source is InputSource.ANALOG:
-        text += _OPEN_INPUT
-    return Problem(ProblemKind.NOISE, text)
+    return Problem(ProblemKind.NOISE, source.name, (swing_text(noise / 2, source),))

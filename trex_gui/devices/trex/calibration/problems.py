@@ -1,4 +1,4 @@
-"""What can be wrong with a channel while it is learned, in words that say what to do."""
+"""What can be wrong with a channel while it is learned, as codes; see `problem_text`."""
 
 from dataclasses import dataclass
 from enum import Enum, auto
@@ -29,10 +29,16 @@ class ProblemKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """What is wrong, as a sentence; one that is not `fatal` is only to be known."""
+    """What is wrong; nothing can be learned while a `fatal` problem remains.
+
+    Attributes:
+        variant: which of the sentences of this kind applies.
+        values: quantities that the sentence names, in its order.
+    """
 
     kind: ProblemKind
-    text: str
+    variant: str = ""
+    values: tuple[object, ...] = ()
     fatal: bool = True
 
 

@@ -60,8 +60,7 @@ def propose(channel: int, neutral: Neutral, travel: Travel, *, reversed_now: boo
         deadband=neutral.deadband,
     )
     if refused := wanted.problem():
-        words = f"The board would not take what was measured: {refused}."
-        problems += (Problem(ProblemKind.REFUSED, words),)
+        problems += (Problem(ProblemKind.REFUSED, "MEASURED", (refused,)),)
         return Proposal(channel, neutral.source, None, reversed_now, "", (), problems)
     reasons = tuple(filter(None, (_ends_reason(neutral, travel), neutral.deadband_reason)))
     return Proposal(channel, neutral.source, wanted, reversed_, why, reasons, problems)

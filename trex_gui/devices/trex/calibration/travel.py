@@ -181,76 +181,44 @@ class Travel:
     def _lengths(self) -> tuple[Problem, ...]:
         up, down = self.length(Way.UP), self.length(Way.DOWN)
         text = self.source.text
-        needed = (
-            f"{text(self.least)} are needed: the deadband, and a count for each of the "
-            f"{FULL_SCALE} speeds"
-        )
+        needed = text(self.least), FULL_SCALE
         longest, shortest = max(up, down), min(up, down)
         if longest <= self.deadband:
             return (self._never_moved(),)
         if shortest < -self.deadband:
-            words = (
-                f"Its rest ({text(self.neutral)}) is not between the ends that it went to "
-                f"({text(self.low or 0)} and {text(self.high or 0)}). Was a trim moved? Begin "
-                "again with the sticks at rest."
-            )
-            return (Problem(ProblemKind.NEUTRAL_OUTSIDE, words),)
+            values = text(self.neutral), text(self.low or 0), text(self.high or 0)
+            return (Problem(ProblemKind.NEUTRAL_OUTSIDE, values=values),)
         if longest < self.least:
-            words = f"It went only {text(longest)} from its rest; {needed}."
-            return (Problem(ProblemKind.TOO_LITTLE, words),)
+            return (Problem(ProblemKind.TOO_LITTLE, values=(text(longest), *needed)),)
         if self.task is not Task.STICK:
             return self._passed()
-        where = "below" if up > down else "above"
+        where = "BELOW" if up > down else "ABOVE"
         if shortest <= self.deadband:
-            words = (
-                f"It went one way only, never {where} its rest. Push it the other way too; if it "
-                "cannot go there, it rested at an end while it was sampled."
-            )
-            return (Problem(ProblemKind.ONE_DIRECTION, words),)
+            return (Problem(ProblemKind.ONE_DIRECTION, where),)
         if shortest < self.least:
-            words = f"The end {where} is only {text(shortest)} from its rest; {needed}."
-            return (Problem(ProblemKind.END_TOO_NEAR, words),)
+            return (Problem(ProblemKind.END_TOO_NEAR, where, (text(shortest), *needed)),)
         if passed := self._passed():
             return passed
         if shortest < _UNEVEN * longest:
-            words = (
-                f"It went {text(longest)} to one side, {text(shortest)} {where}. Was it pushed "
-                "all the way?"
-            )
-            return (Problem(ProblemKind.UNEVEN, words, fatal=False),)
+            lengths = text(longest), text(shortest)
+            return (Problem(ProblemKind.UNEVEN, where, lengths, fatal=False),)
         return ()
 
     def _never_moved(self) -> Problem:
         if self.source is InputSource.RC:
-            words = (
-                "It never moved: a steady signal comes in. Either another stick belongs to this "
-                "channel, or it was not moved."
-            )
-            return Problem(ProblemKind.NEVER_MOVED, words)
-        words = f"Nothing moves on this input: it stays at {self.source.text(self.neutral)}"
-        if self.neutral <= _RAIL or self.neutral >= self.source.highest_count - _RAIL:
-            words += ", an end of what can be measured"
-        words += (
-            ". Either nothing is connected to it (its voltage then means nothing), or what is "
-            "connected was not moved."
-        )
-        return Problem(ProblemKind.NEVER_MOVED, words)
+            return Problem(ProblemKind.NEVER_MOVED, "RC")
+        at_rail = self.neutral <= _RAIL or self.neutral >= self.source.highest_count - _RAIL
+        variant = "RAIL" if at_rail else "ANALOG"
+        return Problem(ProblemKind.NEVER_MOVED, variant, (self.source.text(self.neutral),))
 
     def _passed(self) -> tuple[Problem, ...]:
-        """Say which ends were only passed."""
-        names = {Way.UP: "above", Way.DOWN: "below"}
+        """Return which ends were only passed."""
+        names = {Way.UP: "ABOVE", Way.DOWN: "BELOW"}
         ends = [names[way] for way in Way if self.reached(way) and not self.held(way)]
         if not ends:
             return ()
-        which = f"The end {ends[0]}" if len(ends) == 1 else "Both ends"
-        words = (
-            f"{which} was only passed, so it may lie further out than what was seen. Go back, "
-            f"push it there and hold it for {self.hold_seconds:.1f} s."
-        )
-        if len(ends) > 1:
-            words = words.replace(" was only passed, so it", " were only passed, so they")
-            words = words.replace("push it there", "push it to each")
-        return (Problem(ProblemKind.NOT_HELD, words),)
+        variant = ends[0] if len(ends) == 1 else "BOTH"
+        return (Problem(ProblemKind.NOT_HELD, variant, (self.hold_seconds,)),)
 
 
 class TravelWatch:

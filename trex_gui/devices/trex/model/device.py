@@ -371,7 +371,10 @@ class Device(QObject):
         self._state = state
         if occasion is ReadReason.OPENED:
             if self.pending and self.parameters.model_key == state.signature.model.key:
-                text = self.tr("Edits made before wait here: {0}. Apply writes them to this board.")
+                text = self.tr(
+                    "{0} earlier changes are still pending. Click Apply to write them to this "
+                    "board."
+                )
                 self.notifier.delayed_info.emit(text.format(self.pending))
             self.telemetry.begin(state.signature.model.current_unit)
         self.telemetry.note_control(state.serial_controls)

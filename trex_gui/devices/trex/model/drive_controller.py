@@ -152,9 +152,9 @@ class DriveController(QObject):
         if report.reason is not None:
             reason = describe(report.reason)
             if report.confirmed:
-                text = self.tr("{0} The motors were stopped. Press Run motor to go on.")
+                text = self.tr("{0} The motors were stopped. Press Run motor to continue.")
             else:
-                text = self.tr("{0} A stop was sent, and is not confirmed yet.")
+                text = self.tr("{0} A stop was sent but is not confirmed yet.")
             self._notifier.error.emit(text.format(reason))
             self._motors.stop(reason)
         if report.confirmed:

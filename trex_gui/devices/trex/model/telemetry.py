@@ -103,7 +103,7 @@ class Telemetry(QObject):
                     self.currents.append(
                         time,
                         *self.motor_currents,
-                        *self._wished(),
+                        *self._setpoints(),
                         *(self.remapped or _UNKNOWN),
                     )
                 case Control(by_serial=by_serial):
@@ -114,7 +114,7 @@ class Telemetry(QObject):
         self.samples += len(batch.samples)
         self.updated.emit()
 
-    def _wished(self) -> tuple[float, float]:
+    def _setpoints(self) -> tuple[float, float]:
         """Return the speeds wished for motors 1 and 2; 0 where nothing or braking is wished."""
         if self._motors is None:
             return math.nan, math.nan

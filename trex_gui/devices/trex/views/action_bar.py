@@ -186,15 +186,15 @@ class ActionBar(QWidget):
         """What is known of the motors; never more than that."""
         motors, link = self._device.motors, self._device.link
         if motors.armed:
-            return self.tr("Armed. Asked: {0}").format(motors.text or self.tr("nothing yet"))
+            return self.tr("Armed. Setpoint: {0}").format(motors.text or self.tr("none"))
         if self._device.may_move:
             if link in {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}:
                 return self.tr("Stopping …")
             if link is ConnectionState.DISCONNECTED:
-                return self.tr("The line was lost: motors may still turn. Cut their power.")
-            return self.tr("Not known: motors may still turn. The stop is sent again and again.")
+                return self.tr("The connection was lost: motors may still turn. Cut their power.")
+            return self.tr("Unknown: motors may still turn. The stop is being repeated.")
         if link is ConnectionState.CONNECTED and not motors.is_available and motors.locked_for:
-            return self.tr("Channels control the motors: Stop does not reach what they drive.")
+            return self.tr("Channels control the motors: Stop does not stop what they drive.")
         if motors.locked_for:
             left = math.ceil(motors.locked_for)
             return self.tr("Stopped. Motors are locked for {0} s.").format(left)

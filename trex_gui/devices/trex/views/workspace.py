@@ -268,7 +268,7 @@ class TrexWorkspace(Workspace):
             if any(result.key == ParameterKey.FACTORY_RESET for result in results):
                 self._on_power_cycle_wanted()
             elif not self._review.isVisible():
-                text = self.tr("{0} settings are stored and read back equal.")
+                text = self.tr("{0} settings written and verified.")
                 self.notifier.info.emit(text.format(len(results)))
             return
         names = ", ".join(self._device.name_of(result.key) for result in failed)
@@ -289,8 +289,8 @@ class TrexWorkspace(Workspace):
             self._device.reload()
             return
         self._question.ask(
-            self.tr("Read the settings from the board and forget the edits made here?"),
-            PromptAnswer("reloadYes", self.tr("Forget them and reload"), self._forget_and_reload),
+            self.tr("Read the settings from the board and discard the edits made here?"),
+            PromptAnswer("reloadYes", self.tr("Discard and reload"), self._forget_and_reload),
             still=lambda: (
                 self._device.pending > 0
                 and self._device.link is ConnectionState.CONNECTED
@@ -322,15 +322,15 @@ class TrexWorkspace(Workspace):
         if self._device.applying:
             self._question.ask(
                 self.tr(
-                    "Settings are being written. Close all the same? What was not written yet is "
+                    "Settings are still being written. Close anyway? Unwritten settings will be "
                     "lost."
                 ),
-                PromptAnswer("closeYes", self.tr("Close all the same"), leave_all_the_same),
+                PromptAnswer("closeYes", self.tr("Close anyway"), leave_all_the_same),
                 still=lambda: self._device.applying,
             )
         else:
             self._question.ask(
-                self.tr("There are changes that were not applied to the board."),
+                self.tr("There are unapplied changes."),
                 PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
                 PromptAnswer("closeYes", self.tr("Close and lose them"), leave_all_the_same),
                 still=lambda: self._device.pending > 0 and not self._device.applying,

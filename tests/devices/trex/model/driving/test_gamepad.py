@@ -156,8 +156,8 @@ def test_stick_off_center_before_arming_does_not_drive(setup: GamepadSetup) -> N
 def test_unplugged_gamepad_stops_the_motors(setup: GamepadSetup) -> None:
     setup.drive_forward()
     setup.pads.unplug(PAD)
-    setup.wait_for("has gone")
-    assert setup.stops == ["The gamepad “Test pad” has gone."]
+    setup.wait_for("was disconnected")
+    assert setup.stops == ["The gamepad “Test pad” was disconnected."]
     assert not setup.motors.armed
 
 
@@ -166,8 +166,8 @@ def test_unreadable_gamepad_stops_the_motors_once(
 ) -> None:
     setup.drive_forward()
     monkeypatch.setattr(setup.pads, "read", lambda _pad: None)
-    setup.wait_for("has gone")
-    assert setup.stops == ["The gamepad “Test pad” has gone."]
+    setup.wait_for("was disconnected")
+    assert setup.stops == ["The gamepad “Test pad” was disconnected."]
     assert not setup.motors.armed
     assert setup.gamepad.pads == (PAD,)
     changes: list[str] = []
@@ -184,13 +184,13 @@ def test_second_gamepad_does_not_take_over_driving(setup: GamepadSetup) -> None:
     setup.pads.unplug(PAD)
     setup.qtbot.waitUntil(lambda: setup.gamepad.pad == OTHER)
     assert not setup.motors.armed
-    assert setup.stops == ["The gamepad “Test pad” has gone."]
+    assert setup.stops == ["The gamepad “Test pad” was disconnected."]
 
 
 def test_replugged_gamepad_needs_arming_and_a_new_press(setup: GamepadSetup) -> None:
     setup.drive_forward()
     setup.pads.unplug(PAD)
-    setup.wait_for("has gone")
+    setup.wait_for("was disconnected")
     again = replace(PAD, ident=7)
     setup.pads.plug_in(again)
     setup.pads.press(HOLD, again)
@@ -309,7 +309,7 @@ def test_first_plugged_in_gamepad_is_selected(qtbot: QtBot) -> None:
     pads = HeldPads()
     gamepad = Gamepad(Device(), pads)
     gamepad.switch_on()
-    assert "No gamepad is there" in gamepad.text
+    assert "No gamepad is connected" in gamepad.text
     pads.plug_in(PAD)
     qtbot.waitUntil(lambda: gamepad.pad == PAD)
     gamepad.switch_off()

@@ -32,20 +32,20 @@ def held(*names: str) -> HeldKeys:
     ],
 )
 def test_held_keys_are_combined(names: str, wish: tuple[float, float]) -> None:
-    assert held(*names).wish == wish
+    assert held(*names).setpoint == wish
 
 
 def test_released_key_leaves_the_others_held() -> None:
     keys = held("W", "D")
     assert keys.release(ord("W"))
-    assert keys.wish == (0, 1)
+    assert keys.setpoint == (0, 1)
 
 
 def test_heading_is_held_until_both_of_its_keys_are_released() -> None:
     keys = held("W")
     keys.press(1, Heading.FORWARD)
     keys.release(1)
-    assert keys.wish == (1, 0)
+    assert keys.setpoint == (1, 0)
 
 
 def test_release_of_unpressed_key_is_ignored() -> None:
@@ -56,4 +56,4 @@ def test_clear_releases_all_keys() -> None:
     keys = held("W", "A")
     keys.clear()
     assert not keys
-    assert keys.wish == (0, 0)
+    assert keys.setpoint == (0, 0)

@@ -113,7 +113,7 @@ def test_frozen_window_reports_the_confirmed_stop(
         assert now() < deadline, "nobody stopped the motor"
         runtime().sleep(0.05)
     qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
-    assert said == [f"{STOOD_STILL} The motors were stopped. Press Run motor to go on."]
+    assert said == [f"{STOOD_STILL} The motors were stopped. Press Run motor to continue."]
     assert driven.motors.stop_reason == STOOD_STILL
 
 
@@ -123,7 +123,7 @@ def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
     driving = DriveController(motors, connection, notifier)
     with qtbot.waitSignal(notifier.error) as said:
         connection.motors_stopped.emit(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed=False))
-    assert said.args == [f"{STOOD_STILL} A stop was sent, and is not confirmed yet."]
+    assert said.args == [f"{STOOD_STILL} A stop was sent but is not confirmed yet."]
     assert motors.stop_reason == STOOD_STILL
     assert not driving.may_move
 

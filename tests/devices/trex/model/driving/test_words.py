@@ -9,8 +9,8 @@ from trex_gui.devices.trex.model.driving.setpoint_text import (
     auxiliary_report_text,
     channel_text,
     report_text,
+    setpoint_text,
     speed_text,
-    wish_text,
 )
 from trex_gui.devices.trex.protocol.commands import Drive
 
@@ -25,14 +25,14 @@ def test_speed_names_direction_and_share_of_full(speed: int, text: str) -> None:
 @pytest.mark.parametrize(
     ("drive", "text"),
     [
-        (None, "nothing yet"),
+        (None, "none"),
         (Drive.brake(0), "coast"),
         (Drive.brake(127), "brake, 100 %"),
         (Drive.at(-64), "reverse 64 (50 %)"),
     ],
 )
 def test_setpoint_text_names_the_commanded_drive(drive: Drive | None, text: str) -> None:
-    assert wish_text(drive).endswith(text)
+    assert setpoint_text(drive).endswith(text)
 
 
 def test_channel_text_shows_a_missing_signal(

@@ -35,13 +35,13 @@ class GamepadWords(QObject):
 
     def none_there(self) -> str:
         """No gamepad is there yet."""
-        return self.tr("No gamepad is there. Plug one in or switch it on; it is noticed at once.")
+        return self.tr("No gamepad is connected. Plug one in or switch it on.")
 
     def gone(self, name: str) -> str:
         """The one that was read has gone."""
-        return self.tr(
-            "The gamepad “{0}” has gone. Plug it in again; it is noticed at once."
-        ).format(name)
+        return self.tr("The gamepad “{0}” was disconnected. Plug it in again to continue.").format(
+            name
+        )
 
     def taken(self) -> str:
         """Another control is held."""
@@ -319,7 +319,7 @@ class Gamepad(QObject):
         """Stop what this one drives, and read it no more; the next look may find another."""
         self._gone = pad.name
         self._take(None)
-        self._lose(self.tr("The gamepad “{0}” has gone.").format(self._gone))
+        self._lose(self.tr("The gamepad “{0}” was disconnected.").format(self._gone))
 
     def _drive(self) -> None:
         if self._unattended or not self._motors.armed:

@@ -109,7 +109,7 @@ class HeldKeys:
         return bool(self._down)
 
     @property
-    def wish(self) -> tuple[float, float]:
+    def setpoint(self) -> tuple[float, float]:
         """Forward and turn, -1 to 1 each; forward and right are positive."""
         forward = self._along(Heading.FORWARD, Heading.BACK)
         turn = self._along(Heading.RIGHT, Heading.LEFT)

@@ -7,15 +7,15 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.commands import Drive
 
 
-def wish_text(drive: Drive | None) -> str:
+def setpoint_text(drive: Drive | None) -> str:
     """What is asked of motor 1 or 2; `None`: nothing since it was armed."""
     if drive is None:
-        return _tr("Asked: nothing yet")
+        return _tr("Setpoint: none")
     if drive.is_brake:
         if not drive.speed:
-            return _tr("Asked: coast")
-        return _tr("Asked: brake, {0:.0f} %").format(100 * drive.speed / FULL_SCALE)
-    return _tr("Asked: {0}").format(speed_text(drive.signed))
+            return _tr("Setpoint: coast")
+        return _tr("Setpoint: brake, {0:.0f} %").format(100 * drive.speed / FULL_SCALE)
+    return _tr("Setpoint: {0}").format(speed_text(drive.signed))
 
 
 def speed_text(speed: int) -> str:

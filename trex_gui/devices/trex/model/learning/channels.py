@@ -216,8 +216,7 @@ class LearnedChannel:
         if check is not None:
             return self.proposal.problems + check.problems
         refused = self.choice.calibration.problem()
-        text = f"The board would not take this: {refused}."
-        return (*self.proposal.problems, Problem(ProblemKind.REFUSED, text))
+        return (*self.proposal.problems, Problem(ProblemKind.REFUSED, "CHOSEN", (refused,)))
 
 
 class LearnedChannels:

@@ -47,61 +47,61 @@ class Check:
 
     def _all(self) -> Iterator[Problem]:
         if useless := self._useless():
-            yield Problem(ProblemKind.USELESS, useless, fatal=False)
+            yield useless
         if never_full := self._never_full():
-            yield Problem(ProblemKind.NEVER_FULL, never_full, fatal=False)
+            yield never_full
         if self.travel.task is Task.SWITCH:
             yield from self._switching()
             return
         if self._calibration.deadband < self.neutral.noise / 2:
-            text = (
-                f"At rest the noise is {self.neutral.noise_text}, more than the deadband "
-                f"({self._source.text(self._calibration.deadband)}): the motor would creep."
-            )
-            yield Problem(ProblemKind.NOISE, text, fatal=False)
+            values = self.neutral.noise_text, self._source.text(self._calibration.deadband)
+            yield Problem(ProblemKind.NOISE, "CREEP", values, fatal=False)
         elif elsewhere := self._rests_elsewhere():
-            yield Problem(ProblemKind.RESTS_ELSEWHERE, elsewhere, fatal=False)
+            yield elsewhere
         if (idle := self.travel.idle) is not None and self._aside(idle)[1] > _MUCH:
-            text = f"{self._idle_text()} Look that no trim and no broken wire brings it there."
-            yield Problem(ProblemKind.SPEEDS_UP, text, fatal=False)
+            place, speed = self._aside(idle)
+            values = self._source.text(place), str(speed)
+            yield Problem(ProblemKind.SPEEDS_UP, idle.name, (*values, FULL_SCALE), fatal=False)
 
-    def _useless(self) -> str:
-        """Say what nobody would want of the sides that are used."""
+    def _useless(self) -> Problem | None:
+        """Return what makes the sides that are used useless."""
         wanted, idle = self._calibration, self.travel.idle
         if idle is None:
-            return concern(wanted, self._source)
-        used, end = wanted.maximum - wanted.neutral, "maximum"
+            text = concern(wanted, self._source)
+            return Problem(ProblemKind.USELESS, "", (text,), fatal=False) if text else None
+        used = wanted.maximum - wanted.neutral
         if idle is Way.UP:
-            used, end = wanted.neutral - wanted.minimum, "minimum"
+            used = wanted.neutral - wanted.minimum
         if used > wanted.deadband:
-            return ""
-        return (
-            f"The deadband ({self._source.text(wanted.deadband)} to each side of neutral) reaches "
-            f"{end}: there is nothing between 0 and full output."
-        )
+            return None
+        values = (self._source.text(wanted.deadband),)
+        return Problem(ProblemKind.USELESS, idle.name, values, fatal=False)
 
-    def _never_full(self) -> str:
-        """Say which end lies further out than what was reached."""
+    def _never_full(self) -> Problem | None:
+        """Return which end lies further out than what was reached."""
         low, high, text = self.travel.low, self.travel.high, self._source.text
-        found = []
+        names, values = [], []
         if high is not None and self.travel.reached(Way.UP) and self._calibration.maximum > high:
-            found.append(f"Maximum is beyond the {text(high)} that was reached")
+            names.append("MAXIMUM")
+            values.append(text(high))
         if low is not None and self.travel.reached(Way.DOWN) and self._calibration.minimum < low:
-            found.append(f"Minimum is beyond the {text(low)} that was reached")
-        return f"{'; '.join(found)}: there is no full output." if found else ""
+            names.append("MINIMUM")
+            values.append(text(low))
+        if not names:
+            return None
+        variant = names[0] if len(names) == 1 else "BOTH"
+        return Problem(ProblemKind.NEVER_FULL, variant, tuple(values), fatal=False)
 
-    def _rests_elsewhere(self) -> str:
+    def _rests_elsewhere(self) -> Problem | None:
         rest, sampled, text = self.travel.rest, self.neutral.value, self._source.text
         if abs(rest - self._calibration.neutral) <= self._calibration.deadband:
-            return ""
+            return None
         output = f"{self.curve.output(rest):+d}".replace("-", "−")
         if self._calibration.neutral != sampled:
-            return f"It rests at {text(rest)}: with this neutral it would give {output} there."
-        return (
-            f"After letting go it rests at {text(rest)}, not at {text(sampled)}, and would give "
-            f"{output} there. Was a hand on it while it was sampled, or was a trim moved? Go back "
-            "and sample it again, or take the new rest."
-        )
+            variant, values = "CHOSEN", (text(rest), output)
+            return Problem(ProblemKind.RESTS_ELSEWHERE, variant, values, fatal=False)
+        places = text(rest), text(sampled), output
+        return Problem(ProblemKind.RESTS_ELSEWHERE, "MEASURED", places, fatal=False)
 
     # --- Switches -----------------------------------------------------------------------
 
@@ -110,21 +110,14 @@ class Check:
         if threshold is None:
             return
         if abs(self.neutral.value - threshold) <= self.neutral.deadband:
-            text = (
-                f"Its rest ({self._source.text(self.neutral.value)}) is too near to where it "
-                f"switches ({self._source.text(round(threshold))}): it may switch by itself."
-            )
-            yield Problem(ProblemKind.SWITCHES_AT_REST, text, fatal=False)
+            values = self._source.text(self.neutral.value), self._source.text(round(threshold))
+            yield Problem(ProblemKind.SWITCHES_AT_REST, "", values, fatal=False)
         ends = (self.travel.low, self.travel.high, self.neutral.value)
         active = {self.curve.is_switched(self.channel, end) for end in ends if end is not None}
         if len(active) == 1:
-            state = "active" if active.pop() else "inactive"
-            where = self._source.text(round(threshold))
-            text = (
-                f"It is {state} in all its positions: none lies beyond {where}, where it switches. "
-                "Should it be reversed, or not?"
-            )
-            yield Problem(ProblemKind.NEVER_SWITCHES, text, fatal=False)
+            variant = "ACTIVE" if active.pop() else "INACTIVE"
+            place = (self._source.text(round(threshold)),)
+            yield Problem(ProblemKind.NEVER_SWITCHES, variant, place, fatal=False)
 
     def _switch_text(self) -> str:
         threshold = self.curve.threshold(self.channel)

@@ -316,15 +316,15 @@ class Learning(QObject):
     @Slot(str)
     def _on_doubted(self, what: str) -> None:
         self._trouble = self.tr(
-            "The board has taken the stop, and yet {0}. Look at the motors: if one turns, "
-            "something else drives it, such as another controller on this line; cut its power. "
-            "Go on only if they stand."
+            "The board accepted the stop, but {0}. Check the motors: if one turns, something else "
+            "drives it, such as another controller on this line; cut its power. Continue only if "
+            "they are not turning."
         ).format(what)
         self._go(LearningStep.DOUBT)
 
     @Slot(str)
     def _on_stop_failed(self, why: str) -> None:
-        text = self.tr("It goes no further, since it is not sure that the motors stand. {0}")
+        text = self.tr("Cannot continue: the motors could not be confirmed as stopped. {0}")
         self._fail(text.format(why))
 
     @Slot(str)

@@ -167,9 +167,9 @@ class GamepadPanel(QGroupBox):
 
     def _reason(self) -> str:
         if self._dialog is not None and self._dialog.isVisible():
-            return self.tr("The gamepad is being set up: it drives nothing meanwhile.")
+            return self.tr("The gamepad is being set up; it drives nothing until then.")
         if not self.isVisible():
             return self.tr("The gamepad drives only while the Motors page is open.")
         if self._gamepad.stops_unfocused and not self.isActiveWindow():
-            return self.tr("Another window is in front: the gamepad drives nothing meanwhile.")
+            return self.tr("Another window is in front, so the gamepad drives nothing.")
         return ""

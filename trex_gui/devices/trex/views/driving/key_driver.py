@@ -152,9 +152,9 @@ class KeyDriver(QObject):
         return self._enabled and not isinstance(focus, _NEEDS_KEYS)
 
     def _steer(self) -> None:
-        if self._drive.steer(*self._keys.wish):
+        if self._drive.steer(*self._keys.setpoint):
             self._watch.begin()
-            self.steered.emit(*self._keys.wish)
+            self.steered.emit(*self._keys.setpoint)
         else:
             self._forget()
 

@@ -241,7 +241,9 @@ class LearnDialog(QDialog):
         self._next.setEnabled(learning.can_go_on)
         self._next.setDefault(moving and step is not LearningStep.DOUBT)
         doubtful = step is LearningStep.DOUBT
-        self._next.setText(self.tr("The motors stand: go on") if doubtful else self.tr("Next"))
+        self._next.setText(
+            self.tr("The motors are stopped: continue") if doubtful else self.tr("Next")
+        )
         self._take.setVisible(step is LearningStep.REVIEW)
         self._take.setEnabled(learning.can_take)
         self._take.setToolTip(self._take_tip())

@@ -3,16 +3,17 @@
 from collections.abc import Sequence
 from enum import Enum, auto
 
-from PySide6.QtCore import QMargins, QSize, Slot
+from PySide6.QtCore import QCoreApplication, QMargins, QSize, Qt, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.calibration.neutral import no_signal
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
+from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.learning.problem_text import problem_text, problems_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.views.learning.parts import channel_label, in_words
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note, Sign
@@ -25,6 +26,14 @@ _BAR_GROWS = 0.5
 
 _WORDS_WIDE = 26
 """Characters that words beside a bar have room for before they wrap."""
+
+
+def channel_label(channel: int, parent: QWidget) -> QLabel:
+    """Make the label of a channel: its number, and what it does."""
+    words = QCoreApplication.translate("learning", "Channel {0}").format(channel)
+    label = QLabel(f"<b>{words}</b><br><small>{CHANNEL_ROLES[channel]}</small>", parent)
+    label.setTextFormat(Qt.TextFormat.RichText)
+    return label
 
 
 class ChannelRow:
@@ -181,7 +190,7 @@ class _RestRow(ChannelRow):
     def refresh(self) -> None:
         super().refresh()
         problems = self.channel.rest_problems
-        self.problem.show_note(in_words(problems), alarming=bool(problems))
+        self.problem.show_note(problems_text(problems), alarming=bool(problems))
         sign = self._sign
         if problems:
             sign.show_sign("warning", "warning")
@@ -282,7 +291,9 @@ class _TravelRow(ChannelRow):
         self._show_ends(travel)
         self.words.setText(self._text(travel))
         silent = travel.is_silent
-        self.problem.show_note(no_signal(travel.source).text if silent else "", alarming=silent)
+        self.problem.show_note(
+            problem_text(no_signal(travel.source)) if silent else "", alarming=silent
+        )
 
     def _show_ends(self, travel: Travel) -> None:
         """Mark and tick the ends that were reached; others are only named."""

@@ -12,9 +12,9 @@ from trex_gui.devices.trex.calibration.proposal import WHY_THESE_VALUES
 from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.learning.problem_text import problems_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.views.count_editor import CountEditor
-from trex_gui.devices.trex.views.learning.parts import in_words
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
@@ -138,9 +138,11 @@ class ChannelForm(QWidget):
             widget.setVisible(there)
         self._include.setEnabled(there)
         problems = channel.result_problems
-        text = in_words(problems)
+        text = problems_text(problems)
         if not there:
-            text = self.tr("Nothing was learned. {0}").format(text or self.tr("It was left out."))
+            text = self.tr("Nothing was learned. {0}").format(
+                text or self.tr("The channel was left out.")
+            )
         self._problem.show_note(text, alarming=bool(problems))
         self._problem.setVisible(bool(text))
         if choice is None:
@@ -160,7 +162,7 @@ class ChannelForm(QWidget):
             self._turned.setVisible(bool(turned))
             reasons += channel.proposal.reasons
         if self._learning.has_edit(channel.number):
-            reasons.insert(0, self.tr("An edit of it that waits for Apply is replaced."))
+            reasons.insert(0, self.tr("This replaces a pending edit of the channel."))
         self._reasons.setText(" ".join(reasons))
         was = self.tr("was reversed") if channel.reversed_now else self.tr("was not reversed")
         self._reversed_was.setText(was)
@@ -179,7 +181,7 @@ class ChannelForm(QWidget):
                 editor.blockSignals(True)
                 editor.setValue(value)
                 editor.blockSignals(False)
-            old = self.tr("not known")
+            old = self.tr("unknown")
             if self._channel.stored is not None:
                 count = getattr(self._channel.stored, field)
                 old = f"{self._channel.source.text(count)} ({count})"
@@ -232,7 +234,7 @@ class ReviewPage(QWidget):
 
         self._tabs.currentChanged.connect(self._on_tab_changed)
         self._tabs.setVisible(len(self._forms) > 1)
-        self._curve.edited.connect(self._on_wished)
+        self._curve.edited.connect(self._on_curve_edited)
         learning.changed.connect(self._on_changed)
         theme().changed.connect(self._show_signs)
         self._on_changed()
@@ -288,7 +290,7 @@ class ReviewPage(QWidget):
         self._on_changed()
 
     @Slot(object)
-    def _on_wished(self, calibration: Calibration) -> None:
+    def _on_curve_edited(self, calibration: Calibration) -> None:
         self._learning.choose(self._form.channel.number, calibration)
 
     @Slot()

@@ -141,7 +141,7 @@ class SpeedEntry(QSpinBox):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._wish = 0
+        self._setpoint = 0
         self._is_typed = False
         self.setKeyboardTracking(False)
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
@@ -155,17 +155,17 @@ class SpeedEntry(QSpinBox):
         if (lowest, highest) != (self.minimum(), self.maximum()):
             with QSignalBlocker(self):
                 self.setRange(lowest, highest)
-            self.put(self._wish)
+            self.put(self._setpoint)
 
-    def show_wish(self, speed: int) -> None:
+    def show_setpoint(self, speed: int) -> None:
         """Show the speed in force, now or when no half-typed number is in the box any more."""
-        self._wish = speed
+        self._setpoint = speed
         if not self._is_typed:
             self.put(speed)
 
     def put(self, speed: int) -> None:
         """Show a speed, whatever was typed, without asking for it."""
-        self._wish = speed
+        self._setpoint = speed
         self._is_typed = False
         with QSignalBlocker(self):
             self.setValue(speed)
@@ -177,19 +177,19 @@ class SpeedEntry(QSpinBox):
         if is_meant and self._is_typed:  # the number that was there before: Qt is silent
             self._on_value_changed(self.value())
         elif is_entered:
-            self.put(self._wish)
+            self.put(self._setpoint)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        self.put(self._wish)
+        self.put(self._setpoint)
         super().focusOutEvent(event)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        self.put(self._wish)
+        self.put(self._setpoint)
         super().hideEvent(event)
 
     def event(self, event: QEvent) -> bool:
         if event.type() in {QEvent.Type.WindowDeactivate, QEvent.Type.Close}:
-            self.put(self._wish)
+            self.put(self._setpoint)
         return super().event(event)
 
     @Slot()
@@ -198,7 +198,7 @@ class SpeedEntry(QSpinBox):
 
     @Slot(int)
     def _on_value_changed(self, speed: int) -> None:
-        self._wish = speed
+        self._setpoint = speed
         self._is_typed = False
         self.chosen.emit(speed)
 
@@ -249,7 +249,7 @@ class DriveControl(QWidget):
         self._brake = ui.button(self, f"{name}Brake", self.tr("Brake"), on_click=self.brake_wanted)
         self._bar = ui.named(OutputBar(self, bipolar=two_way), f"{name}Channel")
         self._bar.hide()
-        self._asked = ui.label(self, f"{name}Asked")
+        self._setpoint_label = ui.label(self, f"{name}Asked")
         self._reported = ui.named(
             ElidedLabel(self.tr("Board: serial in control, 10.00 A…"), self), f"{name}Reported"
         )
@@ -260,7 +260,7 @@ class DriveControl(QWidget):
             self._brake.hide()
 
         layout = ui.grid(self, margins=0, spacing=(8, 2))
-        words = ui.row(self._title, self._asked, 1, self._reported, spacing=10)
+        words = ui.row(self._title, self._setpoint_label, 1, self._reported, spacing=10)
         layout.addLayout(words, 0, 0, 1, 4)
         layout.addWidget(self._slider, 1, 0)
         layout.addWidget(self._entry, 1, 1, Qt.AlignmentFlag.AlignTop)
@@ -289,7 +289,7 @@ class DriveControl(QWidget):
         self._entry.setAccessibleName(self.tr("{0}, speed as a number").format(title))
         self._zero.setAccessibleName(self.tr("{0}, speed zero").format(title))
         self._brake.setAccessibleName(self.tr("{0}, brake").format(title))
-        self._bar.setAccessibleName(self.tr("{0}, what its channel wishes").format(title))
+        self._bar.setAccessibleName(self.tr("{0}, channel command").format(title))
 
     def set_ceiling(self, ceiling: int) -> None:
         """Offer no speed beyond this one, 1-127."""
@@ -313,14 +313,14 @@ class DriveControl(QWidget):
         self._bar.set_connected(True)
         self._bar.set_value(value if value is None or self._two_way else abs(value))
 
-    def show_wish(self, speed: int, text: str) -> None:
+    def show_setpoint(self, speed: int, text: str) -> None:
         """Show the wish in force, without asking for it again."""
         with QSignalBlocker(self._slider):
             if not self._slider.isSliderDown():
                 self._slider.setValue(speed)
-        self._entry.show_wish(speed)
-        if self._asked.text() != text:
-            self._asked.setText(text)
+        self._entry.show_setpoint(speed)
+        if self._setpoint_label.text() != text:
+            self._setpoint_label.setText(text)
 
     def show_report(self, text: str) -> None:
         """Show what the board says of this motor."""

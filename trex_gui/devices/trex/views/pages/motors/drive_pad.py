@@ -150,7 +150,7 @@ class DrivePad(QWidget):
 
     def _follow(self, place: QPointF) -> None:
         if self._held:
-            self._put(*self._wish_at(place))
+            self._put(*self._setpoint_at(place))
             self.steered.emit(self._forward, self._turn)
 
     # --- Geometry and looks -------------------------------------------------------------
@@ -161,7 +161,7 @@ class DrivePad(QWidget):
         middle = QRectF(self.rect()).center()
         return QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side)
 
-    def _wish_at(self, place: QPointF) -> tuple[float, float]:
+    def _setpoint_at(self, place: QPointF) -> tuple[float, float]:
         field = self._field()
         half = max(field.width() / 2, 1)
         forward = _straightened((field.center().y() - place.y()) / half)

@@ -79,7 +79,7 @@ class Level(QObject):
         """Show a value that no person chose."""
         with QSignalBlocker(self._slider):
             self._slider.setValue(value)
-        self._entry.show_wish(value)
+        self._entry.show_setpoint(value)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Wheel:
@@ -149,7 +149,9 @@ class Options(QGroupBox):
             ),
         )
         self._ceiling = Level(self.tr("&Speed ceiling"), "ceiling", 1, self)
-        self._ceiling.explain(self.tr("No greater speed is sent; full on pad and keys means this"))
+        self._ceiling.explain(
+            self.tr("Highest speed sent; full deflection of pad or keys gives this speed")
+        )
         self._brake = Level(self.tr("&Brake strength"), "brake", 0, self)
         self._brake.name_lowest(self.tr("coast (0 %)"))
         self._brake.explain(
@@ -172,8 +174,8 @@ class Options(QGroupBox):
         for part in (lock_name, self._lock):
             part.setToolTip(
                 self.tr(
-                    "For so long after Stop or Esc nothing drives and Run motor waits, so that "
-                    "what is still being dragged or pressed starts nothing again (0 to {0:g} s)"
+                    "How long Run motor stays locked after Stop or Esc, so that a slider or key "
+                    "still held cannot restart a motor (0 to {0:g} s)"
                 ).format(LONGEST)
             )
 
@@ -260,7 +262,7 @@ class Options(QGroupBox):
     def _on_options_changed(self) -> None:
         self._ceiling.set_value(self._motors.ceiling)
         self._brake.set_value(self._motors.release_brake)
-        self._lock.show_wish(round(self._motors.lockout))
+        self._lock.show_setpoint(round(self._motors.lockout))
         self._show_link()
 
 

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.model.driving.setpoint_text import (
     auxiliary_report_text,
     channel_text,
     report_text,
-    wish_text,
+    setpoint_text,
 )
 from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.driving.key_driver import KeyDriver
@@ -193,12 +193,12 @@ class MotorsPage(QWidget):
         motors = self._motors
         for number in (1, 2):
             drive = motors.drive(number)
-            text = wish_text(drive) if motors.armed else ""
+            text = setpoint_text(drive) if motors.armed else ""
             if self._is_unused(number):
-                text = self.tr("Joint mode: works together with motor 1")
-            self._controls[number].show_wish(drive.signed if drive else 0, text)
-        text = self.tr("Asked: {0}").format(motors.auxiliary) if motors.armed else ""
-        self._controls[_AUXILIARY].show_wish(motors.auxiliary, text)
+                text = self.tr("Joint mode: follows motor 1")
+            self._controls[number].show_setpoint(drive.signed if drive else 0, text)
+        text = self.tr("Setpoint: {0}").format(motors.auxiliary) if motors.armed else ""
+        self._controls[_AUXILIARY].show_setpoint(motors.auxiliary, text)
 
     @Slot()
     @only_when_visible
@@ -237,7 +237,7 @@ class MotorsPage(QWidget):
         control.setEnabled(not self._is_unused(number))
         control.show_channel(telemetry.remapped_of(number) if there else None)
         if not self._is_unused(number):
-            control.show_wish(0, channel_text(self._device, number))
+            control.show_setpoint(0, channel_text(self._device, number))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

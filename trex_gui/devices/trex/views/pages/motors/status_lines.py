@@ -42,7 +42,7 @@ class Head(QWidget):
             self,
             "motorsRunButton",
             self.tr("Run motor"),
-            tip=self.tr("Let what you do on this page move the motors"),
+            tip=self.tr("Let the controls of this page move the motors"),
             on_click=self.run_wanted,
         )
         ui.set_bold(self._run)
