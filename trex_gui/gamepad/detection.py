@@ -1,4 +1,4 @@
-"""Which stick or button a person means: the one that is moved when asked for it."""
+"""Which stick or button is meant: the one that the user moves."""
 
 from trex_gui.gamepad.pads import PadState
 from trex_gui.gamepad.profile import Axis

@@ -6,7 +6,7 @@ from typing import Protocol
 
 
 class GamepadUnavailable(Exception):  # noqa: N818 - reads as what is wrong, as PortUnavailable
-    """No gamepad can be read on this computer; the text tells a person what to do about it."""
+    """No gamepad can be read on this computer; the text says what to do about it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,7 +15,7 @@ class Pad:
 
     Attributes:
         ident: a number of this connection; one that is plugged in again gets another.
-        guid: what kind it is, as SDL tells kinds apart; two of a kind share it.
+        guid: SDL's identifier of its kind; two of a kind share it.
         axes: how many there are.
         buttons: how many there are.
         parts: where SDL knows the kind, its axes (`a0`) and buttons (`b4`) by SDL's names of
@@ -55,7 +55,7 @@ class PadState:
     buttons: tuple[bool, ...]
 
     def axis(self, number: int) -> float:
-        """Where an axis stands; 0 for one that is not there."""
+        """Return the position of an axis; 0 for one that does not exist."""
         return self.axes[number] if 0 <= number < len(self.axes) else 0.0
 
     def pressed(self, number: int | None) -> bool:

@@ -16,12 +16,12 @@ Inferred: sticks settle within a few hundredths of where they were.
 
 
 def shape(value: float, dead_zone: float, expo: float) -> float:
-    """Return the wish (-1 to 1) of an axis at `value` (-1 to 1).
+    """Return the command (-1 to 1) of an axis at `value` (-1 to 1).
 
     Args:
-        value: where the axis stands; beyond its ends it is at its end.
+        value: the position; beyond its ends it is at its end.
         dead_zone: 0 to `WIDEST_DEAD_ZONE` of the way to an end that count for nothing. Behind it
-            the wish begins at 0, so that nothing jumps there.
+            the command begins at 0, so that nothing jumps there.
         expo: 0 (in proportion) to 1 (the cube): how much finer the middle is than the ends.
     """
     reach = min(1.0, abs(value))
@@ -32,7 +32,7 @@ def shape(value: float, dead_zone: float, expo: float) -> float:
 
 
 def is_at_rest(value: float, dead_zone: float) -> bool:
-    """Whether nobody touches this axis, as far as its place tells."""
+    """Return whether the axis is near its rest position."""
     return abs(value) <= max(dead_zone, REST)
 
 

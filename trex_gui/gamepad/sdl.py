@@ -49,7 +49,7 @@ class SdlPads:
             return ()
         try:
             events = pygame.event.get()
-        except pygame.error:  # somebody else in this process has ended SDL
+        except pygame.error:  # SDL was ended elsewhere in this process
             self._open.clear()
             return ()
         for event in events:
@@ -69,7 +69,7 @@ class SdlPads:
                 tuple(joystick.get_axis(number) for number in range(pad.axes)),
                 tuple(bool(joystick.get_button(number)) for number in range(pad.buttons)),
             )
-        except self._pygame.error:  # it is no joystick any more, whether SDL tells so or not
+        except self._pygame.error:  # it is no joystick any more
             del self._open[pad.ident]
             return None
 

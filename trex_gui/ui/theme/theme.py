@@ -89,7 +89,7 @@ class Theme(QObject):
 
     @property
     def is_dark(self) -> bool:
-        """Whether text is lighter than what it stands on."""
+        """Whether text is lighter than its background."""
         return _is_dark(self._colours.palette["window"])
 
     def color(self, name: str) -> QColor:

@@ -73,7 +73,7 @@ class Banner(QFrame):
         self.setVisible(bool(text))
 
     def _name_text(self) -> None:
-        """Let a screen reader say what stands there, or that nothing does."""
+        """Give screen readers a name while there is no message."""
         self._text.setAccessibleName("" if self._text.text() else self.tr("No message"))
 
     @Slot()

@@ -326,7 +326,7 @@ class Bar(QWidget):
 
 
 def with_sign(value: int) -> str:
-    """A signed number as a person reads it: `+64`, `0`, and a real minus before 64."""
+    """Return a signed number for display: `+64`, `0`, and a real minus before 64."""
     if value > 0:
         return f"+{value}"
     return f"{MINUS}{-value}" if value else "0"

@@ -12,7 +12,7 @@ from trex_gui.ui.theme.theme import theme
 
 
 class FocusFramed(QWidget):
-    """Leaves a pixel of margin to the frame, for whoever lays it out."""
+    """Draws a frame while it has the focus; layouts leave a pixel of margin for it."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

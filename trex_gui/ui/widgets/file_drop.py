@@ -39,7 +39,7 @@ class FileDrop(QObject):
 
 
 class AnyFileDrop(QObject):
-    """Takes every file that nobody else takes, so that none is lost without a word.
+    """Takes every dropped file that no other widget takes, so that none is ignored silently.
 
     To be made before the others: what was installed last is asked first.
 

@@ -38,7 +38,7 @@ def before_closing(window: QWidget, name: str) -> SaveAnswer:
 
 
 def may_overwrite(window: QWidget, name: str) -> bool:
-    """Ask before somebody else's change of a file is lost."""
+    """Ask before another program's change of a file is lost."""
     return _may(
         window,
         tr("Changed on disk"),
@@ -50,7 +50,7 @@ def may_overwrite(window: QWidget, name: str) -> bool:
 
 
 def may_write_fresh(window: QWidget, trouble: str) -> bool:
-    """Ask before what a person wrote around the values is lost."""
+    """Ask before comments in a file are lost."""
     return _may(
         window,
         tr("Save as a fresh text"),

@@ -39,8 +39,8 @@ def _nothing() -> None:
 class InlinePrompt(QFrame):
     """A row across the window with an answer a button; hidden while nothing is asked.
 
-    Cancel stands beside every answer and does nothing. One question is asked at a time: another
-    takes its place, and the one before counts as cancelled.
+    Cancel is beside every answer and does nothing. A new question replaces the present one,
+    which counts as cancelled.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:

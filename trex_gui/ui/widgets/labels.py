@@ -41,7 +41,7 @@ class Note(QLabel):
 
 
 class ElidedLabel(QLabel):
-    """Plain text whose end may be cut; what is cut stands in the tool tip.
+    """Plain text whose end may be cut; the tool tip has all of it.
 
     `at_least` is as much text as always has room.
     """

@@ -1,4 +1,4 @@
-"""LEDs as they look on a board: lit, dark, or in one of the patterns that they tell with."""
+"""LEDs as they look on a board: lit, dark, or in one of their patterns."""
 
 import re
 
@@ -104,7 +104,7 @@ class Leds(QWidget):
     def show_patterns(
         self, shown: tuple[str, str], words: tuple[str, str], meanings: tuple[str, str]
     ) -> None:
-        """Show a pattern on each LED; `words` stand beside it, `meanings` are told on demand."""
+        """Show a pattern on each LED; `words` are beside it, `meanings` in its tool tip."""
         self._shown = shown
         for index in range(2):
             name, meaning = self._names[index], meanings[index]

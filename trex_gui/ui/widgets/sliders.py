@@ -16,7 +16,7 @@ from trex_gui.ui.theme.theme import theme
 
 
 class PaintedSlider(QSlider):
-    """Horizontal; whoever derives from it paints the groove, and what stands below the handle."""
+    """Horizontal; subclasses paint the groove, and the area below the handle."""
 
     def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
@@ -33,10 +33,10 @@ class PaintedSlider(QSlider):
         raise NotImplementedError
 
     def paint_below(self, painter: QPainter, handle: QRect) -> None:
-        """Paint what stands below the handle; nothing, where nothing does."""
+        """Paint the area below the handle; nothing by default."""
 
     def initStyleOption(self, option: QStyleOptionSlider) -> None:
-        """Keep groove and handle, painted or clicked on, above what stands below."""
+        """Keep groove and handle, painted or clicked on, above the area below."""
         super().initStyleOption(option)
         option.rect = self.rect().adjusted(0, 0, 0, -self.room_below())
 
@@ -62,11 +62,11 @@ class PaintedSlider(QSlider):
 
 
 class PressSlider(PaintedSlider):
-    """One that is pressed with the left button only, and let go where a hold cannot be told.
+    """Pressed with the left button only, and released when a hold can no longer be detected.
 
     Signals:
         grabbed: a hand is on it.
-        released: that is over, or cannot be told any more: the focus is gone, or it is hidden,
+        released: that is over, or unknown: the focus is gone, or it is hidden,
             disabled, or another window is in front.
     """
 
@@ -140,7 +140,7 @@ class PressSlider(PaintedSlider):
 class StickSlider(PaintedSlider):
     """Horizontal; `rest` is where its fill begins.
 
-    `follow` shows what is so and leaves the hand alone; `valueChanged` is what a person did.
+    `follow` shows a value without disturbing a drag; `valueChanged` is a change by the user.
     """
 
     def __init__(
@@ -160,7 +160,7 @@ class StickSlider(PaintedSlider):
             self.update()
 
     def follow(self, value: int) -> None:
-        """Show a value that no person chose, unless a person holds the handle."""
+        """Show a value that the user did not choose, unless they hold the handle."""
         if not self.isSliderDown() and value != self.value():
             with QSignalBlocker(self):
                 self.setValue(value)

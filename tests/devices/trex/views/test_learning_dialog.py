@@ -57,7 +57,7 @@ def test_problem_of_each_rest_position_is_shown(learning: LearningDialog) -> Non
     learning.click("learnNextButton")
     learning.move_until(lambda: "No channel rests" in learning.head, move)
     expected = {
-        1: "It moved while it was sampled",
+        1: "It moved during sampling",
         2: "It drifted up by",
         3: "It drifted down by",
         4: "valid pulse",

@@ -39,7 +39,7 @@ _STUCK_SHOWN = 0.3
 values errs by 0.1, so that a third goes unsaid now and then, and 45 % does not."""
 
 _STUCK_JUDGED_FROM = 2.0
-"""Counts of noise (0.8 us) from which on a value that is repeated can be told from one that is
+"""Counts of noise (0.8 us) from which on a repeated value can be distinguished from one that is
 the same again. A quieter signal hides its lost pulses until 100 ms lack."""
 
 _STUCK_INTERVAL = 0.03
@@ -86,7 +86,7 @@ class Neutral:
 
     @property
     def seconds_left(self) -> float:
-        """How much longer it has to be sampled, as far as can be told; 0 when it is complete."""
+        """How much longer it has to be sampled, as far as is known; 0 when it is complete."""
         time_left = max(0.0, SAMPLING_SECONDS - self.seconds)
         if self.samples >= LEAST_SAMPLES:
             return time_left

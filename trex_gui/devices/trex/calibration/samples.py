@@ -16,7 +16,7 @@ LEAST_DEVIATION = 1.0
 _STILL = 0.75
 """Share of equal neighbours from which a signal counts as standing still.
 
-The board renews its inputs 50 times a second; whoever asks as often reads some values twice.
+The board renews its inputs 50 times a second; polling as often reads some values twice.
 """
 
 

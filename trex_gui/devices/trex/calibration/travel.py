@@ -25,7 +25,7 @@ _TIMES = 16
 """Samples over which the time between two is measured."""
 
 _LEAST_HOLD = 0.3
-"""Seconds; nobody can hold a stick for less on purpose."""
+"""Seconds; a stick cannot be held for less on purpose."""
 
 _RAIL = 5
 """Counts from the end of the range within which a voltage is at it: 24 mV (inferred)."""
@@ -35,7 +35,7 @@ _MOSTLY = 0.75
 that is pushed along one moves the other by a third of its way, seldom more."""
 
 _SETTLED_SECONDS = 0.4
-"""How long a channel has to stand still to have settled."""
+"""Seconds that a channel has to be still to have settled."""
 
 _SETTLED_LEAST = 0.75
 """Share of that time that has to be covered by samples."""
@@ -44,10 +44,10 @@ _SETTLED_WILD = 0.1
 """Share of the samples that may be wild."""
 
 _LET_GO = 0.5
-"""Share of the way to an end within which a channel that stands still was let go."""
+"""Share of the way to an end within which a still channel was let go."""
 
 _DEVIATIONS = 6.0
-"""Standard deviations of the noise that a channel which stands still stays within."""
+"""Standard deviations of the noise that a still channel stays within."""
 
 _UNEVEN = 0.5
 """Share of the longer side below which the shorter one is worth a word."""
@@ -87,7 +87,7 @@ class Travel:
     Attributes:
         first: the end that was reached first, by most of the way to it.
         held_low, held_high: whether it was held there, not only passed.
-        settled: where it stands still now, if it does.
+        settled: where it is still now, if it is.
         now: the newest valid count.
         interval: seconds between two samples; 0 before it is known.
     """
@@ -265,7 +265,7 @@ class TravelWatch:
 
     @property
     def _first(self) -> Way | None:
-        """The end that was reached first, as can be told when both were reached."""
+        """The end that was reached first; known once both were reached."""
         reached = {
             way: bisect_left(furthest, _MOSTLY * furthest[-1])
             for way, furthest in self._ways.items()
@@ -275,7 +275,7 @@ class TravelWatch:
 
     @property
     def _settled(self) -> int | None:
-        """Where it stands still, a wild value aside."""
+        """Where it is still, a wild value aside."""
         if len(self._last) < HELD:
             return None
         if self._last[-1][0] - self._last[0][0] < _SETTLED_LEAST * _SETTLED_SECONDS:

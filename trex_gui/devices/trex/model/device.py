@@ -123,12 +123,12 @@ class Device(QObject):
 
     @property
     def link(self) -> ConnectionState:
-        """How things stand."""
+        """State of the connection."""
         return self._connection.link
 
     @property
     def status(self) -> str:
-        """How things stand, as a sentence."""
+        """State of the connection as a sentence."""
         return self._connection.status
 
     @property
@@ -190,7 +190,7 @@ class Device(QObject):
 
     @property
     def reset_ordered(self) -> bool:
-        """Whether the board was told to put its parameters back when it starts the next time.
+        """Whether the board will reset its parameters at its next start.
 
         What is written before that is wiped then.
         """
@@ -198,7 +198,7 @@ class Device(QObject):
 
     @property
     def may_move(self) -> bool:
-        """Whether motors were driven and no stop was proved since, connected or not."""
+        """Whether motors were driven and no stop was confirmed since, connected or not."""
         return self._driving.may_move
 
     @property
@@ -222,7 +222,7 @@ class Device(QObject):
         """Whether edits are being written."""
         return self._apply.running
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -------------------------------------------------------------------
 
     def connect_to(self, settings: ConnectionSettings) -> None:
         """Open a line and read everything; ends in `ConnectionState.CONNECTED` or in `failed`.
@@ -243,9 +243,9 @@ class Device(QObject):
         return self._connection.shut_down()
 
     def stop_motors(self, then: AfterStop, reason: str = "") -> None:
-        """Stop everything and disarm; `then` is told whether the board has proved it, once.
+        """Stop everything and disarm; `then` is called once with the confirmation or its error.
 
-        Where the line ends before that, `then` is not called; `link_changed` tells.
+        If the connection ends before that, `then` is not called; `link_changed` is emitted.
         """
         self._driving.stop(then, reason)
 
@@ -298,7 +298,7 @@ class Device(QObject):
             self.draft.discard_edits()
 
     def note_power_cycled(self) -> None:
-        """Take a person's word that the board was switched off and on."""
+        """Note that the user reports a power cycle of the board."""
         self._reset_order.forget()
         if self._state is not None:
             self.draft.take_state(self._state, power_cycled=True)

@@ -1,4 +1,4 @@
-"""When the motors may be driven, wishes on their way to the line, and stops with their proof."""
+"""When the motors may be driven, setpoints on their way to the line, and confirmed stops."""
 
 from collections.abc import Callable
 
@@ -28,11 +28,11 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now, runtime
 
 AfterStop = Callable[[StudioError | None], None]
-"""Gets `None` when a stop is proved, else why it is not."""
+"""Gets `None` if a stop is confirmed, else why it is not."""
 
 
 class DriveController(QObject):
-    """Stands between the motors that a person drives and the connection to the board.
+    """Connects the motors' setpoints to the connection with the board.
 
     Signals:
         confirmed: a stop was; `may_move` is true if a setpoint was sent meanwhile.
@@ -72,7 +72,7 @@ class DriveController(QObject):
 
     @property
     def may_move(self) -> bool:
-        """Whether motors were driven and no stop was proved since, connected or not."""
+        """Whether motors were driven and no stop was confirmed since, connected or not."""
         return self._may_move
 
     def follow(self, *, by_serial: bool) -> None:
@@ -94,9 +94,9 @@ class DriveController(QObject):
         self._connection.stop_now(ending=ending)
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
-        """Stop everything and disarm; `then` is told whether the board has proved it, once.
+        """Stop everything and disarm; `then` is called once with the confirmation or its error.
 
-        Where the line ends before that, `then` is not called.
+        If the connection ends before that, `then` is not called.
         """
         self._after_stop.append(then)
         self._motors.stop(reason)
@@ -104,8 +104,8 @@ class DriveController(QObject):
     # --- Wishes and stops ---------------------------------------------------------------
 
     @Slot(object)
-    def _on_drive_requested(self, wish: SetpointRequest) -> None:
-        if self._connection.submit(wish):
+    def _on_drive_requested(self, request: SetpointRequest) -> None:
+        if self._connection.submit(request):
             self._may_move = True
 
     @Slot()
@@ -126,19 +126,19 @@ class DriveController(QObject):
     def _on_stop_requested(self) -> None:
         waiting, self._after_stop = self._after_stop, []
 
-        def tell(outcome: Outcome) -> None:
+        def report(outcome: Outcome) -> None:
             self._on_stopped(outcome)
             for then in waiting:
                 then(outcome.error)
 
         lockout = self._motors.locked_for
-        if not self._connection.ask(lambda number: Stop(number, lockout), tell):
+        if not self._connection.ask(lambda number: Stop(number, lockout), report):
             for then in waiting:
                 then(NoReply(self.tr("No board is connected.")))
 
     def _on_stopped(self, outcome: Outcome) -> None:
         if outcome.error is None:
-            # A wish that was let through meanwhile is a motor that moves again.
+            # A setpoint that was sent meanwhile moves a motor again.
             self._may_move = self._motors.armed
             self.confirmed.emit()
             self._tell_of_the_lost()
@@ -168,7 +168,7 @@ class DriveController(QObject):
     def _on_answered(self, report: Connected) -> None:
         if report.occasion is not ReadReason.RELOADED:
             if report.may_move or self._motors.armed:
-                # Armed motors tell nobody: wishes of this moment may be on their way still.
+                # While armed, setpoints may still be queued.
                 restarted = self.tr("The board was restarted, so the motors were stopped.")
                 self._motors.stop(restarted if report.occasion.power_cycled else "")
             self._may_move = report.may_move
@@ -188,7 +188,7 @@ class DriveController(QObject):
 
     @Slot()
     def _tell_of_the_lost(self) -> None:
-        """A board that stands now need not be the one whose line was lost with turning motors."""
+        """The board stopped now need not be the one whose line was lost with turning motors."""
         lost, now = self._lost_with, self._connection.settings
         if lost is None or self._may_move or self._connection.link is not ConnectionState.CONNECTED:
             return
@@ -206,10 +206,10 @@ SHUTDOWN = ParameterKey.UART_ERROR_SHUTDOWN
 
 
 def why_the_board_stopped(news: LatchedStatus, *, errors_stop: bool) -> str:
-    """Return why the motors are at rest after these bits, for people; empty: they are not.
+    """Return why the motors are at rest after these bits; empty if they are not.
 
     A serial timeout stops them always, every other serial error where 0x08 says so
-    (`errors_stop`). The next motor command would start them again: that is a person's to give.
+    (`errors_stop`). The next motor command would start them again: only the user may give it.
     """
     if news.uart & UartError.TIMEOUT:
         return QCoreApplication.translate(
@@ -220,8 +220,8 @@ def why_the_board_stopped(news: LatchedStatus, *, errors_stop: bool) -> str:
         names = ", ".join(name for bit, (name, _) in UART_MEANING.items() if news.uart & bit)
         text = QCoreApplication.translate(
             "board_stop",
-            "The board stopped its motors because of an error on the line ({0}), as UART-Error "
-            "Shutdown tells it to.",
+            "The board stopped its motors because of an error on the line ({0}): UART-Error "
+            "Shutdown is set.",
         )
         return text.format(names.lower())
     return ""

@@ -1,7 +1,6 @@
 """Every error bit that was ever seen: how often, and when last.
 
-The board latches a bit until somebody reads it, and reading clears it; so whoever reads owns
-the news, and nothing of it may be lost.
+Reading a latched bit clears it, so every bit that was read is counted here.
 """
 
 import math
@@ -23,7 +22,7 @@ class ErrorEntry:
 
     Attributes:
         last: when it was seen last, by the calendar; `None` while it was never seen.
-        seen_at: the same in seconds of the program's clock, which nobody sets.
+        seen_at: the same in seconds of the program's monotonic clock.
     """
 
     bit: Bit

@@ -48,7 +48,7 @@ class EventWatch(QObject):
         connection.sampled.connect(self._on_sampled)
 
     def note_applied(self, results: tuple[WriteResult, ...], names: tuple[str, ...]) -> None:
-        """Note what Apply has written; `names` are those of `results`, for people."""
+        """Note what Apply has written; `names` are those of `results`."""
         done = [name for name, one in zip(names, results, strict=True) if one.error is None]
         failed = len(results) - len(done)
         text = ", ".join(done[:_NAMED])

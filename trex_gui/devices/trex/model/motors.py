@@ -15,7 +15,7 @@ _STEP_MS = 100
 _KEY = "motors/lockout"
 
 LOCKOUT = 3.0
-"""Seconds that nothing drives after a person has pressed stop, unless set otherwise.
+"""Default lock after a pressed stop, in seconds.
 
 Inferred from what others do: 5 s where throttles are large, none where people drag on and meet a
 motor that starts again.
@@ -25,7 +25,7 @@ LONGEST = 10.0
 
 
 def remembered_lockout() -> float:
-    """Return the seconds that a person has set last, 0 to 10."""
+    """Return the seconds that the user set last, 0 to 10."""
     try:
         seconds = float(str(QSettings().value(_KEY, LOCKOUT)))
     except ValueError:

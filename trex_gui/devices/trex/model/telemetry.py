@@ -41,7 +41,7 @@ class Series(IntEnum):
 class Telemetry(QObject):
     """The newest values, the currents of the last hours and the inputs of the last minute.
 
-    A row of `currents` holds what both motors draw (A), the speeds wished for them (-127 to 127)
+    A row of `currents` holds what both motors draw (A), their speed setpoints (-127 to 127)
     and the remapped channels at that moment. What is not known is not a number, in `inputs` a
     channel without a signal too. The newest values are `None` while nothing is known: before a
     connection and after it.
@@ -66,7 +66,7 @@ class Telemetry(QObject):
         self._motors: Motors | None = None
 
     def watch(self, motors: Motors) -> None:
-        """Keep what is wished for these motors beside what they draw."""
+        """Record the setpoints of these motors beside their currents."""
         self._motors = motors
 
     def begin(self, ampere_per_count: float) -> None:
@@ -115,7 +115,7 @@ class Telemetry(QObject):
         self.updated.emit()
 
     def _setpoints(self) -> tuple[float, float]:
-        """Return the speeds wished for motors 1 and 2; 0 where nothing or braking is wished."""
+        """Return the speed setpoints of motors 1 and 2; 0 for none and for braking."""
         if self._motors is None:
             return math.nan, math.nan
         first, second = (self._motors.drive(motor) for motor in (1, 2))

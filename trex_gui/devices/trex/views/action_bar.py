@@ -83,7 +83,7 @@ class TimeoutNotice(QWidget):
 
 
 class StopButton(RedButton):
-    """The same words, colour and effect wherever it stands; Esc does the same."""
+    """The same text, colour and effect everywhere; Esc does the same."""
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
         """Stop the motors of `device`; `name` is what the button is found by."""
@@ -109,7 +109,7 @@ class ActionBar(QWidget):
     """Stop motor in red, Run motor in green, what state they are in, Apply settings.
 
     Signals:
-        apply_requested: a person wants the edits written.
+        apply_requested: the user wants the edits written.
     """
 
     apply_requested = Signal()
@@ -207,7 +207,7 @@ class ActionBar(QWidget):
         return self.tr("Motors: N/A")
 
     def _show_state(self, *, alarming: bool) -> None:
-        """Let what may move stand out, in weight as well as in colour."""
+        """Emphasize what may move, in weight as well as in colour."""
         font = self._state.font()
         font.setBold(alarming)
         self._state.setFont(font)

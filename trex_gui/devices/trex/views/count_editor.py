@@ -21,7 +21,7 @@ class CountEditor(QSpinBox):
     """Counts as value, physical units as text; `2.1 ms`, `1500` or `3750 counts` may be typed.
 
     Signals:
-        refused: why what was typed is no value, for people.
+        refused: why the typed text is no value, as a sentence.
     """
 
     refused = Signal(str)
@@ -81,7 +81,7 @@ class CountEditor(QSpinBox):
         return super().fixup(text)
 
     def tell_problem(self) -> None:
-        """Say why what stands in the editor is no value, if it is none."""
+        """Emit `refused` if the text is no value."""
         if self._count(self.text()) is None:
             words = self.tr("{0} is no value here. {1}")
             self.refused.emit(words.format(self.text().strip() or "“”", self._expected()))

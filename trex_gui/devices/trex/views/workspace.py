@@ -185,7 +185,7 @@ class TrexWorkspace(Workspace):
         }
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        """Take the actions that stand for its slots, and restore what was shown last."""
+        """Take the actions of its slots, and restore what was shown last."""
         self._actions = actions
         page = str(self._store.value("window/page", 0))
         self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
@@ -339,7 +339,7 @@ class TrexWorkspace(Workspace):
 
     def prepare_to_close(self) -> None:
         """Close every dialog and window of its own."""
-        QObject.disconnect(self._undo_watch)  # the stack tells of its own end, too
+        QObject.disconnect(self._undo_watch)  # the stack emits at its own end, too
         self._history.close()
         self._learn.close()
         self._bench.close()

@@ -11,7 +11,7 @@ from trex_gui.ui.runtime import runtime
 
 
 class GamepadWords(QObject):
-    """Sentences and names for people."""
+    """User-visible sentences and names."""
 
     def button(self, pad: Pad, number: int | None) -> str:
         """A button as it is named or numbered; people count from 1."""
@@ -109,14 +109,14 @@ _NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
 
 
 class Gamepad(QObject):
-    """Reads gamepads while it is switched on, and wishes speeds in their name.
+    """Reads gamepads while it is switched on, and sets speeds in their name.
 
     It drives while `attended`; its stop button works all the while that it is switched on.
     One gamepad is read at a time. What its parts are for is remembered for each kind.
 
     Signals:
         changed: which gamepads there are, which is read, its profile, an option, or `text`.
-        moved: `state` and `ask`; many times a second while somebody touches it.
+        moved: `state` and `ask`; many times a second while it is touched.
     """
 
     changed = Signal()
@@ -207,10 +207,10 @@ class Gamepad(QObject):
         """Whether motors that it drives stop when the window loses the focus."""
         return bool(self._store.value("gamepad/stops_unfocused", defaultValue=True, type=bool))
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -------------------------------------------------------------------
 
     def switch_on(self) -> None:
-        """Begin to read gamepads; `failure` tells where that cannot be."""
+        """Begin to read gamepads; `failure` says why if that is impossible."""
         if self._on:
             return
         try:
@@ -263,7 +263,7 @@ class Gamepad(QObject):
         self.changed.emit()
 
     def attend(self, reason: str) -> None:
-        """Say why nobody looks at what the gamepad drives; empty: somebody does.
+        """Set why the user cannot see what the gamepad drives; empty: they can.
 
         Motors that it drives stop with that reason, and none can be driven until it is empty.
         """
@@ -285,7 +285,7 @@ class Gamepad(QObject):
             self._tell()
             return
         state = self._source.read(pad)
-        if state is None:  # gone since the look, or still there and mute: nobody holds it
+        if state is None:  # gone since the last scan, or silent
             self._miss(pad)
             self.changed.emit()
             self._tell()
@@ -338,7 +338,7 @@ class Gamepad(QObject):
             self._tell()
 
     def _begin(self) -> None:
-        """Let sticks and button prove themselves anew, from the next look on."""
+        """Require sticks at rest and the button released again."""
         self._pilot.begin()
         self._looked = False
 

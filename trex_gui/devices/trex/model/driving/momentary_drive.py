@@ -9,7 +9,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
 
 class MomentaryDrive(QObject):
-    """Turns forward and turn into wishes under one name, and ends them when it is let go.
+    """Turns forward and turn into setpoints under one name, and ends them on release.
 
     Attributes:
         joint: both drivers work as one motor, so there is nothing to turn with.
@@ -53,18 +53,18 @@ class MomentaryDrive(QObject):
         self._motors.release(self._name)
 
     def lose(self, reason: str) -> None:
-        """Stop and disarm: nobody can see any more what is held."""
+        """Stop and disarm: it is unknown whether the control is still held."""
         self._motors.abort(self._name, reason)
 
 
 def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
-    """Return the speeds of motors 1 and 2 for a wish of -1 to 1 each way.
+    """Return the speeds of motors 1 and 2 for -1 to 1 each way.
 
     Motor 1 is the left one: turning right (positive) adds to it. That is the board's own mixing
     of channels (forward plus turn, forward minus turn; inferred there, reference section 3), so a
     robot turns the same way by pad and by stick. Where a sum is beyond full speed both are made
     smaller in proportion: the robot keeps the curve that was asked for, instead of losing it as
-    by clipping. `ceiling` (1 to 127) is the speed that a full wish means.
+    by clipping. `ceiling` (1 to 127) is the speed of full deflection.
     """
     left, right = forward + turn, forward - turn
     scale = ceiling / max(1.0, abs(left), abs(right))
@@ -72,9 +72,9 @@ def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, in
 
 
 TURN_WHILE_GOING = 0.5
-"""How much of a turn is wished while a key for forward or back is held, too.
+"""How much turn is set while a key for forward or back is held, too.
 
-With a full turn one side would stand still; half of one leaves a curve that can be steered.
+With a full turn one side would stop; half of one leaves a curve that can be steered.
 """
 
 
@@ -94,7 +94,7 @@ class HeldKeys:
         self._down: dict[int, Heading] = {}
 
     def press(self, key: int, heading: Heading) -> None:
-        """Take a key that went down; `key` tells it from all others, whatever it is called."""
+        """Take a key that went down; `key` identifies it, whatever its name."""
         self._down[key] = heading
 
     def release(self, key: int) -> bool:

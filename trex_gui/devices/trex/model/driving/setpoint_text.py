@@ -27,7 +27,7 @@ def speed_text(speed: int) -> str:
 
 
 def channel_text(device: Device, channel: int) -> str:
-    """What a channel wishes for where channels drive: the board's own view of its speed."""
+    """The command of a channel where channels drive: the board's own view of its speed."""
     telemetry = device.telemetry
     value = telemetry.remapped_of(channel)
     if value is None:
@@ -42,7 +42,7 @@ def channel_text(device: Device, channel: int) -> str:
 def report_text(device: Device, motor: int) -> str:
     """What the board says of a motor: who controls it, its current, what it latched of late.
 
-    Where channel 5 has handed over to serial, its channel tells what the motor does after that.
+    If channel 5 has handed over to serial, its channel shows what the motor does after that.
     """
     currents = device.telemetry.motor_currents
     if currents is None:

@@ -27,7 +27,7 @@ _SILENT_AFTER = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """What a person takes for a channel: the proposal, until they change it."""
+    """The user's choice for a channel: the proposal, until they change it."""
 
     calibration: Calibration
     reversed_: bool
@@ -138,7 +138,7 @@ class LearnedChannel:
         reversed_: bool | None = None,
         included: bool | None = None,
     ) -> None:
-        """Take what a person wants otherwise; what is not given stays."""
+        """Change the choice; what is not given stays."""
         if self.choice is None:
             return
         if calibration is not None:
@@ -200,14 +200,14 @@ class LearnedChannel:
 
     @property
     def rest_problems(self) -> tuple[Problem, ...]:
-        """What is wrong with the rest, or with a signal that nobody samples yet."""
+        """What is wrong with the rest, or with a signal that is not sampled yet."""
         if self.neutral is not None:
             return self.neutral.problems
         return (no_signal(self.source),) if self.is_silent else ()
 
     @property
     def result_problems(self) -> tuple[Problem, ...]:
-        """What is wrong with what was measured, or with what a person made of it."""
+        """What is wrong with the measurement, or with the user's choice."""
         if self.proposal is None:
             return self.rest_problems
         if self.choice is None:
@@ -254,7 +254,7 @@ class LearnedChannels:
             channel.begin_travel()
 
     def follow(self, travelling: bool) -> None:
-        """Say whether the samples to come tell where the ends are; sampling is over."""
+        """Set whether samples to come are travel; sampling of the rest is over."""
         self._travelling = travelling
         self.sampling = False
 

@@ -1,4 +1,4 @@
-"""What there is to say of values that a person is about to take, against what was measured."""
+"""Checks of chosen values against what was measured."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

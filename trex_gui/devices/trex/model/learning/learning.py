@@ -25,7 +25,7 @@ from trex_gui.ui.plotting.data.pyramid import Floats
 
 
 class LearningStep(Enum):
-    """How far it is; in `DOUBT` a person has to say whether the motors stand."""
+    """The step of the wizard; in `DOUBT` the user has to confirm that the motors are stopped."""
 
     ENDED = auto()
     STOPPING = auto()
@@ -102,7 +102,7 @@ class Learning(QObject):
 
     @property
     def news(self) -> str:
-        """What has led to the test, as a sentence; empty when a person asked for it."""
+        """What led to the test, as a sentence; empty if the user started it."""
         return self._news
 
     def has_edit(self, number: int) -> bool:
@@ -197,14 +197,14 @@ class Learning(QObject):
 
     @property
     def motors_armed(self) -> bool:
-        """Whether somebody drives the motors: to begin would stop them."""
+        """Whether the motors are driven: to begin would stop them."""
         return self._device.motors.armed or self._device.may_move
 
     def why_not(self) -> str:
         """Say why learning cannot begin now; empty when it can."""
         return self._guard.why_not()
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -------------------------------------------------------------------
 
     def begin(self, channels: Sequence[int] = CHANNELS) -> None:
         """Learn these channels at once; the motors are stopped first."""
@@ -217,9 +217,9 @@ class Learning(QObject):
         self._start(channels, LearningStep.TEST)
 
     def next(self) -> None:
-        """Go on with what a person has done or confirmed.
+        """Continue with what the user has done or confirmed.
 
-        That is: the motors stand; hands are off; channels without a rest are left behind; all
+        That is: the motors are stopped; hands are off; channels without a rest are left out; all
         ends were held.
         """
         if not self.can_go_on:

@@ -1,4 +1,4 @@
-"""When channels can be learned: no motor can move, and all of them stand still."""
+"""When channels can be learned: no motor can move, and all are at standstill."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -57,7 +57,7 @@ class CalibrationPreconditions(QObject):
         self._on_arming_changed()
 
     def why_not(self) -> str:
-        """Say why nobody should push sticks now; empty when they move nothing."""
+        """Return why sticks must not be moved now; empty if they move nothing."""
         state = self._device.state
         if self._device.link is not ConnectionState.CONNECTED or state is None:
             return self.tr("Connect to a board first.")
@@ -113,7 +113,7 @@ class CalibrationPreconditions(QObject):
 
 
 _QUIET = 3
-"""Readings in a row without a current that make a motor stand."""
+"""Readings in a row without a current that count as standstill."""
 
 _COUNTS = 2.5
 """Counts of the current sensor that a standing motor stays below. Inferred: a reading is an
@@ -123,14 +123,14 @@ average of 64 samples and wavers by one; that is 0.38 A of a TReX, 0.1 A of a TR
 class StandstillCheck(QObject):
     """Stops the motors, waits for the proof, then watches the currents.
 
-    The proof says that the board took the stop, not that nobody drives the motors again:
+    The confirmation says that the board took the stop, not that nothing drives the motors again:
     another controller may hang on the same line (User's Guide 5: one UART for both
     connectors). In joint mode the board measures no current; then the proof has to do.
 
     Signals:
-        stood: the stop is proved, and no current flows.
-        doubted: the stop is proved, and yet a motor draws a current; a sentence.
-        failed: the stop is not proved; why.
+        stood: the stop is confirmed, and no current flows.
+        doubted: the stop is confirmed, but a motor draws a current; which and how much.
+        failed: the stop is not confirmed; why.
     """
 
     stood = Signal()

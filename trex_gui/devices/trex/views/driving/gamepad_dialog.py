@@ -109,7 +109,7 @@ class GamepadDialog(QDialog):
         super().hideEvent(event)
         self._detect("")
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -------------------------------------------------------------------
 
     @Slot()
     def _on_edited(self) -> None:

@@ -20,7 +20,7 @@ from trex_gui.ui.widgets.labels import Note
 
 
 class GamepadPanel(QGroupBox):
-    """Small while it is switched off; a gamepad drives only while a person can see this page."""
+    """Small while it is switched off; a gamepad drives only while this page is visible."""
 
     def __init__(
         self, device: Device, parent: QWidget | None = None, *, source: PadSource | None = None
@@ -162,7 +162,7 @@ class GamepadPanel(QGroupBox):
         return super().eventFilter(watched, event)
 
     def _attend(self) -> None:
-        """Let the gamepad drive only where a person can see what it does."""
+        """Let the gamepad drive only while its effect is visible."""
         self._gamepad.attend(self._reason())
 
     def _reason(self) -> str:

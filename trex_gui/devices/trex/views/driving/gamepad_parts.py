@@ -76,7 +76,7 @@ class GamepadLive(QGroupBox):
         self._content.show()
 
     def show_state(self, state: PadState | None) -> None:
-        """Show how it stands."""
+        """Show the state."""
         for number, bar in enumerate(self._bars):
             bar.set_part(None if state is None else state.axis(number))
         for number, lamp in enumerate(self._lamps):
@@ -120,7 +120,7 @@ class PartRow(QWidget):
     """A list of parts and a button to find one by moving or pressing it.
 
     Signals:
-        chosen: a person chose another part, or its direction.
+        chosen: the user chose another part, or its direction.
         detect_toggled: whether what is moved now is the part that is meant.
     """
 

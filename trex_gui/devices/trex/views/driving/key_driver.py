@@ -61,7 +61,7 @@ class KeyDriver(QObject):
     known goes up, and when a key like Shift comes or goes.
 
     Signals:
-        steered: forward and turn that the held keys wish for, -1 to 1 each; 0, 0 at the end.
+        steered: forward and turn of the held keys, -1 to 1 each; 0, 0 at the end.
     """
 
     steered = Signal(float, float)

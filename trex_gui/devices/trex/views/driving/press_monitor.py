@@ -1,4 +1,4 @@
-"""Whether a person can still let go of what is held: sees what no single event tells."""
+"""Detects that the release of a held control can no longer arrive as an event."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QApplication, QWidget

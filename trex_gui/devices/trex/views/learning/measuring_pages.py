@@ -60,12 +60,12 @@ class ChannelRow:
         self.words.setMinimumWidth(_WORDS_WIDE * self.words.fontMetrics().averageCharWidth())
         self.problem = ui.named(Note(1, page), f"learnProblem{number}")
 
-        told = ui.row(*self.make_signs(self.beside), into=self.beside, margins=0)
-        told.addSpacing(4)
-        told.addWidget(self.words, 1)
+        row = ui.row(*self.make_signs(self.beside), into=self.beside, margins=0)
+        row.addSpacing(4)
+        row.addWidget(self.words, 1)
 
     def make_signs(self, beside: QWidget) -> Sequence[QWidget]:
-        """Make what stands before the words."""
+        """Create the signs before the words."""
         raise NotImplementedError
 
     def put_into(self, grid: QGridLayout, row: int, *, narrow: bool) -> None:
@@ -100,7 +100,7 @@ class ChannelRow:
         self._align()
 
     def _align(self) -> None:
-        """Let what stands below the bar begin where its track does."""
+        """Align the problem and the words with the track of the bar."""
         inset = self.bar.inset
         self.problem.setContentsMargins(inset, 0, 0, 0)
         self.beside.setContentsMargins(inset if self._narrow else 0, 0, 0, 0)
@@ -221,7 +221,7 @@ class TravelPage(ChannelRows):
 
 
 class EndState(Enum):
-    """How it stands with one end of a channel."""
+    """The state of one end of a channel."""
 
     OPEN = auto()
     HOLD = auto()
@@ -254,7 +254,7 @@ class EndSign(QWidget):
         self.show_state(EndState.OPEN)
 
     def show_state(self, state: EndState) -> None:
-        """Show how it stands, to screen readers, too."""
+        """Show the state, also to screen readers."""
         self._sign.show_sign(*_ICONS[state])
         self._label.setVisible(state is not EndState.NEEDLESS)
         texts = {

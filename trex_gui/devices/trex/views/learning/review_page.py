@@ -195,7 +195,7 @@ _MARGIN = 8
 class ReviewPage(QWidget):
     """One channel at a time, to be chosen above: numbers and curve change together.
 
-    The curve stands beside the numbers; where there is no room for that, below them.
+    The curve is beside the numbers, or below them if there is no room.
     """
 
     def __init__(self, learning: Learning, parent: QWidget | None = None) -> None:

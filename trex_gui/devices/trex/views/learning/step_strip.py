@@ -14,9 +14,9 @@ _SPACING = 6
 
 
 class StepStrip(QWidget):
-    """Shows how far it is; told, it decides nothing.
+    """Shows the steps and the present one.
 
-    Where there is no room for all names, the present one stands alone behind its number.
+    If there is no room for all names, only the present one is shown, with its number.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:

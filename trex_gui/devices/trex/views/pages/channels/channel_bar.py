@@ -26,7 +26,7 @@ _POINTER_HEAD = 6
 class ChannelBar(Bar):
     """Shows a raw channel value between minimum, neutral and maximum.
 
-    The fill runs from neutral to the value, so its side tells the direction; inside the
+    The fill runs from neutral to the value, so its side shows the direction; inside the
     deadband it is grey. The axis widens for values and calibrations that lie outside it.
     """
 
@@ -82,7 +82,7 @@ class ChannelBar(Bar):
 
     @property
     def marks(self) -> dict[str, int]:
-        """The marks that are drawn: their names, and the counts where they stand."""
+        """The marks that are drawn: their names, and their counts."""
         return dict(self._drawn)
 
     @property
@@ -200,7 +200,7 @@ class ChannelBar(Bar):
             centres = spread(wanted, widths, 0.0, end, gap)
             if centres is None:
                 continue
-            # The digits stand under the tick, the unit beside them.
+            # The digits are under the tick, the unit beside them.
             bottom = track.top() + track.height()
             for x, centre, width, text in zip(xs, centres, widths, texts, strict=True):
                 painter.fillRect(QRectF(self._snap(x), bottom + 1, 1, 3), self._marks.muted)

@@ -27,7 +27,7 @@ class SpeedSlider(PressSlider):
 
     Signals:
         grabbed: a mouse button or a key that moves it went down.
-        released: that is over, or cannot be told any more: the focus is gone, or it is hidden,
+        released: that is over, or unknown: the focus is gone, or it is hidden,
             disabled, or covered by a menu or a dialog.
     """
 
@@ -130,11 +130,11 @@ class SpeedEntry(QSpinBox):
     """Asks for a speed on Enter and on steps.
 
     Qt's own box takes a half-typed number, too, when it loses the focus or is hidden: a motor
-    would start because a person looked at another page. Here the number is given up, and the
+    would start because the user looked at another page. Here the number is discarded, and the
     speed in force comes back.
 
     Signals:
-        chosen: the speed that a person entered or stepped to.
+        chosen: the speed that the user entered or stepped to.
     """
 
     chosen = Signal(int)
@@ -209,12 +209,12 @@ FULL_SPEED = 127
 class DriveControl(QWidget):
     """A slider and an entry box that always show the same speed.
 
-    It shows a wish and asks for another; it does not decide what is sent. Where channels drive,
-    a bar of what they wish for stands in its place. The mouse wheel scrolls the page and never
+    It shows a setpoint and requests another; it does not decide what is sent. Where channels
+    drive, a bar of their command replaces it. The mouse wheel scrolls the page and never
     drives a motor.
 
     Signals:
-        speed_wanted: a speed of `lowest` to 127 that a person chose.
+        speed_wanted: a speed of `lowest` to 127 that the user chose.
         brake_wanted: the brake button was pressed.
         grabbed, released: a hand is on the slider, or no longer.
     """
@@ -309,12 +309,12 @@ class DriveControl(QWidget):
         self._bar.setVisible(driven)
 
     def show_channel(self, value: int | None) -> None:
-        """Show what a channel wishes for, -127 to 127; `None`: it has no signal."""
+        """Show the command of a channel, -127 to 127; `None`: it has no signal."""
         self._bar.set_connected(True)
         self._bar.set_value(value if value is None or self._two_way else abs(value))
 
     def show_setpoint(self, speed: int, text: str) -> None:
-        """Show the wish in force, without asking for it again."""
+        """Show the setpoint in force, without requesting it again."""
         with QSignalBlocker(self._slider):
             if not self._slider.isSliderDown():
                 self._slider.setValue(speed)

@@ -68,7 +68,7 @@ class DrivePad(QWidget):
 
     @Slot(float, float)
     def show_position(self, forward: float, turn: float) -> None:
-        """Show what keys wish for, unless a hand is in the pad."""
+        """Show the position of the keys, unless the pad is held."""
         if not self._held:
             self._put(forward, turn)
 
@@ -174,7 +174,7 @@ class DrivePad(QWidget):
         self.update()
 
     def _describe(self) -> None:
-        """Say in words what it does and where it stands, for who does not see it."""
+        """Describe use and position for screen readers."""
         how = self.tr("Arrow keys drive while they are held and this has the focus.")
         if not self._can_turn:
             how = self.tr("Up and Down drive while they are held; there is no turning.")

@@ -31,10 +31,10 @@ class Level(QObject):
     """Lies in three cells of a row of a grid. The mouse wheel leaves it alone.
 
     A number that is typed counts with Enter only, as a speed does: a ceiling that was half typed
-    would let a motor run as fast as nobody meant.
+    would let a motor run faster than intended.
 
     Signals:
-        changed: a value that a person chose.
+        changed: a value that the user chose.
     """
 
     changed = Signal(int)
@@ -180,7 +180,7 @@ class Options(QGroupBox):
             )
 
         how = QVBoxLayout()
-        how.setSpacing(_SPACING)  # else it would take that of the row that it stands in
+        how.setSpacing(_SPACING)  # else it would take that of its row
         for widget in (self._accelerate, self._set, self._keys):
             how.addWidget(widget)
         how.addStretch(1)

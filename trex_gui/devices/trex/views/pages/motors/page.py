@@ -35,7 +35,7 @@ class MotorsPage(QWidget):
     """Nothing moves before the motors were armed; leaving the page lets go of everything.
 
     Signals:
-        parameter_wanted: the key of a parameter that a person wants to see or change.
+        parameter_wanted: the key of a parameter that the user wants to see or change.
     """
 
     parameter_wanted = Signal(str)
@@ -113,7 +113,7 @@ class MotorsPage(QWidget):
         """Take in another way to drive, below the options."""
         self._docks.addWidget(panel)
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -------------------------------------------------------------------
 
     def _on_speed_wanted(self, number: int, speed: int) -> None:
         holder = _name(number) if self._motors.holder == _name(number) else ""

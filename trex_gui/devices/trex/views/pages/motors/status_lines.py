@@ -108,7 +108,7 @@ class Facts(QLabel):
     def refresh(self, *, joint: bool) -> None:
         """Tell it as it is stored now; nothing where that was not read.
 
-        A motor that has the same as the other, or is one with it, is not told of twice.
+        Equal values of both motors, and those in joint mode, are shown once.
         """
         words = {
             "acceleration": self.tr("acceleration"),
@@ -137,7 +137,7 @@ class Facts(QLabel):
             self._name()
 
     def _name(self) -> None:
-        """Let a screen reader say what stands there, or what would."""
+        """Give screen readers a name while there is no text."""
         nothing = self.tr("What the board stores of the motors: not known")
         self.setAccessibleName("" if self.text() else nothing)
 
