@@ -24,7 +24,7 @@ TREX = DevicePlugin(
         ),
         "stream": _command("stream:stream", "Write what the board measures as CSV, until Ctrl-C."),
         "get": _command("parameters:get_command", "Show one parameter."),
-        "set": _command("set_parameter:set_command", "Store one parameter and read it back."),
+        "set": _command("parameters:set_command", "Store one parameter and read it back."),
         "get-settings": _command("files:get_settings", "Save the board's settings to a file."),
         "set-settings": _command("files:set_settings", "Give the board the settings of a file."),
         "check-settings": _command(

@@ -8,7 +8,7 @@ from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing
 from trex_gui.devices.trex.model.board_state import in_force
-from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
+from trex_gui.devices.trex.model.settings.apply import PendingReset
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     Calibration,
@@ -63,7 +63,7 @@ def test_unverified_result_does_not_change_the_state(result: WriteResult) -> Non
     assert after_writing(STATE, [result]) == STATE
 
 
-@pytest.mark.parametrize(("what", "channel"), [("channel 3", 3), ("channel_input_source", None)])
+@pytest.mark.parametrize(("what", "channel"), [("rc_channel_3", 3), ("channel_input_source", None)])
 def test_write_result_gives_its_channel(what: str, channel: int | None) -> None:
     assert WriteResult(what).channel == channel
 

@@ -6,13 +6,13 @@ from dataclasses import replace
 from trex_gui.core.cli.console import ProgressLine, say
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.cli.reconnect_hint import say_how_to_reach
-from trex_gui.devices.trex.cli.snapshots import keep
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings, settings_of
+from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.rules import Context, lint
 
 
@@ -97,3 +97,16 @@ def say_what_follows(
     if client.settings != link:
         say(f"Reach the board with {as_options(client.settings)} from now on.")
     say_how_to_reach(client.settings, {**state.parameters, **stored}, state.signature.firmware)
+
+
+def keep(settings: Settings, link: ConnectionSettings, reason: str) -> None:
+    """Save a snapshot where the window keeps its own, and say where.
+
+    Raises:
+        SettingsError: it cannot be saved; nothing must be written to the board then.
+    """
+    history = SettingsHistory()
+    snapshot = history.take(settings, adapter=link.name or link.url, reason=reason)
+    say(f"What the board stores now is kept in {snapshot.path}.")
+    if problem := history.bound().problem:
+        say(f"Warning: {problem} `trexcmd history keep 500` sets it anew.")

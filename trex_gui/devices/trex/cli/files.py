@@ -11,6 +11,7 @@ from trex_gui.core.cli.console import Interruption, ProgressLine, UsageError, re
 from trex_gui.core.cli.options import json_option
 from trex_gui.core.files.errors import Finding, SettingsError, Severity
 from trex_gui.devices.trex.cli.changes import (
+    keep,
     read_board,
     require_serial_mode,
     say_changes,
@@ -25,7 +26,6 @@ from trex_gui.devices.trex.cli.common import (
     open_line_to_change,
 )
 from trex_gui.devices.trex.cli.settings_io import FILE, content_of, name_of, read_file, save_file
-from trex_gui.devices.trex.cli.snapshots import keep
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult, write_all

@@ -25,10 +25,8 @@ from trex_gui.devices.trex.model.errors import ErrorLog
 from trex_gui.devices.trex.model.event_watch import EventWatch
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.parameters.parameters import Column
-from trex_gui.devices.trex.model.settings.apply import Apply
-from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
-from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
+from trex_gui.devices.trex.model.settings.apply import Apply, PendingReset
+from trex_gui.devices.trex.model.settings.draft import EditBackup, SettingsDraft
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings

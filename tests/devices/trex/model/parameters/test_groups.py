@@ -10,9 +10,9 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.linter import SettingsLinter
-from trex_gui.devices.trex.model.parameters.motor_pairs import motor_name, other_motor_key
 from trex_gui.devices.trex.model.parameters.parameters import Column, ParameterModel, Role
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.protocol.parameter_keys import motor_name, other_motor_key
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.settings.document import Settings

@@ -7,8 +7,8 @@ from PySide6.QtCore import QObject
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.draft import Draft
-from trex_gui.devices.trex.model.parameters.motor_pairs import motor_name, other_motor_key
 from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.parameter_keys import motor_name, other_motor_key
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
 
 FULL_SPEED_MS = 12_700

@@ -7,8 +7,8 @@ from typing import Any
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 
 from trex_gui.devices.trex.model.parameters.draft import Draft
-from trex_gui.devices.trex.model.parameters.motor_pairs import other_motor_key
 from trex_gui.devices.trex.model.parameters.text import ParameterText, pwm_partner
+from trex_gui.devices.trex.protocol.parameter_keys import other_motor_key
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 
 Index = QModelIndex | QPersistentModelIndex

@@ -1,6 +1,6 @@
 """Writing edits into the board: a snapshot first, then every value written and read back."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import cast
 
 from PySide6.QtCore import QObject, Signal
@@ -9,6 +9,7 @@ from trex_gui.core.errors import sentence
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -141,3 +142,31 @@ class Apply(QObject):
         self.written.emit(written)
         self._draft.parameters.note_results(written.results)
         self.finished.emit(written.results)
+
+
+class PendingReset:
+    """Whether a board was told to reset itself and has not started since, as far as it shows."""
+
+    def __init__(self) -> None:
+        self._given_at: dict[str, int] | None = None
+
+    @property
+    def stands(self) -> bool:
+        """Whether what is written now will be wiped at the next start."""
+        return self._given_at is not None
+
+    def note_written(self, results: Sequence[WriteResult], stored: Mapping[str, int]) -> None:
+        """Look for the order among what was written to a board that stores these parameters."""
+        if any(
+            result.key == ParameterKey.FACTORY_RESET and result.error is None for result in results
+        ):
+            self._given_at = dict(stored)
+
+    def note_read(self, stored: Mapping[str, int], *, power_cycled: bool) -> None:
+        """Take the board as it shows itself; one that stores other values has started anew."""
+        if power_cycled or self._given_at != dict(stored):
+            self._given_at = None
+
+    def forget(self) -> None:
+        """Take it for carried out."""
+        self._given_at = None

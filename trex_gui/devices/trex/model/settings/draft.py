@@ -2,10 +2,13 @@
 
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
+from trex_gui.core.errors import BadRequest, sentence
+from trex_gui.core.files.errors import SettingsError
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.settings.calibrations import Calibrations
@@ -13,8 +16,10 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibra
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.settings.comparison import ComparisonRow
+from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import Settings, specs_for
+from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.ui.notifier import Notifier
 
 
 class SettingsDraft(QObject):
@@ -170,3 +175,69 @@ class SettingsDraft(QObject):
 def _is_analog(settings: Settings) -> bool:
     """Whether a board with these settings reads voltages, as far as they tell."""
     return settings.parameters.get(ParameterKey.CHANNEL_INPUT_SOURCE) == 1
+
+
+class EditBackup(QObject):
+    """Saves what a draft shows before the settings of another kind replace it."""
+
+    def __init__(
+        self, history: SettingsHistory, notifier: Notifier, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._notifier = notifier
+        self._history = history
+
+    @Slot(object)
+    def keep(self, shown: Settings) -> None:
+        """Save settings with edits that no board of their kind is there for any more."""
+        name = f"{shown.product.name} {shown.firmware or ''}".strip()
+        reason = self.tr("another board; with edits that were not applied")
+        try:
+            self._history.take(shown, adapter="", reason=reason)
+        except SettingsError as error:
+            text = self.tr("The edits for the {0} before could not be saved. {1}")
+            self._notifier.error.emit(text.format(name, sentence(error)))
+            return
+        text = self.tr(
+            "The settings of the {0} before, with the edits that were not applied, are kept in "
+            "File, History."
+        )
+        self._notifier.delayed_info.emit(text.format(name))
+
+
+def diff_against_draft(draft: SettingsDraft, settings: Settings) -> Comparison:
+    """Compare what a draft shows with what it would show after taking other settings in.
+
+    What the board does not take now, or does not have, is left out and named.
+
+    Raises:
+        BadRequest: the settings are for another model, or nothing is there to compare with.
+    """
+    shown = draft.shown
+    if shown is None:
+        raise BadRequest("no settings are there to compare with")
+    if settings.product.key != shown.product.key:
+        message = (
+            f"these are settings of a {settings.product.name}, and here is a {shown.product.name}"
+        )
+        raise BadRequest(message)
+    known = {spec.key for spec in shown.specs.readable}
+    unread = [key for key in settings.parameters if key in known and not draft.knows(key)]
+    hidden = [key for key in settings.calibrations if not draft.knows(key)]
+    fitted = replace(
+        settings,
+        parameters={k: w for k, w in settings.parameters.items() if k not in unread},
+        calibrations={
+            key: calibration
+            for key, calibration in settings.calibrations.items()
+            if key not in hidden
+        },
+    )
+    notes = [f"{key} is left out: it could not be read from the board." for key in unread]
+    notes += [
+        f"The {name} calibrations are left out: the board takes them only while its inputs are "
+        f"read as {name}."
+        for name in sorted({key.source.value for key in hidden})
+    ]
+    result = compare(shown, fitted)
+    return replace(result, left_out=(*result.left_out, *notes))

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.settings.diff import diff_against_draft
+from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.settings.diff import diff_against_draft
+from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import factory_settings, serial_defaults
 from trex_gui.devices.trex.views.action_bar import StopButton

@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
-from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView

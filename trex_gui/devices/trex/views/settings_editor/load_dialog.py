@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPushButton, QVBoxLa
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.core.files.errors import Finding
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.settings.diff import diff_against_draft
+from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView

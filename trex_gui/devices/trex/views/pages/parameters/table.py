@@ -1,18 +1,30 @@
 """The parameters of a draft: filters, table, findings and help; of a board or of a file."""
 
+from functools import partial
+from html import escape
+from typing import cast
+
 from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
-from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
 from trex_gui.devices.trex.model.parameters.parameters import Column, Role
+from trex_gui.devices.trex.model.parameters.text import ParameterText
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilters
-from trex_gui.devices.trex.views.pages.parameters.findings_list import FindingsList
-from trex_gui.devices.trex.views.pages.parameters.help import ParameterHelp
 from trex_gui.devices.trex.views.pages.parameters.menu import ParameterMenu
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
+from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -168,3 +180,115 @@ class _Nothing(QWidget):
         around.addWidget(self, 0, Qt.AlignmentFlag.AlignCenter)
 
         show_all.clicked.connect(self.all_wanted)
+
+
+_LINES = 6
+
+
+class ParameterHelp(QLabel):
+    """Keeps the room of a few lines, so that nothing jumps above it."""
+
+    def __init__(self, text: ParameterText, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._text = text
+        self.setObjectName("parameterHelp")
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.RichText)
+        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setMargin(8)
+        self.setMinimumHeight(_LINES * self.fontMetrics().lineSpacing() + 2 * self.margin())
+        self._show_lines([])
+
+    def show_help_of(self, index: QModelIndex) -> None:
+        """Explain the parameter of a row, or what a heading is good for."""
+        spec = cast("ParameterSpec | None", index.data(Role.SPEC))
+        if spec is not None:
+            self._show_lines(self._lines(spec, index))
+        elif index.data(Role.GROUP) is not None:
+            hint = self.tr("Enter, or a click on the arrow, closes or opens the group.")
+            self._show_lines([f"<b>{escape(str(index.data()))}</b>", hint])
+        else:
+            self._show_lines([])
+
+    def _show_lines(self, lines: list[str]) -> None:
+        self.setText("<br>".join(lines))
+        self.setAccessibleName("" if lines else self.tr("No parameter is selected"))
+
+    def _lines(self, spec: ParameterSpec, index: QModelIndex) -> list[str]:
+        lines = [
+            f"<b>{escape(spec.name)}</b> ({spec.number:#04x}, <code>{spec.key}</code>)",
+            escape(spec.description),
+            escape(f"{self._text.limits(spec)} {self._text.origin(spec)}"),
+        ]
+        if spec.needs_power_cycle:
+            lines.append(self.tr("Takes effect when the board is switched off and on."))
+        told = [index.data(Role.STORED_TEXT), index.data(Role.TWIN), index.data(Role.PROBLEM)]
+        waiting = index.data(Role.WAITING)
+        if waiting is not None:
+            told.append(self.tr("Still active: {0}.").format(spec.text(waiting)))
+        if stand_out := " ".join(escape(text) for text in told if text):
+            lines.append(f"<b>{stand_out}</b>")
+        return lines
+
+
+_SHOWN = 3
+_ICON = 16
+
+
+class FindingsList(QWidget):
+    """The first findings, one below the other; hidden without any."""
+
+    def __init__(self, linter: SettingsLinter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("adviceList")
+        self.setAccessibleName(self.tr("Findings about the settings"))
+        self._linter = linter
+        self._rows: list[QWidget] = []
+
+        self._layout = QVBoxLayout(self)
+        self._layout.setContentsMargins(0, 0, 0, 0)
+
+        linter.changed.connect(self._on_changed)
+        theme().changed.connect(self._on_changed)
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        for row in self._rows:
+            self._layout.removeWidget(row)
+            row.setParent(None)
+            row.deleteLater()  # later: the click that brought us here may be one of its own
+        findings = self._linter.findings
+        self._rows = [self._row(index) for index in range(min(_SHOWN, len(findings)))]
+        if len(findings) > _SHOWN:
+            more = QLabel(self.tr("… and {0} more").format(len(findings) - _SHOWN), self)
+            self._rows.append(more)
+        for row in self._rows:
+            self._layout.addWidget(row)
+        self.setVisible(bool(self._rows))
+
+    def _row(self, index: int) -> QWidget:
+        finding = self._linter.findings[index]
+        row = QWidget(self)
+        sign = QLabel(row)
+        sign.setPixmap(icon("warning").pixmap(_ICON, _ICON))
+        text = QLabel(finding.message, row)
+        text.setObjectName(f"advice{index}")
+        text.setToolTip(finding.message)
+        text.setWordWrap(True)
+        text.setMinimumHeight(2 * text.fontMetrics().lineSpacing() + 4)
+        text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        layout = QHBoxLayout(row)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(sign)
+        layout.addWidget(text, 1)
+        if finding.change:
+            accept = QPushButton(finding.proposal, row)
+            accept.setObjectName(f"acceptAdvice{index}")
+            accept.setToolTip(self.tr("Make this an edit; nothing is written before Apply"))
+            accept.clicked.connect(partial(self._linter.accept, finding))
+            layout.addWidget(accept)
+        return row
