@@ -27,7 +27,6 @@ _UPDATE_INTERVAL_MS = 250
 _DROPPED_SUFFIXES = frozenset({SUFFIX, ".csv"})
 """A CSV export is taken, too, to explain that it is no recording."""
 
-RecorderT = TypeVar("RecorderT", bound=RecordThread[Any])
 WindowT = TypeVar("WindowT", bound="RecordingWindow")
 
 
@@ -133,7 +132,7 @@ class RecordingTexts:
     open_command: str
 
 
-class RecordingManager(QObject, Generic[RecorderT, WindowT]):
+class RecordingManager(QObject, Generic[WindowT]):
     """Chooses files, starts recordings and owns the windows of open ones.
 
     A subclass for each device makes the windows.
@@ -146,7 +145,7 @@ class RecordingManager(QObject, Generic[RecorderT, WindowT]):
 
     def __init__(
         self,
-        recorder: RecorderT,
+        recorder: RecordThread[Any],
         texts: RecordingTexts,
         notifier: Notifier,
         window: QWidget,

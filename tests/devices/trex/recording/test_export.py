@@ -14,7 +14,13 @@ from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus, Raw
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.devices.trex.recording import AuxiliarySetpointRecord, Record, SetpointRecord
+from trex_gui.devices.trex.recording import (
+    AuxiliarySetpointRecord,
+    Record,
+    SetpointRecord,
+    measured_columns,
+    sample_kinds,
+)
 
 T0 = HEADER.clock
 WHOLE = (T0 - 1, T0 + 1e6)
@@ -46,6 +52,12 @@ def test_csv_has_units_and_rows_repeat_last_values(tmp_path: Path) -> None:
     assert float(last["motor_2_current_A"]) >= 0
     assert last["channel_5_raw"] == last["channel_5_us"] == ""
     assert all(None not in row for row in rows)
+
+
+def test_csv_names_everything_that_stream_writes(tmp_path: Path) -> None:
+    (header,) = rows_of(export(tmp_path, []))
+    kinds = sample_kinds(HEADER.mode.source, HEADER.model.current_unit)
+    assert set(measured_columns(kinds)) < set(header)
 
 
 def test_csv_names_setpoints_status_and_markers(tmp_path: Path) -> None:

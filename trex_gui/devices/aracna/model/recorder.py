@@ -86,10 +86,8 @@ class AracnaRecorder(RecordThread[Record]):
     @Slot()
     def _on_link_changed(self) -> None:
         if self.recording and self._robot.link is ConnectionState.DISCONNECTED:
-            self.end_because(self.tr("The recording {0} has ended with the connection."))
+            self.end_because(self.tr("Recording {0} ended with the connection."))
         elif self.recording and self._robot.motors != self._motors:
-            self.end_because(
-                self.tr("The recording {0} has ended: the number of motors has changed.")
-            )
+            self.end_because(self.tr("Recording {0} ended: the number of motors has changed."))
         else:
             self.changed.emit()

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
 
 
-class AracnaRecordings(RecordingManager[AracnaRecorder, "RobotPlaybackWindow"]):
+class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
     """Records a robot and owns the windows of its recordings."""
 
     def __init__(self, robot: Robot, window: QWidget) -> None:

@@ -71,7 +71,7 @@ class Recorder(RecordThread[Record]):
             return
         if _identity(state) != self._board:
             self.end_because(
-                self.tr("The recording {0} has ended: the board or its mode is another one.")
+                self.tr("Recording {0} ended: the board or its input source has changed.")
             )
             return
         snapshot = settings_snapshot(state, now())
@@ -82,7 +82,7 @@ class Recorder(RecordThread[Record]):
     @Slot()
     def _on_link_changed(self) -> None:
         if self.recording and self._device.link is ConnectionState.DISCONNECTED:
-            self.end_because(self.tr("The recording {0} has ended with the connection."))
+            self.end_because(self.tr("Recording {0} ended with the connection."))
         self.changed.emit()
 
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from trex_gui.devices.trex.views.playback import PlaybackWindow
 
 
-class Recordings(RecordingManager[Recorder, "PlaybackWindow"]):
+class Recordings(RecordingManager["PlaybackWindow"]):
     """Records a board and owns the windows of its recordings.
 
     Signals:
