@@ -14,7 +14,7 @@ from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 LOCKED = "The screen was locked"
-MISTAKEN = "The program made a mistake (ValueError)"
+MISTAKEN = "Internal error (ValueError)"
 NOT_ARMED = "Not armed: nothing is sent before Run motor."
 
 

@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import WindowDriver
 from trex_gui.supervisor import SafetySupervisor
-from trex_gui.system.session_events import SessionEvents
+from trex_gui.system.login_session import SessionEvents
 from trex_gui.ui.program import Program
 
 

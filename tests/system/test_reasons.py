@@ -5,9 +5,8 @@ import sys
 import pytest
 from PySide6.QtDBus import QDBusConnection
 
-from trex_gui.system.exceptions import ExceptionWatch
-from trex_gui.system.session_events import SessionEvents
-from trex_gui.system.wake import SuspendDetector
+from trex_gui.system.automatic_stop import ExceptionWatch, SuspendDetector
+from trex_gui.system.login_session import SessionEvents
 from trex_gui.system.windows_events import (
     PBT_APMSUSPEND,
     WM_POWERBROADCAST,
@@ -78,7 +77,7 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(
         assert not reason.endswith("."), reason
         assert "stop" not in reason, reason
         assert "motor" not in reason, reason
-    assert reasons[-1] == "The program made a mistake (ValueError)"
+    assert reasons[-1] == "Internal error (ValueError)"
     assert reasons[2] == reasons[4] == "The screen was locked"
 
 

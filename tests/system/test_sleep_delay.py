@@ -9,8 +9,7 @@ from PySide6.QtDBus import QDBusConnection
 from pytestqt.qtbot import QtBot
 
 from tests.support.logind import Logind, connection_to, message_bus
-from trex_gui.system.session_events import SessionEvents
-from trex_gui.system.sleep_delay import SleepDelay
+from trex_gui.system.login_session import SessionEvents, SleepDelay
 
 pytestmark = [
     pytest.mark.realtime,
@@ -41,7 +40,7 @@ class Asleep:
     @property
     def waited_ms(self) -> int:
         """How long motors were looked at; a computer that stands still looks at none."""
-        return self.delay._looked * self.delay._timer.interval()
+        return self.delay._polls * self.delay._timer.interval()
 
     def begin_to_sleep(self) -> None:
         with self.qtbot.waitSignal(self.events.sleeping):
@@ -99,7 +98,7 @@ def test_sleep_delay_without_logind_holds_nothing(
     buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot
 ) -> None:
     delay = SleepDelay(lambda: False, buses[1], patience=1.0)
-    qtbot.waitUntil(lambda: delay._asked is None)
+    qtbot.waitUntil(lambda: delay._request is None)
     assert not delay.holds
     delay.note_sleep(begins=True)
     delay.give()

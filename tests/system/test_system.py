@@ -10,10 +10,13 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from trex_gui.system.exceptions import ExceptionWatch
+from trex_gui.system.automatic_stop import (
+    ExceptionWatch,
+    StopBroadcaster,
+    SuspendDetector,
+    slept_so_far,
+)
 from trex_gui.system.signals import SignalWatch
-from trex_gui.system.stopper import StopBroadcaster
-from trex_gui.system.wake import SuspendDetector, slept_so_far
 from trex_gui.system.windows_events import (
     PBT_APMSUSPEND,
     WM_POWERBROADCAST,

@@ -12,7 +12,7 @@ from tests.support.pages.robot import RobotWindow
 from tests.support.virtual_time import VirtualRuntime
 
 LOCKED = "The screen was locked"
-MISTAKE = "The program made a mistake (ValueError)"
+MISTAKE = "Internal error (ValueError)"
 AGAIN = 1.5
 """Seconds after which the same mistake is reported again."""
 

@@ -1,0 +1,167 @@
+"""Linux desktops over D-Bus: a locked screen, sleep and shutdown, and a delay for the motors.
+
+Ref: org.freedesktop.login1 (systemd), org.freedesktop.ScreenSaver (KDE, Xfce and others),
+org.gnome.ScreenSaver. org.freedesktop.login1.Manager, Inhibit: "delay" holds sleep up until the
+descriptor that was given is closed, at most for InhibitDelayMaxSec (5 s unless set otherwise).
+"""
+
+import logging
+import os
+from collections.abc import Callable
+
+from PySide6.QtCore import SLOT, QObject, Signal, Slot
+from PySide6.QtDBus import (
+    QDBusConnection,
+    QDBusMessage,
+    QDBusPendingCallWatcher,
+    QDBusUnixFileDescriptor,
+)
+
+from trex_gui.ui.runtime import runtime
+
+log = logging.getLogger(__name__)
+
+_LOGIN = "org.freedesktop.login1"
+_PATH = "/org/freedesktop/login1"
+_ANY = ""
+"""Any service, or any path: the bus configuration decides who may send these signals, and one stop
+too many does no harm."""
+
+_POLL_MS = 20
+
+
+class SessionEvents(QObject):
+    """Listens on the system and the session bus, if there are any.
+
+    Signals:
+        leaving: the user cannot see the window any more, or soon; the reason to stop, a clause
+            without a full stop.
+        sleeping: the computer is about to sleep (after `leaving`), or has woken up.
+    """
+
+    leaving = Signal(str)
+    sleeping = Signal(bool)
+
+    def __init__(
+        self,
+        system: QDBusConnection | None = None,
+        session: QDBusConnection | None = None,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        system = system or QDBusConnection.systemBus()
+        session = session or QDBusConnection.sessionBus()
+        if system.isConnected():
+            self._listen(system, f"{_LOGIN}.Manager", "PrepareForSleep", "_on_sleep(bool)")
+            self._listen(system, f"{_LOGIN}.Manager", "PrepareForShutdown", "_on_shut_down(bool)")
+            self._listen(system, f"{_LOGIN}.Session", "Lock", "_on_locked()")
+        if session.isConnected():
+            for interface in ("org.freedesktop.ScreenSaver", "org.gnome.ScreenSaver"):
+                self._listen(session, interface, "ActiveChanged", "_on_saver(bool)")
+
+    def _listen(self, bus: QDBusConnection, interface: str, name: str, slot: str) -> None:
+        # The stub asks for bytes; the binding takes what SLOT makes, a str.
+        if not bus.connect(_ANY, _ANY, interface, name, self, SLOT(slot)):  # type: ignore[call-overload]
+            log.info("%s.%s cannot be listened to", interface, name)
+
+    @Slot(bool)
+    def _on_sleep(self, begins: bool) -> None:
+        if begins:
+            self.leaving.emit(self.tr("The computer goes to sleep"))
+        self.sleeping.emit(begins)
+
+    @Slot(bool)
+    def _on_shut_down(self, begins: bool) -> None:
+        if begins:
+            self.leaving.emit(self.tr("The computer shuts down"))
+
+    @Slot()
+    def _on_locked(self) -> None:
+        self.leaving.emit(self.tr("The screen was locked"))
+
+    @Slot(bool)
+    def _on_saver(self, active: bool) -> None:
+        if active:
+            self._on_locked()
+
+
+class SleepDelay(QObject):
+    """Delays sleep until the stop of the motors is confirmed; does nothing without logind.
+
+    `may_move` says whether motors were driven and no stop has been confirmed since.
+    """
+
+    def __init__(
+        self,
+        may_move: Callable[[], bool],
+        system: QDBusConnection | None = None,
+        parent: QObject | None = None,
+        *,
+        patience: float,
+    ) -> None:
+        """Delay sleep by `patience` seconds at most."""
+        super().__init__(parent)
+        self._patience = patience
+        self._may_move = may_move
+        self._bus = system or QDBusConnection.systemBus()
+        self._descriptor: int | None = None
+        self._request: QDBusPendingCallWatcher | None = None
+        self._polls = 0
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_POLL_MS)
+        self._timer.timeout.connect(self._on_poll)
+        self.take()
+
+    @property
+    def holds(self) -> bool:
+        """Whether sleep would wait for this program."""
+        return self._descriptor is not None
+
+    def take(self) -> None:
+        """Request a delay of the next sleep; the reply comes later."""
+        if self.holds or self._request is not None or not self._bus.isConnected():
+            return
+        call = QDBusMessage.createMethodCall(_LOGIN, _PATH, f"{_LOGIN}.Manager", "Inhibit")
+        why = self.tr("Motors that can be stopped are stopped before the computer sleeps")
+        call.setArguments(["sleep", "TReX Studio", why, "delay"])
+        call.setAutoStartService(False)
+        self._request = QDBusPendingCallWatcher(self._bus.asyncCall(call), self)
+        self._request.finished.connect(self._on_reply)
+
+    def give(self) -> None:
+        """Delay sleep no longer."""
+        self._timer.stop()
+        if self._descriptor is not None:
+            os.close(self._descriptor)
+            self._descriptor = None
+
+    @Slot(bool)
+    def note_sleep(self, begins: bool) -> None:
+        """Allow sleep once the stop is confirmed; when the computer wakes, request a new delay.
+
+        The stop itself was sent because of `SessionEvents.leaving`.
+        """
+        if begins:
+            self._polls = 0
+            self._timer.start()
+        else:
+            self._timer.stop()
+            self.take()
+
+    @Slot()
+    def _on_poll(self) -> None:
+        self._polls += 1
+        if not self._may_move() or self._polls * _POLL_MS >= self._patience * 1000:
+            self.give()
+
+    @Slot(QDBusPendingCallWatcher)
+    def _on_reply(self, watcher: QDBusPendingCallWatcher) -> None:
+        self._request = None
+        watcher.deleteLater()
+        answer = watcher.reply()
+        values = answer.arguments()
+        if not values or not isinstance(values[0], QDBusUnixFileDescriptor):
+            log.info("sleep cannot be held up: %s", answer.errorMessage())
+            return
+        # Qt closes its own with the message.
+        self._descriptor = os.dup(values[0].fileDescriptor())
