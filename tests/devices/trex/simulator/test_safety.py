@@ -33,7 +33,7 @@ class TestSafety:
     def test_motors_stop_at_serial_timeout(self) -> None:
         board = Board()
         write(board, "serial_timeout", 5)
-        board.hear()
+        board.note_byte()
         board.serial.drive(1, FORWARD, 100)
         board.serial.drive_aux(100)
         board.advance(0.49)
@@ -46,12 +46,12 @@ class TestSafety:
     def test_timeout_is_latched_once_per_silence(self) -> None:
         board = Board()
         write(board, "serial_timeout", 1)
-        board.hear()
+        board.note_byte()
         board.advance(0.2)
         assert board.serial.take_uart_errors()
         board.advance(1)
         assert not board.serial.take_uart_errors()
-        board.hear()
+        board.note_byte()
         board.advance(0.2)
         assert board.serial.take_uart_errors()
 
@@ -60,12 +60,12 @@ class TestSafety:
         write(board, "serial_timeout", 1)
         board.serial.drive(1, FORWARD, 100)
         for _ in range(50):
-            board.hear()
+            board.note_byte()
             board.advance(0.09)
         assert board.motors[0].speed == 100
         board.advance(0.1)
         assert board.motors[0].direction is BRAKE
-        board.hear()
+        board.note_byte()
         board.serial.drive(1, REVERSE, 5)
         assert (board.motors[0].direction, board.motors[0].speed) == (REVERSE, 5)
 
@@ -74,7 +74,7 @@ class TestSafety:
         eeprom.write("serial_timeout", 5)
         board = Board(mode="rc", eeprom=eeprom)
         board.advance(SETTLED)
-        board.hear()
+        board.note_byte()
         board.serial.drive(1, FORWARD, 77)
         board.advance(2)
         assert not board.serial.uart_errors  # the channels are in control

@@ -1,7 +1,7 @@
-"""The board's program, written as it runs: one thread of doing that waits where the chip waits.
+"""The board's firmware as a generator that waits where the chip waits.
 
 Ref: CreativeMachinesLab/aracna, `aracna-embedded-code` of 25 Sep 2012, as it is described. It
-knows no clock: it yields what it waits for, and goes on when that is over.
+knows no clock: it yields what it waits for.
 """
 
 import math
@@ -14,30 +14,30 @@ from trex_gui.devices.aracna.simulator import parsing
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
 BUFFER = 59
-"""Characters that one line may have, newline included; the sixtieth byte ends the string."""
+"""Characters of a line, newline included; the sixtieth byte ends the string."""
 
 BLINKING = 1.0
-"""Seconds of blinking after `.h` in which nothing is read."""
+"""Seconds of blinking after `.h`, in which nothing is read."""
 
 _BLINKS = 10
-"""Switchings of the LED in that time; an even number leaves it off."""
+"""Toggles of the LED in that time; an even number leaves it off."""
 
 SPEED_PAUSE = 0.025
 """Seconds between writing the speeds and reading them back."""
 
 WRITING = 0.000125
-"""Seconds for a packet that sets something; with `READING` inferred from the round trips:
-42 to 55 ms for `.v`, 33 to 37 ms for `.c` without motion."""
+"""Seconds of a packet that writes; inferred, as `READING`, from the round trips: 42 to 55 ms for
+`.v`, 33 to 37 ms for `.c` without motion."""
 
 READING = 0.000875
-"""Seconds for a packet that asks something, with its answer or without."""
+"""Seconds of a packet that reads, with or without a reply."""
 
-_LUMP = 0.05
-"""Seconds of polls that are taken together when none of them can be the last one."""
+_BATCH = 0.05
+"""Seconds of polls that are simulated together when none of them can be the last one."""
 
 
 class State(Enum):
-    """What the firmware is at."""
+    """State of the firmware."""
 
     OFF = "off"
     BOOTING = "booting"
@@ -50,40 +50,37 @@ class State(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Pause:
-    """The program is busy for so many seconds and reads nothing."""
+    """The program is busy and reads nothing."""
 
     seconds: float
 
 
 @dataclass(frozen=True, slots=True)
 class Transmit:
-    """The program gives a byte to the host and waits until it is out."""
+    """The program sends a byte and waits for its end."""
 
     byte: int
 
 
 @dataclass(frozen=True, slots=True)
 class Receive:
-    """The program waits for a byte of the host, which is sent into it."""
+    """The program waits for a byte, which is sent into the generator."""
 
 
-Wish = Pause | Transmit | Receive
-Program = Generator[Wish, int, None]
-_Part = Generator[Wish, int, None]
+Request = Pause | Transmit | Receive
+Program = Generator[Request, int, None]
 
 
 class Firmware:
-    """What the program remembers, and the program.
+    """The firmware and its state.
 
     Attributes:
         servos: on the bus, motor 0 first.
-        version: what `.q` says.
-        tells_motors: whether `.q` says how many motors there are; builds from before
-            22 Sep 2012 do not.
-        state: what it is at.
+        version: reported by `.q`.
+        tells_motors: whether `.q` reports the number of motors; builds before 22 Sep 2012 do not.
         led: whether the debug LED is on.
-        boots: how often it has started.
-        counters: lines read, commands obeyed, lines ignored, restarts of its own, hangs.
+        boots: number of starts.
+        counters: lines read, commands executed, lines ignored, restarts by invalid lines, hangs.
     """
 
     def __init__(
@@ -94,14 +91,7 @@ class Firmware:
         tells_motors: bool = True,
         boot_loader: float = 0.0,
     ) -> None:
-        """Take the servos that hang on the bus.
-
-        Args:
-            servos: motor 0 first.
-            version: what `.q` says.
-            tells_motors: whether `.q` says how many there are.
-            boot_loader: seconds that pass between a start and `.h`.
-        """
+        """Create a board without power; `boot_loader` is in seconds before `.h`."""
         self.servos = tuple(servos)
         self.version = version
         self.tells_motors = tells_motors
@@ -114,13 +104,13 @@ class Firmware:
         self._boot_loader = boot_loader
 
     def program(self) -> Program:
-        """Run from power-up for ever; it starts anew when a line has made it."""
+        """Run from power-up; certain invalid lines restart or hang it."""
         while True:
             yield from self._boot()
             try:
                 while True:
                     line = yield from self._read_line()
-                    yield from self._obey(line)
+                    yield from self._execute(line)
             except parsing.Restart:
                 self.counters["restarts"] += 1
             except parsing.Hang:
@@ -128,7 +118,7 @@ class Firmware:
                 self.state = State.HUNG
                 yield Pause(math.inf)
 
-    def _boot(self) -> _Part:
+    def _boot(self) -> Program:
         self.boots += 1
         self.state = State.BOOTING
         self.led = False
@@ -139,8 +129,8 @@ class Firmware:
             self.led = not self.led
             yield Pause(BLINKING / _BLINKS)
 
-    def _read_line(self) -> Generator[Wish, int, bytes]:
-        """Collect a line with its newline, or as much of it as the buffer holds."""
+    def _read_line(self) -> Generator[Request, int, bytes]:
+        """Read a line with its newline, or as much of it as fits into the buffer."""
         self.state = State.IDLE
         line = bytearray()
         while len(line) < BUFFER:
@@ -152,8 +142,8 @@ class Firmware:
         self.counters["lines"] += 1
         return bytes(line)
 
-    def _obey(self, line: bytes) -> _Part:
-        """Do what the second character says; the first may be anything."""
+    def _execute(self, line: bytes) -> Program:
+        """Execute a line by its second character; the first is ignored."""
         self.state = State.ANSWERING
         self.counters["commands"] += 1
         match line[1:2]:
@@ -171,8 +161,8 @@ class Firmware:
                 self.counters["commands"] -= 1
                 self.counters["ignored"] += 1
 
-    def _set_speeds(self, speeds: Sequence[int]) -> _Part:
-        """Write all, wait, and tell what the servos hold then."""
+    def _set_speeds(self, speeds: Sequence[int]) -> Program:
+        """Write all speeds, wait, and report the registers of the servos."""
         self.state = State.SPEEDS
         for servo, speed in zip(self.servos, speeds, strict=True):
             yield Pause(WRITING)
@@ -183,8 +173,8 @@ class Firmware:
             yield Pause(READING)
             yield from self._print_value(servo.read(Register.SPEED), index)
 
-    def _move(self, goals: Sequence[int]) -> _Part:
-        """Write all, then wait for one servo after the other and tell where it is."""
+    def _move(self, goals: Sequence[int]) -> Program:
+        """Write all goals, then wait for each servo and report its position."""
         self.state = State.MOVING
         for servo, goal in zip(self.servos, goals, strict=True):
             yield Pause(WRITING)
@@ -196,21 +186,22 @@ class Firmware:
             yield from self._print_value(servo.read(Register.POSITION), index)
 
     @staticmethod
-    def _await(servo: Servo) -> _Part:
-        """Poll the moving flag until it is 0; -1, no answer, is not."""
+    def _await(servo: Servo) -> Program:
+        """Poll the moving flag until it is 0; -1 is no reply."""
         while True:
             yield Pause(READING)
             if servo.read(Register.MOVING) == 0:
                 return
-            fatal_error = int(min(servo.remaining if servo.answers else _LUMP, _LUMP) / READING) - 1
-            if fatal_error > 0:
-                yield Pause(fatal_error * READING)
+            seconds = min(servo.remaining if servo.answers else _BATCH, _BATCH)
+            polls = int(seconds / READING) - 1
+            if polls > 0:
+                yield Pause(polls * READING)
 
-    def _print_value(self, value: int, index: int) -> _Part:
+    def _print_value(self, value: int, index: int) -> Program:
         is_last = index == len(self.servos) - 1
         yield from self._print(f"{value}\n" if is_last else f"{value},")
 
-    def _print(self, text: str) -> _Part:
-        r"""Put out a text; each newline gets a carriage return in front."""
+    def _print(self, text: str) -> Program:
+        r"""Send a text, with a carriage return before each newline."""
         for byte in text.replace("\n", "\r\n").encode("ascii"):
             yield Transmit(byte)

@@ -1,41 +1,37 @@
-"""What the firmware makes of the values in a line: a parser that never looks for its end.
+"""The firmware's parser of values in a line. It does not check for the end of the line.
 
-It walks on until it has met a comma or newline for each motor, and collects characters in an
-array of four bytes without a bound. Nothing is refused here; what the numbers are worth is the
-servos' affair.
+It reads until it has met a comma or newline for each motor, and collects characters in an array
+of four bytes without a bound. Nothing is rejected here; servos ignore invalid values.
 
-How characters become numbers is inferred from the values that are known (an empty field is 10,
-`abc` 49, `0x1F` 721, `1e3` 633, signs and points give more than 1023): the array begins as four
-tens, each character leaves its distance from "0" in eight bits, at the end whatever is not 0-9
-is taken for unused, and the rest is added up in sixteen bits.
+The conversion is inferred from known values (an empty field is 10, `abc` 49, `0x1F` 721, `1e3`
+633, signs and points give more than 1023): the array starts as four tens, each character stores
+its distance from "0" in eight bits, trailing non-digits count as unused, and the result has
+sixteen bits.
 """
 
 _ARRAY = 4
 _SMASHED = 9
-"""Characters in a field that destroy more of the stack than the firmware survives."""
+"""Characters in a field that destroy the stack."""
 
 _UNUSED = 10
 _SEPARATORS = b",\n"
 
 
-class Restart(Exception):  # noqa: N818 - what the processor does, no mistake of ours
-    """The firmware has run past the line and starts anew."""
+class Restart(Exception):  # noqa: N818 - an event, not an error
+    """The firmware has read past the end of the line and restarts."""
 
 
 class Hang(Exception):  # noqa: N818
-    """The firmware has destroyed its stack and does nothing any more.
-
-    Real ones hang or restart, as their compiler had it; this one hangs.
-    """
+    """The firmware has destroyed its stack. Real boards hang or restart; this one hangs."""
 
 
 def values(line: bytes, motors: int) -> list[int]:
-    """Return what each motor gets, 0-65535, from a line with its newline, if it has one.
+    """Return the value of each motor, 0-65535, from a line with or without newline.
 
-    What stands behind the last motor's value is not looked at.
+    Characters after the last motor's value are ignored.
 
     Raises:
-        Restart: the line ends before each motor has a value.
+        Restart: a value is missing.
         Hang: a field has nine characters or more.
     """
     fields: list[bytes] = []

@@ -1,7 +1,6 @@
-"""Eight AX servos on their own bus: where they are, where they go, and how fast.
+"""AX servos: position, goal, speed, and faults.
 
-Ref: Robotis AX-12 and AX-18 documentation. They know nothing of the board: its restart leaves
-them as they are. What is assumed says so.
+Ref: Robotis AX-12 and AX-18 documentation. A restart of the board does not affect them.
 """
 
 import math
@@ -11,17 +10,16 @@ from enum import Enum
 from trex_gui.devices.aracna.protocol.units import CEILING, HIGHEST, UNITS_PER_SECOND
 
 FAILED = -1
-"""What the board's library gives for a servo that did not answer."""
+"""Value that the board's library returns for a servo without reply."""
 
 MARGIN = 2
-"""Units off its goal at which a servo is content, unless it is told otherwise. Assumed: the
-document says "some"."""
+"""Distance in units from the goal at which a servo stops. Assumed: the document says "some"."""
 
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 
 
 class Register(Enum):
-    """What the firmware reads from a servo."""
+    """Register that the firmware reads."""
 
     SPEED = "speed"
     MOVING = "moving"
@@ -32,20 +30,19 @@ class Servo:
     """One servo.
 
     Attributes:
-        position: where it is, in units; a fraction while it moves.
+        position: in units; a fraction while it moves.
         goal: the last goal it accepted, 0-1023.
-        speed: its speed register, 0-1023; 0 is as fast as it can.
+        speed: speed register, 0-1023; 0 is the highest speed.
         torque: whether it holds; off from power-up to the first goal.
         powered: whether it has servo power.
-        alive: whether it hears and answers. One that is dead stands still, and goes on with
-            what it had when it is alive again (assumed).
+        alive: whether it responds. A dead servo stops, and continues its motion when it is alive
+            again (assumed).
         blocked: whether something holds it: then it stays "moving" until it is free.
-        load: the part of its speed that it loses, 0 (nothing) to 1 (it stands).
-        margin: units off its goal at which it is content.
-        ceiling: the speed above which a setting has no further effect.
-        lag: seconds between a goal and the moving flag; real ones may have some, these have none
-            unless a test wants it.
-        to_fail: how many of the next readings of a register fail.
+        load: share of its speed that it loses, 0-1.
+        margin: distance in units from the goal at which it stops.
+        ceiling: speed above which a setting has no further effect.
+        lag: seconds between a goal and the moving flag, for tests.
+        to_fail: number of reads of a register that fail next.
     """
 
     def __init__(self, position: float = 512, margin: int = MARGIN, ceiling: int = CEILING) -> None:
@@ -63,22 +60,22 @@ class Servo:
         self.to_fail: Counter[Register] = Counter()
         self._since_goal = math.inf
 
-    # What the board sees
+    # Bus
 
     def write_goal(self, value: int) -> None:
-        """Take a goal; one above 1023 is refused and changes nothing."""
+        """Write a goal; one above 1023 is rejected."""
         if self.answers and 0 <= value <= HIGHEST:
             self.goal = value
             self.torque = True
             self._since_goal = 0.0
 
     def write_speed(self, value: int) -> None:
-        """Take a speed; one above 1023 is refused and changes nothing."""
+        """Write a speed; one above 1023 is rejected."""
         if self.answers and 0 <= value <= HIGHEST:
             self.speed = value
 
     def read(self, register: Register) -> int:
-        """Return what a register holds, or -1 for no answer."""
+        """Return a register, or -1 for no reply."""
         if not self.answers:
             return FAILED
         if self.to_fail[register] > 0:
@@ -92,19 +89,19 @@ class Servo:
 
     @property
     def answers(self) -> bool:
-        """Whether it takes part in what happens on the bus."""
+        """Whether it responds on the bus."""
         return self.powered and self.alive
 
-    # What it is and does
+    # Motion
 
     @property
     def moving(self) -> bool:
-        """Whether it is on its way; one that is blocked or dead in mid-motion still is."""
+        """Whether it has not reached its goal, even if it is blocked or dead."""
         return self.torque and abs(self.goal - self.position) > self.margin
 
     @property
     def rate(self) -> float:
-        """Units a second at which it moves when it moves; 0 while it cannot."""
+        """Units per second in motion; 0 while it cannot move."""
         if not self.answers or self.blocked:
             return 0.0
         speed = min(self.speed or self.ceiling, self.ceiling)
@@ -112,14 +109,13 @@ class Servo:
 
     @property
     def remaining(self) -> float:
-        """Seconds until it is content; infinite while it cannot move."""
+        """Seconds until it stops; infinite while it cannot move."""
         if not self.moving:
             return 0.0
         distance = abs(self.goal - self.position) - self.margin
         return distance / self.rate if self.rate else math.inf
 
     def advance(self, seconds: float) -> None:
-        """Let time pass."""
         self._since_goal += seconds
         if not self.moving:
             return
@@ -130,7 +126,7 @@ class Servo:
             self.position += math.copysign(self.rate * seconds, self.goal - self.position)
 
     def set_power(self, *, on: bool) -> None:
-        """Switch servo power: without it everything but the position is lost."""
+        """Switch servo power; without it everything but the position is lost."""
         if self.powered and not on:
             self.speed = 0
             self.torque = False

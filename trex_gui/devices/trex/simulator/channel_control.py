@@ -1,4 +1,4 @@
-"""The channels' side of motor control: sticks, flip, serial override, safe-start.
+"""Channel motor control: sticks, flip, serial override, safe-start.
 
 Ref: Pololu TReX User's Guide 4.a-4.c; TReX Jr User's Guide 4.e (safe-start).
 """
@@ -17,11 +17,11 @@ _NEARLY_NEUTRAL = 8  # inferred: how far sticks may be from neutral when safe-st
 
 
 class ChannelControl:
-    """What the channels ask for, and whether it is done.
+    """Motor control by the channels.
 
     Attributes:
-        safe_start: whether the motors wait for sticks at rest and signals that are there.
-        override: whether channel 5 hands control to the serial port.
+        safe_start: whether the motors stay stopped until signals are valid and sticks centred.
+        override: whether channel 5 gives control to the serial port.
     """
 
     def __init__(self, channels: Channels, memory: Memory, mode: Mode) -> None:
@@ -33,7 +33,7 @@ class ChannelControl:
 
     @property
     def setup(self) -> ChannelSetup:
-        """Calibrations and masks as they act now."""
+        """Active calibrations and masks."""
         active = self._memory.active
         return ChannelSetup(
             tuple(self._memory.calibration(self._mode.source, channel) for channel in CHANNELS),
@@ -43,7 +43,7 @@ class ChannelControl:
         )
 
     def remapped(self, *, mix: bool) -> tuple[int, ...]:
-        """Return what 0x87 answers, -127 to 127: 1 and 2 as motors 1 and 2 would be set."""
+        """Return the reply to 0x87, -127 to 127; 1 and 2 are the values of motors 1 and 2."""
         raw = self._channels.raw
         setup = self.setup
         plain = setup.remapped(raw)
@@ -52,11 +52,11 @@ class ChannelControl:
         return *motor_values(plain, mix=mix, flip=flip, joint=joint), *plain[2:]
 
     def watch(self) -> bool:
-        """Look at the channels; return whether the serial port controls the motors."""
+        """Update safe-start and override; return whether the serial port controls the motors."""
         if self._mode.is_serial:
             return True
         if not self._channels.has_settled:
-            return False  # inferred: what is not measured yet neither overrides nor permits
+            return False  # inferred: unmeasured channels neither override nor end safe-start
         self.override = self.setup.is_switched(5, self._channels.raw[4])
         if self._has_lost_required_channel():
             self.safe_start = True
@@ -66,7 +66,7 @@ class ChannelControl:
         return self.override and not self.safe_start
 
     def drive(self, motors: Sequence[Motor], aux: AuxiliaryMotor, *, mix: bool) -> None:
-        """Let the sticks drive. Inferred: they act like accelerate commands."""
+        """Drive the motors by the sticks. Inferred: like accelerate commands."""
         remapped = self.remapped(mix=mix)
         for number, motor in enumerate(motors[: 1 if self._memory.is_joint else 2], 1):
             value = remapped[number - 1]
@@ -76,7 +76,7 @@ class ChannelControl:
             else:
                 brake = self._memory.active[MotorParameter.DEADBAND_BRAKE_PWM.of(number)]
                 motor.accelerate(MotorDirection.BRAKE, brake)
-        aux.accelerate(abs(remapped[2]))  # inferred: it has one way, the sign is no matter
+        aux.accelerate(abs(remapped[2]))  # inferred: one direction only, the sign is ignored
 
     def _has_lost_required_channel(self) -> bool:
         return self._mode is Mode.RC and any(

@@ -14,20 +14,16 @@ SIGNAL_LOST_AFTER = 0.1
 User's Guide about 150 ms; the former is taken."""
 
 _PERIOD_TICKS = 8
-"""Ticks of 2.5 ms in which every input is renewed once: 50 Hz, RC and analog alike."""
+"""Ticks of 2.5 ms in which every input is measured once: 50 Hz, RC and analog."""
 
 _SAMPLES_A_TICK = 2
-"""An analog value is the average of 16 conversions. Inferred: they spread over the period."""
+"""An analog value is the mean of 16 conversions. Inferred: spread over the period."""
 
 
 class Channels:
     """The inputs as the board measures them, each 50 times a second.
 
-    A receiver gives its pulses one channel after the other, so each is renewed at a time of
-    its own.
-
-    Attributes:
-        source: how they are measured.
+    A receiver sends the pulses of the channels one after the other.
     """
 
     def __init__(self, source: InputSource, seed: int = 0) -> None:
@@ -36,11 +32,11 @@ class Channels:
         self.begin(source)
 
     def disconnect(self) -> None:
-        """Put every input at rest."""
+        """Return every input to its rest signal."""
         self._signals = dict.fromkeys(CHANNELS, Signal(SignalKind.REST))
 
     def begin(self, source: InputSource) -> None:
-        """Start afresh, as at power-up: nothing has been measured."""
+        """Discard all measurements, as at power-up."""
         self.source = source
         unknown = 0 if source is InputSource.ANALOG else None
         self._raw: dict[int, int | None] = dict.fromkeys(CHANNELS, unknown)
@@ -52,19 +48,17 @@ class Channels:
 
     @property
     def has_settled(self) -> bool:
-        """Whether it has run long enough to know of each channel whether it has a signal."""
+        """Whether each channel has had time to show a signal."""
         return self._age > SIGNAL_LOST_AFTER
 
     def signal(self, channel: int) -> Signal:
-        """Return what is connected to a channel (1-5)."""
         return self._signals[channel]
 
     def connect(self, channel: int, signal: Signal) -> None:
-        """Put a signal on a channel (1-5); it is measured with the next pulse or average."""
+        """Connect a signal to a channel (1-5); the next measurement uses it."""
         self._signals[channel] = signal
 
     def advance(self, seconds: float) -> None:
-        """Let one tick of 2.5 ms pass."""
         self._ticks += 1
         self._age += seconds
         if self.source is InputSource.ANALOG:

@@ -154,7 +154,7 @@ def _battery(board: Board, words: list[str]) -> str:
 
 
 def _eeprom(board: Board, words: list[str]) -> str:
-    """Write a cell past the firmware, as a programmer would; it acts at the next power-up."""
+    """Write an EEPROM cell directly; it takes effect at the next power-up."""
     if len(words) != 2:
         raise ControlError("eeprom KEY VALUE")
     key, text = words

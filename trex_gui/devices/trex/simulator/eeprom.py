@@ -1,4 +1,4 @@
-"""What the board remembers without power: parameters and channel calibrations."""
+"""The board's EEPROM: parameters and channel calibrations, optionally in a file."""
 
 import json
 import os
@@ -23,19 +23,17 @@ CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 
 
 class EepromError(StudioError):
-    """The EEPROM file cannot be read or written; says which and why."""
+    """The EEPROM file cannot be read or written; the text says which and why."""
 
 
 class Eeprom:
-    """The memory of one board, in wire values, and optionally the file that keeps it.
+    """EEPROM of one board in wire values; a file, if there is one, is saved after each write.
 
-    It has a cell for every parameter that any firmware of the model knows; which of them can
-    be reached is the firmware's business. Every completed write is saved at once.
+    It has a cell for every parameter of any firmware of the model.
 
     Attributes:
-        model: the kind of board whose memory it is.
-        reset_pending: whether the next power-up puts the parameters back to the factory's.
-        unsaved: why the file does not have what was stored last; `None` when it does.
+        reset_pending: whether the next power-up resets the parameters to factory defaults.
+        unsaved: why the last write is not in the file; `None` if it is.
     """
 
     def __init__(self, model: str = "trex", *, path: Path | None = None) -> None:
@@ -49,7 +47,7 @@ class Eeprom:
 
     @classmethod
     def open(cls, path: Path, model: str = "trex") -> "Eeprom":
-        """Return the memory that a file holds, or a factory-fresh one that the file will hold.
+        """Return the EEPROM in a file, or a new one that is saved to the file.
 
         Raises:
             EepromError: the file is damaged, belongs to another model, or cannot be written.
@@ -78,7 +76,7 @@ class Eeprom:
         """
         spec = self._spec(which)
         self._values[spec.key] = spec.check(value)
-        self._keep()
+        self._save_if_possible()
 
     def calibration(self, source: InputSource, channel: int) -> Calibration:
         """Return the calibration of a channel (1-5) for one kind of input."""
@@ -89,7 +87,7 @@ class Eeprom:
     ) -> None:
         """Store a channel's calibration and save."""
         self._calibrations[source][channel] = calibration
-        self._keep()
+        self._save_if_possible()
 
     def write_calibration_value(
         self, source: InputSource, channel: int, field: str, value: int
@@ -99,24 +97,24 @@ class Eeprom:
         self.write_calibration(source, channel, calibration)
 
     def lose(self, which: str | int) -> None:
-        """Lose a parameter whose write was cut off.
+        """Lose a parameter whose write was interrupted.
 
-        Inferred, here and for calibrations: the cell is left erased, which no value is, and
-        the firmware takes the factory's value for it at the next power-up.
+        Inferred, here and for calibrations: the cell is left erased, and the firmware uses the
+        factory default at the next power-up.
         """
         self.write(which, self._spec(which).default)
 
     def lose_calibration_value(self, source: InputSource, channel: int, field: str) -> None:
-        """Lose one of the four values of a calibration whose write was cut off; see `lose`."""
+        """Lose one of the four values of a calibration; see `lose`."""
         value = getattr(DEFAULT_CALIBRATION[source], field)
         self.write_calibration_value(source, channel, field, value)
 
     def factory_reset(self) -> None:
-        """Put everything back to how it comes from the factory, calibrations too, and save."""
+        """Reset parameters and calibrations to factory defaults, and save."""
         self._values = self._factory_values()
         self._calibrations = _factory_calibrations()
         self.reset_pending = False
-        self._keep()
+        self._save_if_possible()
 
     def learned(self, source: InputSource) -> int:
         """Return the mask of channels whose calibration differs from the default (0x95)."""
@@ -127,20 +125,17 @@ class Eeprom:
     def request_reset(self) -> None:
         """Mark the parameters for a reset at the next power-up, and save."""
         self.reset_pending = True
-        self._keep()
+        self._save_if_possible()
 
     def reset_if_pending(self) -> None:
-        """Do at power-up what 0x7F asked for.
-
-        Inferred: calibrations stay, since the parameter speaks of parameters.
-        """
+        """Do the reset that 0x7F requested, at power-up. Inferred: calibrations stay."""
         if self.reset_pending:
             self._values = self._factory_values()
             self.reset_pending = False
-            self._keep()
+            self._save_if_possible()
 
-    def _keep(self) -> None:
-        """Save; when that fails the board goes on with what it has, as a board does."""
+    def _save_if_possible(self) -> None:
+        """Save; when that fails the board continues without the file."""
         try:
             self.save()
         except EepromError as error:
@@ -149,7 +144,7 @@ class Eeprom:
             self.unsaved = None
 
     def save(self) -> None:
-        """Write the file, if there is one, so that it is never seen half written.
+        """Write the file, if there is one, atomically.
 
         Raises:
             EepromError: it cannot be written.
@@ -202,7 +197,7 @@ class Eeprom:
     def _damaged(self, why: str) -> EepromError:
         return EepromError(
             f"the EEPROM file {self._path} is damaged ({why}); "
-            "mend it, or delete it to start with a fresh board"
+            "repair it, or delete it to start with a new board"
         )
 
     def _take(self, document: object) -> None:

@@ -1,4 +1,4 @@
-"""What the board is and does: modes, safety, motors. It has never seen a byte.
+"""The simulated board: modes, safety, motors. It knows no bytes.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 """
@@ -28,7 +28,7 @@ from trex_gui.devices.trex.simulator.signals import Signal
 MODE_JUMPERS = ("serial", "rc", "analog")
 
 TICK = 0.0025
-"""Seconds between two steps of the simulation: divides every period below."""
+"""Seconds of a simulation step; it divides every period below."""
 
 _UPDATE_TICKS = 4  # motors and safety, 100 times a second
 _CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # readings, 80 or 50 times a second
@@ -50,27 +50,25 @@ _COUNTERS = (
 
 
 class Board:
-    """One controller with its motors, receiver and jumpers; starts with the power on.
+    """One controller with its motors, receiver and jumpers, switched on.
 
-    `advance` is its only clock. Jumpers are plain attributes: `mix` is read all the time,
-    the others at power-up.
+    The board reads the jumper `mix` all the time, the others at power-up.
 
     Attributes:
-        model, firmware, eeprom, memory: what it is and remembers.
+        model, firmware, eeprom, memory: kind of board, firmware version, stored settings.
         mode_jumper: `serial` (no jumper), `rc` or `analog`.
         mix, so_ground: whether these jumpers are set.
-        now, powered_at: seconds since the board was made, and when the power came.
+        now, powered_at: seconds since the start, and the moment of the last power-up.
         powered: whether it has power and runs.
-        is_starved: whether it is switched on and waits for a better battery.
-        boots: how often it was powered up; what waits for an answer compares it.
+        is_starved: whether it is switched on, but the battery is too low.
+        boots: number of power-ups.
         mode: as read at power-up.
-        channels, motors, aux: its inputs and outputs.
         machine: battery and motors; `physics` are its two motors.
-        serial: the serial side of motor control, and the latched bits.
-        sticks: the channels' side of it, with serial override and safe-start.
+        serial: serial motor control, and the latched bits.
+        sticks: channel motor control, with serial override and safe-start.
         boot_mode: selected by jumpers at power-up; `None` in normal operation.
-        receiving: whether a packet has begun and not ended (it lights a LED).
-        counters: what happened since it was made.
+        receiving: whether a packet is incomplete (it lights a LED).
+        counters: events since the start.
     """
 
     def __init__(
@@ -107,7 +105,7 @@ class Board:
     # Power
 
     def power_on(self) -> None:
-        """Switch on: jumpers are read, stored parameters become active, latches are clear."""
+        """Switch on: read jumpers, activate stored parameters, clear latched bits."""
         self.is_starved = self.machine.is_too_low
         if self.powered or self.is_starved:
             return
@@ -122,7 +120,7 @@ class Board:
         self.boot_mode: BootMode | None = boot_mode(self)
 
     def power_off(self) -> None:
-        """Switch off: the motors coast, a write that is not finished is lost."""
+        """Switch off: the motors coast, an unfinished write is lost."""
         self.is_starved = False
         self._go_down()
 
@@ -136,12 +134,11 @@ class Board:
             physics.clear_reading()
 
     def power_cycle(self) -> None:
-        """Switch off and on again."""
         self.power_off()
         self.power_on()
 
     def factory_reset(self) -> None:
-        """Put everything back to how a new board comes, and start it; only time goes on."""
+        """Reset everything but the time to the state of a new board, and start it."""
         self.power_off()
         self.eeprom.factory_reset()
         self.mode_jumper, self.mix = self._jumpers_at_first
@@ -168,7 +165,7 @@ class Board:
 
     @property
     def is_running(self) -> bool:
-        """Whether it has power and works normally: whether it listens to bytes."""
+        """Whether it has power and is in normal operation."""
         return self.powered and self.boot_mode is None
 
     # Time
@@ -204,7 +201,7 @@ class Board:
             self._measure_currents()
 
     def _watch_supply(self) -> None:
-        """Reset when the battery sags too far, and start again when it has recovered."""
+        """Brown out when the battery sags too far, and restart when it has recovered."""
         if self.powered and self.machine.is_too_low:
             self.counters["brown_outs"] += 1
             self._go_down()
@@ -213,14 +210,14 @@ class Board:
             self.power_on()
 
     def _update(self) -> None:
-        """Do what happens 100 times a second."""
+        """Run the control loop, 100 times a second."""
         if self.boot_mode is not None:
             self.boot_mode.update(TICK * _UPDATE_TICKS)
             if self.boot_mode.is_over:
                 self.boot_mode = None
             return
         self._watch()
-        self.serial.watch_silence(self.now, self.memory.active[ParameterKey.SERIAL_TIMEOUT])
+        self.serial.check_timeout(self.now, self.memory.active[ParameterKey.SERIAL_TIMEOUT])
         self._latch_faults()
         for index, (motor, physics) in enumerate(zip(self.motors, self.physics, strict=True)):
             if motor.update(self._motor_settings(index + 1), physics.reading):
@@ -249,25 +246,25 @@ class Board:
 
     @property
     def remapped(self) -> tuple[int, ...]:
-        """What 0x87 answers, -127 to 127: channels 1 and 2 as motors 1 and 2 would be set."""
+        """Reply to 0x87, -127 to 127; channels 1 and 2 are the values of motors 1 and 2."""
         return self.sticks.remapped(mix=self.mix)
 
     @property
     def override(self) -> bool:
-        """Whether channel 5 hands control to the serial port."""
+        """Whether channel 5 gives control to the serial port."""
         return self.sticks.override
 
     @property
     def safe_start(self) -> bool:
-        """Whether the motors wait for sticks at rest."""
+        """Whether safe-start keeps the motors stopped."""
         return self.sticks.safe_start
 
     def connect(self, channel: int, signal: Signal) -> None:
-        """Put a signal on a channel input (1-5); the board measures it in up to 20 ms."""
+        """Connect a signal to a channel input (1-5); it is measured within 20 ms."""
         self.channels.connect(channel, signal)
 
     def _watch(self) -> None:
-        """Decide who controls the motors, and let the channels drive when it is they."""
+        """Determine who controls the motors, and let the channels drive if they do."""
         timeout = self.memory.active[ParameterKey.SERIAL_TIMEOUT]
         self.serial.hand_over(self.now, timeout, in_control=self.sticks.watch())
         if self.serial.in_control:
@@ -277,15 +274,15 @@ class Board:
         else:
             self.sticks.drive(self.motors, self.aux, mix=self.mix)
 
-    # What the serial port asks for
+    # Serial port
 
-    def hear(self) -> None:
-        """Note that a byte came, good or bad."""
+    def note_byte(self) -> None:
+        """Count a received byte, valid or not."""
         self.counters["bytes_received"] += 1
-        self.serial.hear(self.now)
+        self.serial.restart_timeout(self.now)
 
     def report_error(self, error: UartError) -> None:
-        """Latch an error of the serial line; the motors may stop for it."""
+        """Latch a UART error; the motors may stop."""
         shut_down = bool(self.memory.active[ParameterKey.UART_ERROR_SHUTDOWN])
         self.serial.report(error, shut_down=shut_down)
 
@@ -294,23 +291,23 @@ class Board:
         return self.memory.set(number, value, self.mode)
 
     def calibration(self, channel: int) -> Calibration:
-        """Return the calibration of a channel (1-5) in the set that acts now."""
+        """Return the calibration of a channel (1-5) for the current mode."""
         return self.memory.calibration(self.mode.source, channel)
 
     def set_calibration(self, channel: int, calibration: Calibration) -> ResultCode:
         """Begin to write a calibration (0xA0-0xA4); see `Memory.set_calibration`."""
         return self.memory.set_calibration(channel, calibration, self.mode)
 
-    # What people do to it
+    # Environment
 
     def set_fault(self, number: int, *, fault: bool) -> None:
-        """Make the driver of motor 1 or 2 shut itself down, or recover."""
+        """Shut down the driver of motor 1 or 2, or let it recover."""
         self.physics[number - 1].fault = fault
         if self.powered:
             self._latch_faults()
 
     def force_current(self, number: int, amperes: float | None) -> None:
-        """Make the sensor of motor 1 or 2 show a current; `None` for the real one again."""
+        """Force the measured current of motor 1 or 2; `None` measures again."""
         physics = self.physics[number - 1]
         physics.forced = amperes
         if self.powered and not self.memory.is_joint and amperes is not None:
@@ -323,7 +320,7 @@ class Board:
 
 
 def _drive(motor: Motor) -> Drive:
-    """Return what an output does to its motor; inferred: duty is speed / 127."""
+    """Return the drive of a motor; inferred: duty is speed / 127."""
     share = motor.speed / FULL_SPEED
     if motor.direction is MotorDirection.BRAKE:
         return Drive(brake=share)

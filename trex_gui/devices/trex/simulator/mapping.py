@@ -1,4 +1,4 @@
-"""What the measured channels mean: remapping, switches, and what they ask of the motors.
+"""Meaning of measured channels: remapping, switches, motor values.
 
 Ref: Pololu TReX User's Guide 4.a, 4.b; TReX 1.0 command documentation 0x87.
 """
@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS
 
 @dataclass(frozen=True, slots=True)
 class ChannelSetup:
-    """What decides the meaning of raw counts: calibrations and the masks 0x02-0x04."""
+    """Calibrations and the masks 0x02-0x04."""
 
     calibrations: Sequence[Calibration]
     ignored: int = 0
@@ -20,7 +20,7 @@ class ChannelSetup:
     parabolic: int = 0
 
     def remapped(self, raw: Sequence[int | None]) -> tuple[int, ...]:
-        """Return each channel by itself, -127 to 127: before mixing and flip."""
+        """Return the channels before mixing and flip, -127 to 127."""
         return tuple(
             remap(
                 raw[index],
@@ -49,11 +49,11 @@ class ChannelSetup:
 
 
 def motor_values(remapped: Sequence[int], *, mix: bool, flip: bool, joint: bool) -> tuple[int, int]:
-    """Return what channels 1 and 2 ask of motors 1 and 2 (-127 to 127).
+    """Return the values of motors 1 and 2 (-127 to 127) from channels 1 and 2.
 
     Mixing: channel 2 is forward, channel 1 turns (User's Guide 4.a). Inferred: the sums and
-    their clipping. Flip: motors and directions change places (User's Guide 4.a). Joint mode
-    has no mixing (TReX Jr manual page 6); inferred: flip turns its one motor round.
+    their clipping. Flip: motors and directions are swapped (User's Guide 4.a). Joint mode
+    has no mixing (TReX Jr manual page 6); inferred: flip reverses its one motor.
     """
     turn, forward = remapped[0], remapped[1]
     if joint:

@@ -1,4 +1,4 @@
-"""Parameters and calibrations as the firmware handles them: stored, active, being written."""
+"""Parameters and calibrations in the firmware: active, stored, being written."""
 
 from collections import deque
 from collections.abc import Callable
@@ -16,8 +16,8 @@ from trex_gui.devices.trex.simulator.eeprom import CALIBRATION_FIELDS, Eeprom
 
 PARAMETER_WRITE = 0.004
 CALIBRATION_WRITE = 0.032
-"""Seconds that a write to the EEPROM takes (command documentation, 0xAF and 0xA0-0xA4): 4 ms a
-byte, and the four values of a calibration have two each."""
+"""Seconds of a write to the EEPROM (command documentation, 0xAF and 0xA0-0xA4): 4 ms per byte;
+the four values of a calibration have two bytes each."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,9 +25,9 @@ class _Step:
     """One value on its way into the EEPROM.
 
     Attributes:
-        seconds: how long it takes.
-        store: what has happened when it is over.
-        lose: what has happened when the power goes before that.
+        seconds: duration of the write.
+        store: called at its end.
+        lose: called when the power is cut before.
     """
 
     seconds: float
@@ -39,14 +39,14 @@ _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 
 
 class Memory:
-    """What acts now beside what is stored, and the write between them that takes its time.
+    """Active and stored settings, and the writes that are going on.
 
-    Parameters 0x7B-0x7F act after a power cycle, the others when their write is finished.
+    Parameters 0x7B-0x7F take effect after a power cycle, the others when their write ends.
 
     Attributes:
-        active: the parameters that act now, by key.
-        line_settings: the serial line as it is set now.
-        writes: how many were finished.
+        active: active parameters by key.
+        line_settings: active settings of the serial line.
+        writes: number of finished writes.
     """
 
     def __init__(self, eeprom: Eeprom, firmware: str) -> None:
@@ -59,14 +59,14 @@ class Memory:
         self.load()
 
     def load(self) -> None:
-        """Do what a power-up does: what is stored becomes active."""
+        """Activate the stored settings, at power-up."""
         self.lose_write()
         self._eeprom.reset_if_pending()
         self.active = self.stored()
         self.line_settings = LineSettings.from_wire(self.active[ParameterKey.UART_SETTINGS])
 
     def stored(self) -> dict[str, int]:
-        """Return what the EEPROM holds of the parameters that this firmware knows."""
+        """Return the stored parameters that this firmware knows."""
         return {spec.key: self._eeprom[spec.key] for spec in self.parameters.readable}
 
     @property
@@ -82,7 +82,7 @@ class Memory:
 
     @property
     def baud(self) -> int:
-        """The rate that the UART really runs at."""
+        """Real bit rate of the UART."""
         return self.line_settings.real_baud(self._firmware)
 
     @property
@@ -100,18 +100,18 @@ class Memory:
 
     @property
     def response_delay(self) -> float:
-        """Seconds that each answer waits: 1 ms when the parameter says so (firmware 1.2+)."""
+        """Seconds before each reply: 1 ms if the parameter is set (firmware 1.2+)."""
         return 0.001 if self.active.get(ParameterKey.UART_RESPONSE_DELAY) else 0.0
 
     def get(self, number: int) -> int | None:
-        """Return the stored value of a parameter; `None` when this firmware has none such."""
+        """Return the stored value of a parameter; `None` if this firmware does not know it."""
         spec = self.parameters.number(number)
         if spec is None or not spec.readable:
             return None
         return self._eeprom[spec.key]
 
     def set(self, number: int, value: int, mode: Mode) -> ResultCode:
-        """Begin to write a parameter; it is stored, and may act, `busy_for` seconds later.
+        """Begin to write a parameter; it is stored `busy_for` seconds later.
 
         Inferred: the order of the checks.
         """
@@ -123,8 +123,7 @@ class Memory:
         if value not in spec.valid:
             return ResultCode.BAD_VALUE
         if not spec.readable:
-            # Inferred: 0x7F only leaves a mark, and the next power-up does the rest. What is
-            # written between is reset with everything else.
+            # Inferred: 0x7F sets a mark, and the next power-up resets all parameters.
             step = _Step(PARAMETER_WRITE, self._eeprom.request_reset, lambda: None)
         else:
             store = partial(self._store, spec.key, value, at_once=not spec.needs_power_cycle)
@@ -153,7 +152,7 @@ class Memory:
     def store_calibration(
         self, source: InputSource, channel: int, calibration: Calibration
     ) -> None:
-        """Begin to write a calibration, behind what is being written."""
+        """Begin to write a calibration, after pending writes."""
         for field in CALIBRATION_FIELDS:
             value = getattr(calibration, field)
             store = partial(self._eeprom.write_calibration_value, source, channel, field, value)
@@ -161,7 +160,7 @@ class Memory:
             self._steps.append(_Step(CALIBRATION_WRITE / len(CALIBRATION_FIELDS), store, lose))
 
     def restore_line_settings(self) -> None:
-        """Begin to write the factory's serial settings, as the recovery by jumpers does."""
+        """Begin to write the default serial settings, for the recovery by jumpers."""
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL):
             store = partial(self._store, key, self.parameters[key].default, at_once=False)
             lose = partial(self._eeprom.lose, key)
@@ -169,11 +168,10 @@ class Memory:
 
     @property
     def busy_for(self) -> float:
-        """Seconds until the write that is going on is finished; 0 when there is none."""
+        """Seconds until all pending writes are finished; 0 without any."""
         return sum(step.seconds for step in self._steps) - self._done if self._steps else 0.0
 
     def advance(self, seconds: float) -> None:
-        """Let time pass for the write that is going on."""
         if not self._steps:
             return
         self._done += seconds
@@ -186,7 +184,7 @@ class Memory:
             self.writes += 1
 
     def lose_write(self) -> None:
-        """Do what a power cut does: the value being written is lost, those after it stay old."""
+        """Cut the power: the value being written is lost, later ones keep their old value."""
         if self._steps:
             self._steps[0].lose()
         self._steps.clear()

@@ -1,4 +1,4 @@
-"""The motor outputs and the law by which they change, 100 times a second.
+"""The motor outputs, updated 100 times a second.
 
 Ref: TReX 1.0 command documentation 0xC0-0xF1.
 """
@@ -11,7 +11,7 @@ FULL_SPEED = 127
 
 
 class MotorDirection(Enum):
-    """Where an output drives its motor."""
+    """Direction of an output."""
 
     BRAKE = "brake"
     REVERSE = "reverse"
@@ -24,7 +24,7 @@ class MotorDirection(Enum):
 
     @property
     def opposite(self) -> "MotorDirection":
-        """The other way round; braking stays braking."""
+        """The reverse direction; braking stays braking."""
         if self is MotorDirection.BRAKE:
             return self
         return MotorDirection.REVERSE if self is MotorDirection.FORWARD else MotorDirection.FORWARD
@@ -46,21 +46,16 @@ class MotorSettings:
 
 
 class Motor:
-    """One of the two reversible outputs: where it is and where it is going.
+    """One of the two reversible outputs.
 
     While it brakes, `speed` is the duty of braking: 127 full brake, 0 coast.
-
-    Attributes:
-        direction: what the output does now.
-        target_direction: what the last command wants.
-        target_speed: the speed, or duty of braking, that it wants.
     """
 
     def __init__(self) -> None:
         self.direction = MotorDirection.BRAKE
         self.target_direction = MotorDirection.BRAKE
         self.target_speed = 0
-        self._tenths = 0  # an update adds a tenth of the parameter; nothing may get lost
+        self._tenths = 0  # an update adds a tenth of the parameter
         self._driven = MotorDirection.BRAKE  # the direction in which it last ran
         self._braked = 0  # updates spent braking since then
 
@@ -70,18 +65,18 @@ class Motor:
         return self._tenths // 10
 
     def set(self, direction: MotorDirection, speed: int) -> None:
-        """Obey a set command: at once, without ramp and brake duration."""
+        """Set direction and speed at once, without ramp and brake duration."""
         self.accelerate(direction, speed)
         self._output(direction, speed * 10)
         self._braked = 0
 
     def accelerate(self, direction: MotorDirection, speed: int) -> None:
-        """Obey an accelerate command: the updates will lead there."""
+        """Set the target that updates lead to."""
         self.target_direction = direction
         self.target_speed = speed
 
     def update(self, settings: MotorSettings, current: int) -> bool:
-        """Do one update of 10 ms; return whether the current is over the limit.
+        """Run one update of 10 ms; return whether the current is over the limit.
 
         `current` is in counts of 0x8D.
         """
@@ -97,7 +92,7 @@ class Motor:
         return self.direction is self.target_direction is not MotorDirection.BRAKE
 
     def _limit(self, gain: int, excess: int) -> None:
-        """Lower the speed. Inferred: only that it is proportional and in this cycle is known."""
+        """Lower the speed. Known is that it is proportional and immediate; the rest is inferred."""
         less = math.ceil(gain * excess / 16) if gain else FULL_SPEED
         tenths = min(self._tenths, self.target_speed * 10) - 10 * less
         self._tenths = max(0, tenths)
@@ -115,10 +110,9 @@ class Motor:
         self._output(wanted, _ramp(self._tenths, self.target_speed * 10, settings.acceleration))
 
     def _must_brake_before(self, wanted: MotorDirection, brake_duration: int) -> bool:
-        """Whether a reversal still waits for the brake; its duration counts updates (10 ms).
+        """Whether a reversal needs more braking; the duration is in updates of 10 ms.
 
-        Inferred: braking is no direction of its own, so what was braked already counts, and
-        a motor that goes on the way it went before does not wait.
+        Inferred: earlier braking counts, and a motor that continues in its direction needs none.
         """
         return self._driven is wanted.opposite and self._braked < brake_duration
 
@@ -135,11 +129,7 @@ class Motor:
 
 
 class AuxiliaryMotor:
-    """The third output: one way, without brake (inferred) and without current sensing.
-
-    Attributes:
-        target_speed: 0-127, what the last command wants.
-    """
+    """The third output: one direction, without brake (inferred) and current sensing."""
 
     def __init__(self) -> None:
         self.target_speed = 0
@@ -151,12 +141,10 @@ class AuxiliaryMotor:
         return self._tenths // 10
 
     def set(self, speed: int) -> None:
-        """Obey a set command at once."""
         self.target_speed = speed
         self._tenths = speed * 10
 
     def accelerate(self, speed: int) -> None:
-        """Obey an accelerate command: the updates will lead there."""
         self.target_speed = speed
 
     def update(self, acceleration: int) -> None:
@@ -167,5 +155,5 @@ class AuxiliaryMotor:
 def _ramp(tenths: int, target: int, acceleration: int) -> int:
     """Return the speed after one update, all in tenths of a count; 0 is no ramp."""
     if acceleration == 0 or tenths >= target:
-        return target  # there is no deceleration
+        return target  # no deceleration
     return min(tenths + acceleration, target)

@@ -1,8 +1,8 @@
-"""What hangs on the board: a battery, two DC motors with what they turn, current sensors.
+"""Battery, two DC motors with their loads, current sensors.
 
-A motor is a resistance and a back-EMF that turn an inertia against dry friction, so its
-current rushes in at a start or a reversal, falls as it gains speed, follows the load, and
-stays at its highest while it is stalled. The battery sags under the sum of it.
+A motor is a resistance and a back-EMF that turn an inertia against dry friction: its current is
+high at a start or a reversal, falls with speed, follows the load, and is highest when stalled.
+The battery sags under the sum.
 """
 
 import math
@@ -15,11 +15,11 @@ HIGHEST_READING = 255
 
 @dataclass(frozen=True, slots=True)
 class Constants:
-    """The machine that a board of one model drives.
+    """Battery and motors of a board of one model.
 
     Attributes:
         battery: V without load.
-        battery_resistance: ohm, cables included.
+        battery_resistance: ohm, with cables.
         brown_out: V below which the board resets.
         resistance: ohm, of a motor with its driver and wires.
         back_emf: V s/rad of a motor; the same figure in N m/A is its torque.
@@ -39,13 +39,13 @@ class Constants:
 
     @property
     def stall(self) -> float:
-        """Current in A of a motor that stands still at full battery voltage."""
+        """Stall current in A at full battery voltage."""
         return self.battery / self.resistance
 
 
 CONSTANTS = {
-    # Nothing here is the maker's but the figures for the drivers: any motor may hang on a
-    # board. Taken are motors as a careful builder chooses them, as large as the driver bears.
+    # Only the figures for the drivers are the vendor's. The motors are the largest that a driver
+    # supports.
     "trex": Constants(
         battery=12.0,  # six lead cells
         battery_resistance=0.04,  # a 7 Ah lead battery (25 mOhm) and a metre of cable
@@ -76,10 +76,10 @@ class MotorPhysics:
     """One motor with its load, its driver's fault state and its current sensor.
 
     Attributes:
-        load: current in A that it draws once it runs; dry friction, the same at all speeds.
-        load_at_first: the load that `factory_reset` gives it.
-        forced: current in A that the sensor shows instead of the real one; `None` for none.
-        fault: whether the driver has shut itself down.
+        load: current in A when running; dry friction, the same at all speeds.
+        load_at_first: the load after `factory_reset`.
+        forced: current in A that the sensor reports; `None` for the real one.
+        fault: whether the driver has shut down.
         speed: rad/s, positive forward.
         reading: the last measurement in counts of 0x8D, 0-255.
     """
@@ -94,7 +94,7 @@ class MotorPhysics:
         self.factory_reset()
 
     def factory_reset(self) -> None:
-        """Put the first load back, take away fault and forced current, and stand still."""
+        """Restore the first load, clear fault and forced current, and stop."""
         self.load = self.load_at_first
         self.forced: float | None = None
         self.fault = False
@@ -102,36 +102,36 @@ class MotorPhysics:
         self.clear_reading()
 
     def current_at(self, volts: float) -> float:
-        """Return the current in A that a voltage drives through it now.
+        """Return the current in A at a voltage.
 
-        Inferred: between the pulses of the PWM the bridge lets the motor coast, so a current
-        against the voltage does not flow.
+        Inferred: between the pulses of the PWM the motor coasts, so that no current flows against
+        the voltage.
         """
         current = (volts - self.constants.back_emf * self.speed) / self.constants.resistance
         return current if not self.fault and current * volts > 0 else 0.0
 
     def advance(self, seconds: float, volts: float, brake: float) -> None:
-        """Let time pass with a voltage, or without one and a duty of braking (0-1)."""
+        """Let time pass at a voltage, or at 0 V with a duty of braking (0-1)."""
         constants = self.constants
         if volts:
             current = self.current_at(volts)
             self._charge += abs(current) * seconds
         elif self.fault:
             current = 0.0
-        else:  # the low side shorts the motor; that current passes the sensor by
+        else:  # the low side shorts the motor; the sensor does not see that current
             current = -brake * constants.back_emf * self.speed / constants.resistance
         self._time += seconds
         self._turn(seconds, current)
 
     def _turn(self, seconds: float, current: float) -> None:
-        """Change the speed; friction slows down and never turns the motor."""
+        """Change the speed; friction only slows down."""
         gain = self.constants.back_emf / self.constants.inertia * seconds
         friction = gain * max(self.load, self.constants.free)
         speed = self.speed + gain * current
         self.speed = math.copysign(max(0.0, abs(speed) - friction), speed)
 
     def measure(self) -> None:
-        """Take a reading: the average current since the last one."""
+        """Measure the mean current since the last measurement."""
         mean = self._charge / self._time if self._time else 0.0
         self._charge = self._time = 0.0
         if self.forced is not None:
@@ -143,7 +143,7 @@ class MotorPhysics:
         self.reading = max(0, min(HIGHEST_READING, round(counts)))
 
     def clear_reading(self) -> None:
-        """Forget the measurement, as when the power goes or there is no sensing."""
+        """Discard the measurement: no power, or no current sensing."""
         self.reading = 0
         self._charge = 0.0
         self._time = 0.0
@@ -161,20 +161,19 @@ class MotorPhysics:
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """What an output does to its motor: a share of the supply (-1 to 1), or of braking (0-1)."""
+    """Share of the supply at a motor (-1 to 1), or of braking (0-1)."""
 
     share: float = 0.0
     brake: float = 0.0
 
 
 class Machine:
-    """A battery and the motors that share it.
+    """A battery and the two motors on it.
 
     Attributes:
-        motors: motors 1 and 2.
         battery: V without load.
         resistance: ohm of the battery and its cables.
-        volts: what is left of the battery's voltage at the board, by the last step.
+        volts: V at the board in the last step.
     """
 
     def __init__(self, model: str, current_unit: float, seed: int) -> None:
@@ -185,7 +184,7 @@ class Machine:
         self.factory_reset()
 
     def factory_reset(self) -> None:
-        """Charge the battery and free the motors."""
+        """Reset battery and motors."""
         self.battery = self.constants.battery
         self.resistance = self.constants.battery_resistance
         self.volts = self.battery
@@ -194,17 +193,17 @@ class Machine:
 
     @property
     def is_too_low(self) -> bool:
-        """Whether the voltage is too low for the board to run."""
+        """Whether the board browns out."""
         return self.volts < self.constants.brown_out
 
     def advance(self, seconds: float, drives: Sequence[Drive]) -> None:
-        """Let time pass with what the outputs do to each motor."""
+        """Let time pass with a drive for each motor."""
         self.volts = self._volts(drives)
         for motor, drive in zip(self.motors, drives, strict=True):
             motor.advance(seconds, drive.share * self.volts, drive.brake)
 
     def _volts(self, drives: Sequence[Drive]) -> float:
-        """Return the battery's voltage under the currents that it then drives.
+        """Return the voltage at the board under the currents that it drives.
 
         Motor current is (share * volts - emf) / R, and the battery gives `share` of it; the
         equation is linear in the voltage as long as no current would flow back.

@@ -1,4 +1,4 @@
-"""The serial side of motor control: whose orders count, what went wrong, who fell silent.
+"""Serial motor control: latest commands, latched errors, serial timeout.
 
 Ref: TReX 1.0 command documentation 0x84, 0x85 and motor commands; User's Guide 5.b.
 """
@@ -12,29 +12,29 @@ from trex_gui.devices.trex.simulator.motors import FULL_SPEED, AuxiliaryMotor, M
 
 
 @dataclass(frozen=True, slots=True)
-class _Order:
+class _Command:
     direction: MotorDirection
     speed: int
     accelerate: bool
 
-    def give(self, motor: Motor) -> None:
+    def apply(self, motor: Motor) -> None:
         if self.accelerate:
             motor.accelerate(self.direction, self.speed)
         else:
             motor.set(self.direction, self.speed)
 
 
-_STOP = _Order(MotorDirection.BRAKE, FULL_SPEED, accelerate=False)
-"""Inferred: to be shut down is to be braked fully."""
+_STOP = _Command(MotorDirection.BRAKE, FULL_SPEED, accelerate=False)
+"""Inferred: a shut-down motor brakes fully."""
 
 
 class SerialControl:
-    """The latest serial order to each motor, and the bits that are latched until read.
+    """The latest serial command to each motor, and the bits that are latched until read.
 
     Attributes:
         in_control: whether the motors obey serial commands; 0x83 answers it.
         status, uart_errors: the latched bits.
-        errors: how many UART errors there were.
+        errors: number of UART errors.
     """
 
     def __init__(
@@ -47,70 +47,69 @@ class SerialControl:
         self._motors = motors
         self._aux = aux
         self._joint = joint
-        self._orders = [_STOP] * len(motors)
-        self._aux_order = (0, False)
-        self._heard_at = math.inf  # inferred: the timeout runs from the first byte on
+        self._commands = [_STOP] * len(motors)
+        self._aux_command = (0, False)
+        self._last_byte = math.inf  # inferred: the timeout runs from the first byte on
 
     def drive(
         self, number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
     ) -> None:
-        """Take a command to motor 1 or 2 (speed 0-127); kept while the channels control.
+        """Command motor 1 or 2 (speed 0-127); applied when the channels hand over control.
 
-        Inferred: in joint mode commands to motor 2 are taken and ignored.
+        Inferred: in joint mode commands to motor 2 are accepted and ignored.
         """
         if self._joint and number == 2:
             return
-        order = _Order(direction, speed, accelerate)
-        self._orders[number - 1] = order
+        command = _Command(direction, speed, accelerate)
+        self._commands[number - 1] = command
         if self.in_control:
-            order.give(self._motors[number - 1])
+            command.apply(self._motors[number - 1])
 
     def drive_aux(self, speed: int, *, accelerate: bool = False) -> None:
-        """Take a command to the auxiliary motor (speed 0-127)."""
-        self._aux_order = (speed, accelerate)
+        """Command the auxiliary motor (speed 0-127)."""
+        self._aux_command = (speed, accelerate)
         if self.in_control:
-            self._give_aux_order()
+            self._apply_aux_command()
 
     def hand_over(self, now: float, timeout: int, *, in_control: bool) -> None:
-        """Give or take control; on taking it each motor obeys its latest order, however old.
+        """Set who controls the motors; serial control applies the latest commands of any age.
 
-        Inferred: a motor that never had an order stops; so do all when the host has been
-        silent for longer than the serial timeout (tenths of a second, 0 for none).
+        Inferred: a motor without a command stops; so do all after the serial timeout (tenths of a
+        second, 0 for none).
         """
         begins = in_control and not self.in_control
         self.in_control = in_control
         if begins:
-            self.watch_silence(now, timeout)
-            for order, motor in zip(self._orders, self._motors, strict=True):
-                order.give(motor)
-            self._give_aux_order()
+            self.check_timeout(now, timeout)
+            for command, motor in zip(self._commands, self._motors, strict=True):
+                command.apply(motor)
+            self._apply_aux_command()
 
     def stop_motors(self) -> None:
-        """Brake both motors fully and let the auxiliary one run out, whoever controls."""
+        """Brake both motors fully and let the auxiliary motor coast, in either control."""
         for motor in self._motors:
-            _STOP.give(motor)
+            _STOP.apply(motor)
         self._aux.set(0)
 
-    def hear(self, now: float) -> None:
-        """Note that a byte came, good or bad: the serial timeout starts again."""
-        self._heard_at = now
+    def restart_timeout(self, now: float) -> None:
+        """Restart the serial timeout: a byte arrived, valid or not."""
+        self._last_byte = now
 
-    def watch_silence(self, now: float, timeout: int) -> None:
-        """Stop when the host has been silent for `timeout` tenths of a second; 0 for never.
+    def check_timeout(self, now: float, timeout: int) -> None:
+        """Stop after `timeout` tenths of a second without a byte; 0 for never.
 
-        Inferred: it only acts while serial controls the motors, and the bit is latched once
-        for each silence.
+        Inferred: only in serial control, and the bit is latched once per timeout.
         """
-        if timeout and self.in_control and now - self._heard_at >= timeout * 0.1 - 1e-9:
-            self._heard_at = math.inf
+        if timeout and self.in_control and now - self._last_byte >= timeout * 0.1 - 1e-9:
+            self._last_byte = math.inf
             self.uart_errors |= UartError.TIMEOUT
             self.status |= Status.UART_ERROR
             self._shut_down()
 
     def report(self, error: UartError, *, shut_down: bool) -> None:
-        """Latch an error of the line; stop the motors if the parameter wants that.
+        """Latch a UART error; stop the motors if the parameter requires it.
 
-        The order that was lost may have been a stop, so orders that wait are dropped too.
+        The lost command may have been a stop, so commands not yet applied are dropped, too.
         """
         self.errors += 1
         self.uart_errors |= error
@@ -129,14 +128,14 @@ class SerialControl:
         return errors
 
     def _shut_down(self) -> None:
-        """Stop what serial drives; inferred: the next command starts that motor again."""
-        self._orders = [_STOP] * len(self._motors)
-        self._aux_order = (0, False)
+        """Stop serial control's motors; inferred: the next command restarts its motor."""
+        self._commands = [_STOP] * len(self._motors)
+        self._aux_command = (0, False)
         if self.in_control:
             self.stop_motors()
 
-    def _give_aux_order(self) -> None:
-        speed, accelerate = self._aux_order
+    def _apply_aux_command(self) -> None:
+        speed, accelerate = self._aux_command
         if accelerate:
             self._aux.accelerate(speed)
         else:

@@ -1,4 +1,4 @@
-"""What can be connected to a channel input: servo pulses, a voltage, nothing.
+"""Signals of a channel input: servo pulses, a voltage, nothing.
 
 Ref: Pololu TReX User's Guide 4.b, 4.c.
 """
@@ -15,7 +15,7 @@ LONGEST_PULSE = 2500.0
 """Pulses outside these widths, in µs, are errors (User's Guide 4.c)."""
 
 SUPPLY = 5.0
-"""What the analog inputs measure against, in volts."""
+"""Reference voltage of the analog inputs."""
 
 _RECEIVER_PERIOD = 20_000.0  # µs between pulses of a standard receiver (50 Hz)
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
@@ -27,7 +27,7 @@ _SIGNAL = re.compile(
 
 
 class SignalKind(Enum):
-    """What is connected to a channel input."""
+    """Kind of a signal."""
 
     REST = auto()
     PULSES = auto()
@@ -45,12 +45,12 @@ _WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class Signal:
-    """What arrives at one input; `value` is µs for pulses and volts for a voltage.
+    """Signal at one input.
 
     Attributes:
-        kind, value: what it is.
+        value: in µs for pulses and volts for a voltage.
         noise: standard deviation of each pulse or conversion, in the unit of `value`.
-        lost: share of the pulses that do not come, 0-1.
+        lost: share of missing pulses, 0-1.
     """
 
     kind: SignalKind
@@ -62,7 +62,7 @@ class Signal:
     def parse(cls, text: str, source: InputSource) -> "Signal":
         """Read `1500us`, `2.5V`, raw counts, `invalid`, `silent` or `rest`.
 
-        After a value may stand `noise 2us` and `lost 0.1`, as `noise` and `lost` say.
+        `noise 2us` and `lost 0.1` may follow a value.
 
         Raises:
             ValueError: it is none of these, or no input can carry it.
@@ -98,7 +98,7 @@ class Signal:
 
     @classmethod
     def pulses(cls, microseconds: float) -> "Signal":
-        """Servo pulses of a width, 50 a second; a bad width is allowed, the board minds it.
+        """Return servo pulses, 50 a second; the width may be invalid for the board.
 
         Raises:
             ValueError: a pulse train cannot have this width.
@@ -109,7 +109,7 @@ class Signal:
 
     @classmethod
     def voltage(cls, volts: float) -> "Signal":
-        """Apply a steady voltage.
+        """Return a steady voltage.
 
         Raises:
             ValueError: outside 0-5 V.
@@ -120,10 +120,10 @@ class Signal:
 
     @classmethod
     def from_counts(cls, counts: float, source: InputSource) -> "Signal":
-        """Whatever makes the board measure these raw counts.
+        """Return the signal that the board measures as these raw counts.
 
         Raises:
-            ValueError: nothing does.
+            ValueError: there is none.
         """
         if source is InputSource.RC:
             return cls.pulses(source.physical(counts))
@@ -131,7 +131,7 @@ class Signal:
 
     @property
     def text(self) -> str:
-        """What `parse` reads as this signal."""
+        """Text that `parse` reads as this signal."""
         for word, kind in _WORDS.items():
             if self.kind is kind:
                 return word
@@ -142,13 +142,13 @@ class Signal:
         return f"{text} lost {self.lost:g}" if self.lost else text
 
     def has_pulse(self, random: Random) -> bool:
-        """Whether a pulse comes, good or bad, when one is due."""
+        """Whether a pulse arrives when one is due, valid or not."""
         if self.kind in {SignalKind.SILENCE, SignalKind.VOLTAGE}:
             return False
         return not self.lost or random.random() >= self.lost
 
     def pulse(self, random: Random) -> int | None:
-        """Measure a pulse: raw counts, `None` for one of a bad width."""
+        """Measure a pulse in raw counts; `None` for an invalid width."""
         if self.kind is SignalKind.REST:
             return InputSource.RC.counts(1500)
         width = random.gauss(self.value, self.noise) if self.noise else self.value
@@ -157,10 +157,9 @@ class Signal:
         return None
 
     def conversion(self, random: Random) -> int:
-        """Convert the voltage once: raw counts.
+        """Convert the voltage once, to raw counts.
 
-        Inferred, no source says what the board reads then: a pulse train shows as its mean,
-        an open input as 0 V.
+        Inferred: a pulse train is read as its mean, an open input as 0 V.
         """
         volts = 0.0
         if self.kind is SignalKind.VOLTAGE:

@@ -1,4 +1,4 @@
-"""How the board reads and answers bytes: packets, checksum, errors. It knows no time.
+"""The board's UART and packet parser: packets, checksum, errors. It knows no time.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b (protocols), 5.e (CRC-7).
 Nothing here is shared with `protocol.commands`: it is written from the documents.
@@ -18,15 +18,14 @@ from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 RECEIVE_BUFFER = 32
 SEND_BUFFER = 32
-"""Bytes that may wait, received ones for the program and answers for the wire. Inferred: the
-documents name no size; any that holds the longest packet and answer keeps their promise that
-a host which waits for its answers never overruns them."""
+"""Sizes in bytes. Inferred: the documents name none; any size that holds the longest packet and
+reply keeps their promise that a host which waits for replies causes no overrun."""
 
 _COMMAND_BIT = 0x80
 _EXPANDED = 0x80
 _NULL = 0xFF
 _GAP = -1
-"""Stands in the receive buffer for bytes that were bad or found no room."""
+"""Placeholder in the receive buffer for bytes that were invalid or did not fit."""
 
 _UART_ERRORS = {
     ReceiveError.FRAMING: UartError.FRAMING,
@@ -50,33 +49,29 @@ def remainder(data: bytes, polynomial: int) -> int:
 
 
 class SerialPort:
-    """The UART of one board and the program behind it.
+    """The UART of one board and its packet parser.
 
-    The program pauses for a write to the EEPROM and for the response delay. What comes
-    meanwhile gathers in the receive buffer, and is obeyed while the answer is being sent.
+    The parser pauses for a write to the EEPROM and for the response delay. Bytes received
+    meanwhile are buffered, and executed while the reply is transmitted.
 
     Attributes:
-        board: whose port it is.
-        outgoing: the send buffer; whoever runs the wire takes the bytes out.
-        pause: seconds until `resume` is due, as of the last byte; 0 while the program runs.
+        outgoing: the send buffer; the line takes the bytes.
+        pause: seconds from the last byte until `resume` is due; 0 without a pause.
     """
 
     def __init__(self, board: Board) -> None:
         self.board = board
         self._boot = board.boots
-        self._answer = b""  # what is sent after the pause
+        self._reply = b""  # sent after the pause
         self._start_over()
 
     def feed(self, byte: int) -> None:
-        """Take a byte; the answer, if it completes a packet that has one, is in `outgoing`.
-
-        After a `pause` it is there when `resume` has been called.
-        """
+        """Take a byte; a reply is put into `outgoing`, after a `pause` by `resume`."""
         if not self._listens():
             if self.board.boot_mode is not None:
                 self._send(self.board.boot_mode.reply(byte))
             return
-        self.board.hear()
+        self.board.note_byte()
         if not self.pause:
             self._take(byte)
         elif len(self._buffer) - self._buffer.count(_GAP) < RECEIVE_BUFFER:
@@ -88,7 +83,7 @@ class SerialPort:
     def feed_error(self, error: ReceiveError) -> None:
         """Take a byte in which the hardware detected an error: its packet is lost."""
         if self._listens():
-            self.board.hear()
+            self.board.note_byte()
             if self.pause:
                 self._leave_gap()
             else:
@@ -96,22 +91,22 @@ class SerialPort:
             self.board.report_error(_UART_ERRORS[error])
 
     def _leave_gap(self) -> None:
-        """Note that a byte is missing, so that its packet is not completed by later ones."""
+        """Mark a missing byte, so that later bytes do not complete its packet."""
         if not self._buffer or self._buffer[-1] != _GAP:
             self._buffer.append(_GAP)
 
     def resume(self) -> None:
-        """Go on after a pause: answer, then obey what has gathered, until the next pause."""
+        """End a pause: reply, then process buffered bytes until the next pause."""
         if not self._listens():
             return
         self.pause = 0.0
-        self._send(self._answer)
-        self._answer = b""
+        self._send(self._reply)
+        self._reply = b""
         while self._buffer and not self.pause:
             self._take(self._buffer.popleft())
 
     def _listens(self) -> bool:
-        """Whether packets are taken; a power-up since the last byte has emptied everything."""
+        """Whether packets are accepted; a power-up since the last byte clears all state."""
         if self.board.boots != self._boot:
             self._boot = self.board.boots
             self._start_over()
@@ -121,7 +116,7 @@ class SerialPort:
         self._buffer: deque[int] = deque()
         self.outgoing: deque[int] = deque()
         self.pause = 0.0
-        self._answer = b""
+        self._reply = b""
         self._begin()
 
     def _begin(self) -> None:
@@ -136,7 +131,7 @@ class SerialPort:
         elif byte & _COMMAND_BIT:
             self._take_command_byte(byte)
         elif self._is_skipping:
-            pass  # of a packet for another device, however long it is
+            pass  # belongs to a packet for another device
         elif not self._packet:
             self._reject()  # inferred: a data byte without a packet is a format error
         else:
@@ -145,7 +140,7 @@ class SerialPort:
 
     def _take_command_byte(self, byte: int) -> None:
         if self._packet:
-            # Inferred: the byte that breaks a packet off begins the next one.
+            # Inferred: the byte that interrupts a packet begins the next one.
             self._reject()
         self._begin()
         if byte == _NULL:
@@ -155,7 +150,7 @@ class SerialPort:
         self._go_on()
 
     def _go_on(self) -> None:
-        """Look whether the packet is complete, and then do what it says."""
+        """Execute the packet if it is complete."""
         head = 1
         command = self._packet[0]
         if command == _EXPANDED:
@@ -183,35 +178,35 @@ class SerialPort:
         if polynomial is not None and remainder(packet[:-1], polynomial) != packet[-1]:
             self.board.report_error(UartError.CRC)
         else:
-            self._obey(known, command, packet[head : head + known.size])
+            self._execute(known, command, packet[head : head + known.size])
 
     def _device_number(self) -> int:
         return self.board.memory.active[ParameterKey.DEVICE_NUMBER]
 
-    def _obey(self, known: "_Known", command: int, data: bytes) -> None:
+    def _execute(self, known: "_Known", command: int, data: bytes) -> None:
         try:
-            answer = known.do(self.board, command, data)
+            reply = known.do(self.board, command, data)
         except _IllogicalData:
             self._reject()
             return
         self.board.counters["packets"] += 1
-        if not answer:
+        if not reply:
             return
         memory = self.board.memory
         polynomial = memory.crc_polynomial
         if polynomial is not None:
-            answer += bytes([remainder(answer, polynomial)])
+            reply += bytes([remainder(reply, polynomial)])
         self.pause = memory.busy_for + memory.response_delay
         if self.pause:
-            self._answer = answer
+            self._reply = reply
         else:
-            self._send(answer)
+            self._send(reply)
 
-    def _send(self, answer: bytes) -> None:
-        """Put an answer into the send buffer; inferred: what finds no room is lost."""
+    def _send(self, reply: bytes) -> None:
+        """Put a reply into the send buffer; inferred: bytes that do not fit are lost."""
         room = SEND_BUFFER - len(self.outgoing)
-        self.outgoing.extend(answer[:room])
-        if len(answer) > room:
+        self.outgoing.extend(reply[:room])
+        if len(reply) > room:
             self.board.report_error(UartError.SEND_OVERRUN)
 
     def _reject(self) -> None:
@@ -220,15 +215,15 @@ class SerialPort:
 
 
 class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
-    """A data byte has a value that makes no sense."""
+    """A data byte has an invalid value."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Known:
-    """A command: how many data bytes follow it and what it does.
+    """A command with its number of data bytes.
 
-    `do` gets the board, the command byte (its low bits often say which motor or channel)
-    and the data, and returns the answer, empty for none.
+    `do` takes the board, the command byte (its low bits often select the motor or channel) and
+    the data, and returns the reply, which may be empty.
     """
 
     size: int
@@ -256,7 +251,7 @@ def _get_uart_errors(board: Board, _command: int, _data: bytes) -> bytes:
 
 
 def _wanted(data: bytes) -> list[int]:
-    """Return the indices (0-4) of the channels that a mask asks for."""
+    """Return the indices (0-4) of the channels in a mask."""
     if data[0] > 0b11111:
         raise _IllogicalData  # inferred: there are five channels
     return [index for index in range(5) if data[0] & 1 << index]
@@ -326,7 +321,7 @@ def _result(code: ResultCode) -> bytes:
 
 
 def _drive_one(board: Board, command: int, data: bytes) -> bytes:
-    """0xC0-0xCF: bit 3 names the motor, bit 2 asks for a ramp, bits 1:0 are the direction."""
+    """0xC0-0xCF: bit 3 selects the motor, bit 2 a ramp, bits 1:0 the direction."""
     number = 2 if command & 0b1000 else 1
     direction = MotorDirection.from_bits(command)
     board.serial.drive(number, direction, data[0], accelerate=bool(command & 0b0100))
