@@ -55,14 +55,14 @@ TREX: list[tuple[Said, str, bool]] = [
     ((b"\xaf\x07\x0f\x55\x2a", b"\x00"), "set Serial Timeout to 1.5 s (15) → stored", False),
     (
         (b"\xaf\x07\x0f\x55\x2a", b"\x02"),
-        "set Serial Timeout to 1.5 s (15) → refused: this value is not allowed (code 2)",
+        "set Serial Timeout to 1.5 s (15) → rejected: this value is not allowed (code 2)",
         True,
     ),
     ((b"\xc2\x50", b""), "set motor 1 to forward 80", False),
     ((b"\xc2\x50", b"\xc2\x50"), "set motor 1 to forward 80", False),
     (
         (b"\xc2\x50", b"\x07"),
-        "set motor 1 to forward 80 → bytes that it does not ask for; perhaps a late answer",
+        "set motor 1 to forward 80 → unsolicited bytes; perhaps a late reply",
         True,
     ),
     ((b"\x80\x09\x02", b"R"), "device 9: get mode → RC mode", False),
@@ -70,7 +70,7 @@ TREX: list[tuple[Said, str, bool]] = [
     ((b"\x12", b""), "no packet of a TReX: a data byte outside a packet", False),
     ((b"\xc2\x00\xca\x00", b""), "set motor 1 to forward 0; set motor 2 to forward 0", False),
     ((b"\xc2\x00\x82", b"r"), "set motor 1 to forward 0; get mode → serial mode, RC inputs", False),
-    ((b"", b"\x55\x55"), "bytes that nobody asked for", True),
+    ((b"", b"\x55\x55"), "unsolicited bytes", True),
 ]
 
 

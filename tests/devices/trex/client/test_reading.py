@@ -5,7 +5,7 @@ import pytest
 from tests.devices.trex.session.helpers import staged
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply, PortUnavailable
-from trex_gui.devices.trex.client.reading import ask, read_everything
+from trex_gui.devices.trex.client.reading import query, read_everything
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, GetParameter, ReplyT_co
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
@@ -104,7 +104,7 @@ def test_request_without_reply_is_sent_three_times(stage: Stage) -> None:
     stage.board.power_off()
     client = stage.client()
     with pytest.raises(NoReply):
-        ask(client.request, GetMode())
+        query(client.request, GetMode())
     assert client.counters.requests == 3
 
 
@@ -112,5 +112,5 @@ def test_request_on_lost_port_is_not_retried(stage: Stage) -> None:
     client = stage.client()
     stage.transport.fail = PortUnavailable("gone")
     with pytest.raises(PortUnavailable):
-        ask(client.request, GetMode())
+        query(client.request, GetMode())
     assert client.counters.requests == 1

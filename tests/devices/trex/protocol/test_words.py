@@ -57,4 +57,4 @@ def test_stored_value_is_no_refusal(value: object) -> None:
 @pytest.mark.parametrize("code", [code for code in ResultCode if code is not ResultCode.OK])
 def test_result_code_other_than_ok_is_a_refusal(code: ResultCode) -> None:
     assert is_refusal(code)
-    assert describe_reply(SetParameter(7, 5), code).startswith("refused: ")
+    assert describe_reply(SetParameter(7, 5), code).startswith("rejected: ")

@@ -18,7 +18,7 @@ from trex_gui.devices.trex.cli.common import (
     open_line,
     open_line_to_change,
 )
-from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.client.writing import write_calibration
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
@@ -54,9 +54,9 @@ def get_command(as_json: bool, **options: Any) -> None:
     """Show the calibration of each channel, in counts and in physical units."""
     with open_line(link_settings(options)) as client:
         identify(client)
-        source = ask(client.request, GetMode()).source
-        rows = {channel: ask(client.request, GetCalibration(channel)) for channel in CHANNELS}
-        learned = channels_in(ask(client.request, GetCalibratedChannels()))
+        source = query(client.request, GetMode()).source
+        rows = {channel: query(client.request, GetCalibration(channel)) for channel in CHANNELS}
+        learned = channels_in(query(client.request, GetCalibratedChannels()))
     if as_json:
         report = {
             "source": source.value,

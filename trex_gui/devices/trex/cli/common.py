@@ -19,7 +19,7 @@ from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient, diagnose
-from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Framing
@@ -193,6 +193,6 @@ def identify(client: TrexClient) -> Signature:
         NoReply, BadReply: none does; says what to look at.
     """
     try:
-        return ask(client.request, GetSignature())
+        return query(client.request, GetSignature())
     except (NoReply, BadReply) as error:
         raise diagnose(client.settings, echo=client.echo, error=error) from error

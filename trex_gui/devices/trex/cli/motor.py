@@ -1,4 +1,4 @@
-"""motor, stop: driving, and an end to it whatever happens."""
+"""The commands motor and stop."""
 
 import math
 from collections import deque
@@ -15,7 +15,7 @@ from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.cli.status import names_of
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP, who_controls
-from trex_gui.devices.trex.client.reading import DeviceState, ask
+from trex_gui.devices.trex.client.reading import DeviceState, query
 from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, StatusReader
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
 from trex_gui.devices.trex.driving.motor_output import MotorOutput
@@ -74,7 +74,7 @@ def motor(
     """Run a motor at SPEED, -127 to 127 (auxiliary motor 0 to 127), then stop every motor.
 
     Runs until Ctrl-C, or for --seconds. However it ends (a signal and an error too), all motors
-    are stopped and the board is asked until it proves that.
+    are stopped, again and again until the board confirms it.
     """
     setpoint = _setpoint(which, speed, accelerate=accelerate, brake=brake)
     settings = link_settings(options)
@@ -112,7 +112,7 @@ def _stop_at(settings: ConnectionSettings) -> None:
                 "The stop was sent, but the board reports errors on the line each time. "
                 "If a motor still turns, cut its power."
             )
-        if not ask(client.request, GetSerialControl()):
+        if not query(client.request, GetSerialControl()):
             raise CommandFailed(BEYOND_A_STOP)
 
 

@@ -19,7 +19,7 @@ from trex_gui.devices.trex.cli.common import (
     open_line_to_change,
 )
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.client.writing import write_parameter
 from trex_gui.devices.trex.protocol.commands import GetParameter
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
@@ -48,7 +48,7 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
         spec = spec_of(client, name)
         if not spec.readable:
             raise BadRequest(f"{spec.name} can only be written")
-        wire = ask(client.request, GetParameter(spec.number))
+        wire = query(client.request, GetParameter(spec.number))
     if as_json:
         click.echo(json.dumps({"name": spec.key, "value": wire, "text": spec.text(wire)}))
     else:

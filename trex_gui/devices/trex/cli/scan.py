@@ -8,7 +8,7 @@ from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.devices.trex.cli.common import as_options, link_settings
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.discovery.results import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetSignature
 
@@ -19,7 +19,7 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
     client = TrexClient(host().open_transport(settings), settings)
     try:
         client.detect_echo()
-        signature = ask(client.request, GetSignature())
+        signature = query(client.request, GetSignature())
     except NoReply:
         return PortAnswer("echo only" if client.echo else "nothing answers")
     except BadReply as error:

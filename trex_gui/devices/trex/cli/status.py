@@ -1,4 +1,4 @@
-"""status: one look at everything."""
+"""The command status."""
 
 import json
 from typing import Any
@@ -9,7 +9,7 @@ from trex_gui.core.cli.options import json_option
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.explanations import MODE_TEXT, who_controls
-from trex_gui.devices.trex.client.reading import DeviceState, ask, read_everything
+from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
 from trex_gui.devices.trex.protocol.commands import GetCurrents, GetRawChannels, GetRemappedChannels
 from trex_gui.devices.trex.protocol.flags import (
@@ -61,9 +61,9 @@ def names_of(news: LatchedStatus | None) -> list[str]:
 
 
 def _report(client: TrexClient, state: DeviceState, news: LatchedStatus | None) -> dict[str, Any]:
-    raw = ask(client.request, GetRawChannels())
-    remapped = ask(client.request, GetRemappedChannels())
-    currents = ask(client.request, GetCurrents())
+    raw = query(client.request, GetRawChannels())
+    remapped = query(client.request, GetRemappedChannels())
+    currents = query(client.request, GetCurrents())
     unit = state.signature.model.current_unit
     return {
         "product": state.signature.model.name,

@@ -1,4 +1,4 @@
-"""stream: what the board measures, line by line, as fast as it is worth asking."""
+"""The command stream: measurements line by line, as fast as the board renews them."""
 
 import contextlib
 import csv
@@ -16,7 +16,7 @@ from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.recording.kinds import SampleKind
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
@@ -70,7 +70,7 @@ def stream(file: str | None, seconds: float | None, as_json: bool, **options: An
     settings = link_settings(options)
     with open_line(settings) as client, _target(file) as target, Interruption() as interrupted:
         unit = identify(client).model.current_unit
-        mode = ask(client.request, GetMode())
+        mode = query(client.request, GetMode())
         table = _Table(mode, unit)
         writer = _Writer(target, table, as_json=as_json)
         reason = ""
@@ -150,7 +150,7 @@ class _Table:
 def _rows(
     client: TrexClient, table: _Table, seconds: float | None, interrupted: Interruption
 ) -> Iterator[Row]:
-    """Ask by the schedule and yield each row that becomes complete."""
+    """Poll by the schedule and yield each row when it is complete."""
     clock = client.transport.clock
     reader = StatusReader(clock)
     schedule = Schedule()

@@ -45,7 +45,7 @@ _ECHO_PROBES = 2
 
 
 class Requester(Protocol):
-    """Whatever runs transactions: a client, or a session that slips a stop in between."""
+    """Runs transactions: a client, or a session that serves a stop in between."""
 
     def __call__(self, command: Command[ReplyT_co]) -> ReplyT_co:
         """Run one transaction and return its reply."""
@@ -54,13 +54,13 @@ class Requester(Protocol):
 
 @dataclass(slots=True)
 class Counters:
-    """What a client has seen since it was made.
+    """Statistics since the line was opened.
 
     Attributes:
         requests: transactions begun.
-        silences: no reply, or not all of it, in time.
-        damaged: replies that could not be one.
-        stale: bytes that belonged to nothing and were thrown away.
+        silences: missing or incomplete replies.
+        damaged: corrupted replies.
+        stale: unsolicited bytes, discarded.
         slowest: the longest round trip that succeeded, in seconds.
         answers: replies that came whole.
     """
@@ -78,22 +78,22 @@ class TrexClient:
 
     Attributes:
         echo: whether everything sent comes back, as it does on the board's RS-232 side.
-        feeds_timeout: whether the board must hear something while a late answer is awaited, since
-            its serial timeout would stop motors that are driven: a null command.
+        keepalive_while_waiting: whether to send a null command while a late reply is awaited, to
+            keep the board's serial timeout from stopping motors that are driven.
     """
 
     def __init__(
         self, transport: Transport, settings: ConnectionSettings, *, echo: bool = False
     ) -> None:
         self.echo = echo
-        self.feeds_timeout = False
+        self.keepalive_while_waiting = False
         self.counters = Counters()
         self._transport = transport
         self._settings = settings
         self._framing = settings.framing
         self._free_at = transport.clock()
         self._is_unanswered = False
-        self._unanswered = 0  # answers that never came, since one was known to be what it seemed
+        self._unanswered = 0  # missing replies since one was surely matched to its request
 
     @property
     def settings(self) -> ConnectionSettings:
@@ -106,7 +106,7 @@ class TrexClient:
         return self._transport
 
     def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
-        """Send a command and return what its reply means.
+        """Send a command and return its parsed reply.
 
         A motor command has no reply: it returns at once, and the next request waits until
         its bytes have left.
@@ -114,7 +114,7 @@ class TrexClient:
         Raises:
             BadRequest: a value does not fit; nothing was sent.
             NoReply: not everything came in time.
-            BadReply: what came is no reply to this command.
+            BadReply: the bytes are no reply to this command.
             PortUnavailable: the line is gone.
         """
         try:
@@ -138,7 +138,7 @@ class TrexClient:
         begun = self._transport.clock()
         self._transport.write(packet)
         self._free_at = begun + line.seconds(len(packet))
-        # What stands in the queue of the port must leave before the board can answer.
+        # What is queued in the port must leave before the board can answer.
         deadline = self._free_at + self._allowance + command.seconds_to_answer
         received = b""
         state = parser.feed()
@@ -171,9 +171,9 @@ class TrexClient:
                 return value
 
     def send(self, command: Command[None]) -> None:
-        """Send a command whose arrival something else will prove, whatever the line does.
+        """Send a command without a reply that something else will confirm.
 
-        With an echo, its bytes are awaited and not judged.
+        An echo is awaited and not checked.
 
         Raises:
             PortUnavailable: the line is gone.
@@ -187,12 +187,12 @@ class TrexClient:
             self._read_echo(packet)
 
     def detect_echo(self, before: Callable[[], None] | None = None) -> bool:
-        """Find out, with the null command, whether everything sent comes back.
+        """Find out with null commands whether everything sent comes back.
 
-        `before` is called before each probe: something may have to go out first.
+        `before` is called before each of them: a stop may have to be sent first.
 
         Raises:
-            BadReply: bytes come without end; no TReX sends without being asked.
+            BadReply: bytes come without end; no TReX sends any unsolicited.
             PortUnavailable: the line is gone.
         """
         self.echo = False
@@ -208,28 +208,28 @@ class TrexClient:
         return self.echo
 
     def _drain_late_reply(self) -> bytes:
-        """Let the answer pass that never came in time: it would be taken for the next one.
+        """Discard a reply that did not come in time: it would be taken for the next one.
 
-        It does not hold up a stop, which awaits nothing.
+        A stop does not wait for that.
         """
         if not self._is_unanswered:
             return b""
         self._is_unanswered = False
-        if self.feeds_timeout:
+        if self.keepalive_while_waiting:
             self._transport.write(_NULL)
         late = self._transport.read(_LONGEST_REPLY, self._transport.latency)
-        # The rest of it is on its way; what goes on after that is no answer.
+        # The rest of it is on its way; what follows that is no reply.
         rest = self._settings.line.seconds(_LONGEST_REPLY) if late else 0.0
         late += self._transport.read(_LONGEST_REPLY - len(late), rest)
         if late and self._unanswered == 1:
             self._unanswered = 0
-        return late.removesuffix(_NULL) if self.echo and self.feeds_timeout else late
+        return late.removesuffix(_NULL) if self.echo and self.keepalive_while_waiting else late
 
     def _reject_late_reply(self, answer: bytes) -> None:
-        """Take an answer for that of the last question only if no other one follows it.
+        """Accept a reply as that of the last request only if no other one follows it.
 
-        Where answers never came, an adapter or the system may have held them up, and now all of
-        them come: this one would be that of a question of long ago.
+        Missing replies may have been delayed by an adapter or the system, and all arrive now: then
+        this one belongs to an earlier request.
 
         Raises:
             BadReply: more came.
@@ -237,7 +237,7 @@ class TrexClient:
         """
         more = self._transport.read(1, self._transport.latency)
         if more:
-            # Until it is quiet; what goes on for longer is no answer.
+            # Until it is quiet; what goes on for longer is no reply.
             more += self._transport.read(
                 self._unanswered * _LONGEST_REPLY,
                 self._unanswered * self._settings.line.seconds(_LONGEST_REPLY),
@@ -257,7 +257,7 @@ class TrexClient:
         self._transport.wait(self._free_at - self._transport.clock())
 
     def close(self) -> None:
-        """Give the port back."""
+        """Close the port."""
         self._transport.close()
 
     @property
@@ -265,7 +265,7 @@ class TrexClient:
         return self._transport.latency + self._settings.timeouts.extra + _BOARD_DELAY
 
     def _new_number(self, command: object) -> int | None:
-        """Return the number that a command gives to a board which is addressed by number."""
+        """Return the new number from a command that changes that of a board addressed by number."""
         if (
             isinstance(command, SetParameter)
             and command.number == parameter_number(ParameterKey.DEVICE_NUMBER)
@@ -280,7 +280,7 @@ class TrexClient:
         self._framing = self._settings.framing
 
     def _look_for(self, number: int) -> None:
-        """See whether a board whose answer was lost has taken its new number all the same."""
+        """Find out whether a board has taken its new number although the reply was lost."""
         before = self._settings.device_number
         self._address(number)
         try:

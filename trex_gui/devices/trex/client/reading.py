@@ -1,4 +1,4 @@
-"""Reading everything that a board tells of itself.
+"""Reading everything that a board stores and reports.
 
 Plain functions over a `Requester`, so the command line, the session and tests share them.
 """
@@ -25,7 +25,7 @@ from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
 
 Progress = Callable[[int, int, str], None]
-"""Called with steps done, steps in all, and what comes next."""
+"""Called with the steps done, their total, and what comes next."""
 
 ATTEMPTS = 3
 """How often a transaction is tried on a line that damages bytes."""
@@ -33,7 +33,7 @@ ATTEMPTS = 3
 
 @dataclass(frozen=True, slots=True)
 class DeviceState:
-    """What a board said of itself at one time.
+    """What a board stores, and its mode, as it was last reported.
 
     Attributes:
         parameters: stored wire value (0-127) by key.
@@ -71,11 +71,11 @@ class DeviceState:
 
 
 def no_progress(done: int, total: int, what: str) -> None:
-    """Say nothing."""
+    """Ignore the progress."""
 
 
-def ask(request: Requester, command: Command[ReplyT_co]) -> ReplyT_co:
-    """Run a transaction that changes nothing, again when the line damaged it.
+def query(request: Requester, command: Command[ReplyT_co]) -> ReplyT_co:
+    """Run a transaction that changes nothing, up to three times on a line that damages bytes.
 
     Raises:
         NoReply, BadReply: three times in a row.
@@ -97,29 +97,29 @@ def read_everything(request: Requester, progress: Progress = no_progress) -> Dev
         PortUnavailable: the line is gone.
     """
     progress(0, 1, "signature")
-    signature = ask(request, GetSignature())
+    signature = query(request, GetSignature())
     specs = parameters_of(signature.model.key, signature.firmware).readable
     total = 4 + len(specs) + len(CHANNELS)
     progress(1, total, "mode")
-    mode = ask(request, GetMode())
+    mode = query(request, GetMode())
     progress(2, total, "control")
-    serial_controls = ask(request, GetSerialControl())
+    serial_controls = query(request, GetSerialControl())
     parameters: dict[str, int] = {}
     unread: dict[str, str] = {}
     for done, spec in enumerate(specs, start=3):
         progress(done, total, spec.name)
         try:
-            parameters[spec.key] = ask(request, GetParameter(spec.number))
+            parameters[spec.key] = query(request, GetParameter(spec.number))
         except (NoReply, BadReply) as error:
-            # Either the board is gone, and this raises, or it refuses this one parameter.
-            ask(request, GetMode())
+            # Either the board is gone, and this raises, or it rejects this one parameter.
+            query(request, GetMode())
             unread[spec.key] = str(error)
     calibrations: dict[int, Calibration] = {}
     for done, channel in enumerate(CHANNELS, start=3 + len(specs)):
         progress(done, total, f"calibration of channel {channel}")
-        calibrations[channel] = ask(request, GetCalibration(channel))
+        calibrations[channel] = query(request, GetCalibration(channel))
     progress(total - 1, total, "learned channels")
-    calibrated = ask(request, GetCalibratedChannels())
+    calibrated = query(request, GetCalibratedChannels())
     progress(total, total, "done")
     return DeviceState(
         signature, mode, serial_controls, parameters, calibrations, calibrated, unread

@@ -1,4 +1,4 @@
-"""Writes to EEPROM that count only when they have been read back equal.
+"""Writes to EEPROM that are complete when they have been read back and compared.
 
 Plain functions over a `Requester`, so the command line, the session and tests share them.
 """
@@ -13,8 +13,8 @@ from trex_gui.devices.trex.client.reading import (
     ATTEMPTS,
     DeviceState,
     Progress,
-    ask,
     no_progress,
+    query,
 )
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_KEYS,
@@ -65,14 +65,14 @@ class WriteResult:
 
 
 def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
-    """Store one parameter and return what was read back: the proof that it is stored.
+    """Store one parameter and return the value that was read back.
 
-    A reply that is lost on the way is no failure: only the value read back counts. The
-    factory reset cannot be read back; its result code has to do.
+    A lost reply is no failure: only the value read back counts. The factory reset cannot be read
+    back; its result code has to suffice.
 
     Raises:
         BadRequest: the table does not allow the value; nothing was sent.
-        Rejected: the board refused it.
+        Rejected: the board rejected it.
         BadReply: the value read back is another.
         NoReply: the board does not answer.
         PortUnavailable: the line is gone.
@@ -86,8 +86,8 @@ def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
         _write(request, spec.name, command, may_fail=True)
         # Without CRC the line may have damaged what was read, or what was written: only two
         # equal readings speak against the write, and a write may be repeated.
-        stored = ask(request, GetParameter(spec.number))
-        if stored == wire or (stored := ask(request, GetParameter(spec.number))) == wire:
+        stored = query(request, GetParameter(spec.number))
+        if stored == wire or (stored := query(request, GetParameter(spec.number))) == wire:
             return wire
     texts = spec.text(wire), spec.text(stored)
     raise TrexBadReplyError(ErrorCode.PARAMETER_MISMATCH, spec.name, *texts)
@@ -111,7 +111,7 @@ def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibrati
     """
     what = f"Calibration of channel {key.channel}"
     command = SetCalibration(key.channel, wanted)
-    command.data()  # what cannot be sent raises here, before anything is asked
+    command.data()  # invalid values raise here, before anything is sent
 
     def require_source() -> None:
         if (now := _serial_source(request, what)) is not key.source:
@@ -120,15 +120,15 @@ def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibrati
     stored = wanted
     for _ in range(ATTEMPTS):
         _write(request, what, command, may_fail=True, before=require_source)
-        stored = ask(request, GetCalibration(key.channel))
-        if stored == wanted or (stored := ask(request, GetCalibration(key.channel))) == wanted:
+        stored = query(request, GetCalibration(key.channel))
+        if stored == wanted or (stored := query(request, GetCalibration(key.channel))) == wanted:
             return wanted
     raise TrexBadReplyError(ErrorCode.CALIBRATION_MISMATCH, what, stored)
 
 
 def _serial_source(request: Requester, what: str) -> InputSource:
     """Return the source of a board in serial mode."""
-    mode = ask(request, GetMode())
+    mode = query(request, GetMode())
     if not mode.is_serial:
         raise Rejected(what, ResultCode.NOT_SERIAL_MODE)
     return mode.source
@@ -184,13 +184,12 @@ def write_all(
     that act at once come next, those that need a power cycle last and the serial settings after
     all others.
 
-    Power may go at any moment, and a value that was being written is the factory's then. Yet
-    the board must come up at settings at which somebody looks for it: those that it had, those
-    that it was to get, or the factory's. So the polynomial is changed while the stored line
-    settings have no CRC: before them where CRC is switched on, after them where it is switched
-    off. Where it stays on and the line changes too, the factory's line settings are stored
-    meanwhile. Where only the polynomial changes, a power cut in the 4 ms of its write leaves
-    the factory's polynomial on the line as it was, which discovery asks for too.
+    Power may fail at any moment, and a value that was being written is the factory default then.
+    Yet the board must start at settings that a scan tries: the old ones, the new ones or the
+    default. So the polynomial is changed while the stored line settings have no CRC: before them
+    where CRC is switched on, after them where it is switched off. Where it stays on and the line
+    changes too, the default line settings are stored meanwhile. Where only the polynomial changes,
+    a power cut in the 4 ms of its write leaves the default polynomial, which a scan tries too.
 
     Once the line is gone, the board has stopped answering or has said that it is not in
     serial mode, the rest is not tried: it would fail alike. Nor is it after `cancelled`, but
@@ -229,7 +228,7 @@ def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceS
 
 
 class _Route(Enum):
-    """How the serial settings are changed; the reasons stand in `write_all`."""
+    """How the serial settings are changed; `write_all` gives the reasons."""
 
     POLYNOMIAL_FIRST = auto()
     LINE_FIRST = auto()
@@ -241,7 +240,7 @@ class _Work:
     """What is written one after the other, and how it went so far.
 
     Attributes:
-        hopeless: why nothing more is tried.
+        fatal_error: why nothing more is tried.
     """
 
     request: Requester
@@ -254,7 +253,7 @@ class _Work:
     fatal_error: StudioError | None = None
 
     def store_calibration(self, key: CalibrationKey, wanted: Calibration) -> None:
-        """Store a calibration, unless that is hopeless."""
+        """Store a calibration, unless an earlier error was fatal."""
 
         def write() -> Calibration:
             self._say(f"calibration of channel {key.channel}")
@@ -264,7 +263,7 @@ class _Work:
         self._try(key, write)
 
     def store(self, key: str, wire: int, *, may_cancel: bool = True) -> None:
-        """Store a parameter, unless that is hopeless."""
+        """Store a parameter, unless an earlier error was fatal."""
 
         def write() -> int:
             spec = self.specs[key]
@@ -295,7 +294,7 @@ class _Work:
 
     def _route(self, wanted: Mapping[str, int]) -> "_Route":
         """Return how to come from the serial settings that are stored to those wanted."""
-        stored = {key: ask(self.request, GetParameter(self.specs[key].number)) for key in wanted}
+        stored = {key: query(self.request, GetParameter(self.specs[key].number)) for key in wanted}
         is_possible = not any(self.specs[key].problem(wire) for key, wire in wanted.items())
         has_crc = _has_crc(stored[_LINE])
         if not (is_possible and has_crc and stored[_POLYNOMIAL] != wanted[_POLYNOMIAL]):
@@ -332,7 +331,7 @@ class _Work:
                 result = WriteResult(key, write())
             except _FAILURES as error:
                 result = WriteResult(key, error=error)
-                self.fatal_error = _if_hopeless(error)
+                self.fatal_error = _if_fatal(error)
             else:
                 self.stored(result)
         self.results.append(result)
@@ -354,7 +353,7 @@ def _write_order(specs: ParameterSet, key: str) -> tuple[bool, bool, int]:
     return spec.needs_power_cycle, spec.group == "serial", spec.number
 
 
-def _if_hopeless(error: StudioError) -> StudioError | None:
+def _if_fatal(error: StudioError) -> StudioError | None:
     """Return the error when every later write would meet it too."""
     if isinstance(error, (NoReply, PortUnavailable)):
         return error

@@ -1,16 +1,15 @@
-"""One question to a line on which a board may have any settings, that moves nothing.
+"""One probe on a line on which a board may have any settings; it moves nothing.
 
-A board at another rate hears other bytes than those that were sent, and keeps what it takes
-for the beginning of a packet: a question now and another one later, each harmless by itself,
-can make a motor command between them. Two things keep a search from that.
+A board at another rate receives other bytes than those that were sent, and keeps what it takes
+for the start of a packet: two probes, each harmless by itself, could form a motor command. Two
+rules prevent that.
 
-- Only 81 is asked, alone or with its checksum: the signature, which changes nothing.
-- Before each question goes FF, slowly (1200 baud). A board at that rate takes it for nothing
-  at all, one at any other for a byte that no packet may have there. Whatever began ends, so
-  what a question does never hangs on what was sent before, nor on the order of the rates.
+- The only probe is 81, alone or with its checksum: the signature, which changes nothing.
+- Before each probe `core.discovery.flush` ends every packet that may have begun, so the effect
+  of a probe depends neither on what was sent before nor on the order of the rates.
 
-The tests go through every board and every question: no motor command is heard, at any rate,
-with any polynomial and any device number.
+The tests send every probe to every board: none receives a motor command, at any rate, with any
+polynomial and any device number.
 """
 
 import contextlib
@@ -23,19 +22,19 @@ from trex_gui.core.discovery.flush import flush
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.protocol.commands import GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import crc7
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 QUIET = 0.13
-"""Seconds after a question in which nothing is sent: a misread question may be answered, and
-a board that answers is deaf. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
+"""Seconds after a probe in which nothing is sent: a misread probe may be answered, and a board that
+answers is deaf. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
 
 UNSAFE = frozenset(product((14400, 28800), (0x2E, 0x4E)))
-"""Rates and checksums that are not asked with where the board may be anywhere: one at 8/3 of the
-rate (38400, 76800 baud) with odd parity may hear 81 2E as F0 0E, which starts the auxiliary
+"""Rates and checksums that are not probed where the board may be anywhere: at 8/3 of the rate
+(38400, 76800 baud) with odd parity it may receive 81 2E as F0 0E, which starts the auxiliary
 motor; 81 4E likewise."""
 
 _ASK = GetSignature().opcode.to_bytes()
@@ -43,38 +42,38 @@ _NAME = b"TReX"
 
 
 def checksum(polynomial: int) -> int:
-    """Return what stands behind the question under a CRC polynomial."""
+    """Return the checksum of the probe under a CRC polynomial."""
     return crc7(_ASK, polynomial)
 
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """One question: how it is sent, and the polynomials that its checksum may stand for."""
+    """One probe: its line settings, and the polynomials that give its checksum."""
 
     line: LineSettings
     polynomials: tuple[int, ...] = ()
 
     @classmethod
     def at(cls, settings: ConnectionSettings) -> "Attempt":
-        """Return the question for a board with these settings."""
+        """Return the probe for a board with these settings."""
         crc = settings.line.detection is Detection.CRC7
         return cls(settings.line, (settings.polynomial,) if crc else ())
 
     @property
     def question(self) -> bytes:
-        """The bytes that ask for the signature."""
+        """The bytes of the probe."""
         if not self.polynomials:
             return _ASK
         return _ASK + bytes([checksum(self.polynomials[0])])
 
     @property
     def is_unsafe(self) -> bool:
-        """Whether a board at some other settings may hear an order in the question."""
+        """Whether a board at some other settings may take the probe for a motor command."""
         return bool(self.polynomials) and (self.line.baud, self.question[-1]) in UNSAFE
 
 
 class ReplyKind(Enum):
-    """What came back to a question."""
+    """What came back after a probe."""
 
     NOTHING = auto()
     ECHO = auto()
@@ -85,15 +84,15 @@ class ReplyKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class ProbeReply:
-    """What came back to a question: its kind, the bytes, and whether the question did too."""
+    """What came back after a probe: its kind, the bytes, and whether the probe itself did."""
 
     answer: ReplyKind
     data: bytes = b""
     echo: bool = False
 
 
-def send_probe(wire: Transport, attempt: Attempt, patience: float = 0.0) -> ProbeReply:
-    """Ask once on a line that was rinsed and set, and judge what comes back.
+def send_probe(wire: Transport, attempt: Attempt, extra: float = 0.0) -> ProbeReply:
+    """Send a probe on a line that was flushed and set, and classify the reply.
 
     Raises:
         PortUnavailable: the line is gone.
@@ -102,7 +101,7 @@ def send_probe(wire: Transport, attempt: Attempt, patience: float = 0.0) -> Prob
     with contextlib.suppress(BadReply):
         wire.discard()
     wire.write(question)
-    seconds = attempt.line.seconds(len(question)) + wire.latency + patience + QUIET
+    seconds = attempt.line.seconds(len(question)) + wire.latency + extra + QUIET
     data = wire.read(64, seconds)
     echo = data.startswith(question)
     answer = data.removeprefix(question)
@@ -120,8 +119,8 @@ def send_probe(wire: Transport, attempt: Attempt, patience: float = 0.0) -> Prob
 def is_board_at(wire: Transport, settings: ConnectionSettings, *, echo: bool) -> bool:
     """Return whether the board answers at these settings; the line is set to them then.
 
-    A board that is addressed by number is so only where somebody has answered. Takes as long
-    as one question, some 0.3 s on a local port, while nobody answers.
+    Without a reply it takes about 0.3 s on a local port. A board that is addressed by number gets
+    a second query with it.
 
     Raises:
         BadRequest: the port cannot be set so.
@@ -133,7 +132,7 @@ def is_board_at(wire: Transport, settings: ConnectionSettings, *, echo: bool) ->
     if heard.answer not in {ReplyKind.BOARD, ReplyKind.SEVERAL}:
         return False
     try:
-        ask(TrexClient(wire, settings, echo=echo).request, GetSignature())
+        query(TrexClient(wire, settings, echo=echo).request, GetSignature())
     except (NoReply, BadReply):
         return False
     return True
@@ -144,10 +143,10 @@ def reconnect_places(
 ) -> tuple[ConnectionSettings, ...]:
     """Return the settings at which a silent board may be, those in use first.
 
-    The factory's line settings come last: a power cut while UART settings were being stored
-    leaves them. A board answers with one stop bit as well as with two, so where nothing else
-    is expected to change, what is expected stands for what is in use. Left out is a question
-    that a board at another of these places could take for an order.
+    The factory default comes last: a power cut while UART settings were being stored leaves it. A
+    board answers with one stop bit as well as with two, so candidates that differ only in these
+    replace the settings in use. A probe that a board at another of these places could take for a
+    motor command is left out.
     """
     here = [replace(one, url=used.url, name=used.name, timeouts=used.timeouts) for one in expected]
     first = next((one for one in here if _differ_in_stop_bits(one, used)), used)
@@ -162,14 +161,14 @@ def reconnect_places(
 
 
 def _differ_in_stop_bits(one: ConnectionSettings, other: ConnectionSettings) -> bool:
-    """Whether two settings differ in nothing else, and in that."""
+    """Whether two settings differ in the stop bits only."""
     stop_bits = other.line.stop_bits
     alike = replace(one, line=replace(one.line, stop_bits=stop_bits)) == other
     return alike and one.line.stop_bits != stop_bits
 
 
 def _may_mishear(line: LineSettings, places: Iterable[ConnectionSettings]) -> bool:
-    """Whether a board at one of the places may hear an order in an unsafe question."""
+    """Whether a board at one of the places may take an unsafe probe for a motor command."""
     return any(
         place.line.detection is Detection.ODD and place.line.baud * 3 == line.baud * 8
         for place in places

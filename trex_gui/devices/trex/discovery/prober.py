@@ -1,8 +1,4 @@
-"""Finding a board whose serial settings nobody knows, without moving anything.
-
-Every question is put as `looking` does it: harmless to a board at any settings, whatever was
-asked before.
-"""
+"""Finding a board with unknown serial settings, without moving anything; see `probe`."""
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
@@ -22,7 +18,7 @@ from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.discovery.probe import (
     Attempt,
     ProbeReply,
@@ -54,10 +50,10 @@ _NUMBERS = 128
 
 
 def attempts(*, full: bool = False) -> Iterator[Attempt]:
-    """Return every question in the order in which to ask, the likely ones first.
+    """Return every probe, likely ones first.
 
-    `full` adds every other CRC-7 polynomial than the factory's, which takes some minutes; ten of
-    them cannot be asked for safely at two of the rates (`looking.UNSAFE`).
+    `full` adds every CRC-7 polynomial but the default, which takes some minutes; ten of them cannot
+    be probed safely at two of the rates (`probe.UNSAFE`).
     """
     rates = sorted(baud_rates(), key=lambda baud: (baud not in _LIKELY, _rank(baud)))
     for stop_bits in (1, 2):
@@ -84,15 +80,11 @@ def _rank(baud: int) -> int:
 
 
 class TrexProber:
-    """Looks for boards on one line, and remembers in a search what it saw.
-
-    Attributes:
-        search: what it has seen.
-    """
+    """Probes one line; `search` has the results so far."""
 
     def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
-        """Look on this port; `full` tries every polynomial and asks for each device number."""
-        del known  # what is asked moves nothing, whoever is there
+        """`full` tries every polynomial and each device number."""
+        del known  # a probe moves nothing, whatever is connected
         self.search = TrexScan(settings.label)
         self._settings = ConnectionSettings.on(settings)
         self._full = full
@@ -115,11 +107,11 @@ class TrexProber:
         return bool(self.search.found) or self.search.several is not None
 
     def diagnosis(self) -> Diagnosis:
-        """Say what was tried and heard, where no board was found."""
+        """Explain why no board was found."""
         return self.search.judged()
 
     def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
-        """Note what talks without being asked: no TReX does."""
+        """Note unsolicited bytes: no TReX sends any."""
         if data:
             self.search.strange.append((line, data))
 
@@ -130,14 +122,14 @@ class TrexProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Put the questions of a part, until a board has answered.
+        """Send the probes of a part until a board answers.
 
         Raises:
             PortUnavailable: the line is gone.
         """
         plan = self._plans[part]
         if not wire.is_configurable:
-            # A separator that is as fast as the question does not keep two of them apart.
+            # A flush byte at the rate of the probes does not separate them.
             self.search.fixed = True
             plan = [Attempt(LineSettings())] if part == 0 else []
         for done, attempt in enumerate(plan):
@@ -150,11 +142,11 @@ class TrexProber:
                 self._judge(wire, attempt, heard)
             if self.is_over:
                 if self._full:
-                    self._ask_each_number(wire, attempt, progress, cancelled)
+                    self._probe_each_number(wire, attempt, progress, cancelled)
                 return
 
     def _put(self, wire: Transport, attempt: Attempt) -> ProbeReply | None:
-        """Ask once; `None`: the port cannot be set so."""
+        """Send one probe; return `None` if the port does not support its line settings."""
         try:
             flush(wire, self._settings.timeouts.extra)
             wire.reconfigure(attempt.line)
@@ -175,18 +167,18 @@ class TrexProber:
             self.search.strange.append((attempt.line, heard.data))
 
     def _confirm(self, wire: Transport, attempt: Attempt) -> FoundBoard | None:
-        """Ask a board that answered for more, at settings which it now is known to have."""
+        """Read more from a board that answered; its line settings are known now."""
         for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
             settings = replace(
                 self._settings, line=attempt.line, device_number=None, polynomial=polynomial
             )
             client = TrexClient(wire, settings, echo=self.search.echo)
             try:
-                signature = ask(client.request, GetSignature())
-                number = ask(
+                signature = query(client.request, GetSignature())
+                number = query(
                     client.request, GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
                 )
-                stored = ask(
+                stored = query(
                     client.request, GetParameter(parameter_number(ParameterKey.UART_SETTINGS))
                 )
             except (NoReply, BadReply):
@@ -195,14 +187,14 @@ class TrexProber:
             return FoundBoard(settings, signature, number, self.search.echo, note)
         return None
 
-    def _ask_each_number(
+    def _probe_each_number(
         self,
         wire: Transport,
         attempt: Attempt,
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Look which device numbers answer; several that do replace what answered for all."""
+        """Probe each device number; several that answer replace the board that was found."""
         polynomial = self.search.found[0].settings.polynomial if self.search.found else None
         polynomial = polynomial or (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
         by_number: list[FoundBoard] = []
@@ -223,7 +215,7 @@ class TrexProber:
 
 
 TREX_PROBER = ProberInfo("TReX", TrexProber)
-"""How to look for a TReX; it never talks without being asked."""
+"""Finds TReX boards, which send nothing unsolicited."""
 
 
 def find(
@@ -234,25 +226,25 @@ def find(
     *,
     full: bool = False,
 ) -> TrexScan:
-    """Look for a TReX alone on a port, whatever it is set to; end with the first that answers.
+    """Look for a TReX on a port at any settings until the first answers.
 
     Args:
-        settings: the port, and how patient to be; line and framing do not matter.
+        settings: port and timeouts; line settings and framing do not matter.
         open_wire: opens the port.
-        progress: called before each question.
-        cancelled: asked before each question whether to end.
-        full: try every polynomial, and ask a found line for each device number. All boards
+        progress: called before each probe.
+        cancelled: checked before each probe.
+        full: try every polynomial, and each device number where something answers. All boards
             on that line must run at its rate then.
 
     Raises:
         PortUnavailable: the port cannot be opened, or is gone.
     """
     wire = open_wire(settings.at(FLUSH_LINE))
-    seeker = TrexProber(settings, full=full)
+    prober = TrexProber(settings, full=full)
     try:
-        seeker.note_unsolicited(FLUSH_LINE, listen(wire))
+        prober.note_unsolicited(FLUSH_LINE, listen(wire))
         names = {"": TREX_PROBER.name}
-        probe_in_order(wire, {"": seeker}, names, progress=progress, cancelled=cancelled)
+        probe_in_order(wire, {"": prober}, names, progress=progress, cancelled=cancelled)
     finally:
         # A byte that is on its way must not change its rate. And some boards with USB start
         # their loader when a port is closed at 1200 baud.
@@ -260,15 +252,15 @@ def find(
         with contextlib.suppress(BadRequest, PortUnavailable):
             wire.reconfigure(LineSettings())
         wire.close()
-    return seeker.search
+    return prober.search
 
 
 def _note(line: LineSettings, signature: Signature, stored: int) -> str:
-    """Say how what a board has stored differs from how it was reached."""
+    """Say how the stored line settings differ from those in use."""
     try:
         kept = LineSettings.from_wire(stored)
     except BadRequest:
-        return f"Its UART settings hold {stored:#04x}, which is no setting that is known."
+        return f"Its UART settings hold {stored:#04x}, which is not a known setting."
     if kept == line:
         return ""
     real = kept.real_baud(signature.firmware)

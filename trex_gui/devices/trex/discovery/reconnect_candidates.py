@@ -20,10 +20,10 @@ POLYNOMIAL_BIT = 0x80
 def reconnect_candidates(
     link: ConnectionSettings, before: Mapping[str, int], after: Mapping[str, int], firmware: str
 ) -> tuple[ConnectionSettings, ...]:
-    """Return where a board may be whose power fails while it is given other settings.
+    """Return the settings at which a board may be if its power fails during a write.
 
-    A value that is being stored is lost then: the factory's stands in its place. The factory's
-    line settings are no part of the answer, since they are always looked at.
+    A value that was being stored is the factory default then. The default line settings are left
+    out, since they are always probed.
 
     Args:
         link: how it is reached now.
@@ -56,7 +56,7 @@ def after_power_cycle(
 
     Returns:
         The settings, with the rate that really is on the line; `None` when the board stores a
-        value that names no baud rate or no polynomial, so that nobody can say.
+        value that names no baud rate or no polynomial.
     """
     line, polynomial = link.line, link.polynomial
     try:

@@ -1,4 +1,4 @@
-"""What a search for a TReX has seen: boards, or what came instead."""
+"""Results of a scan for a TReX: boards, or a diagnosis."""
 
 from dataclasses import dataclass, field
 
@@ -9,10 +9,10 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 _LOADER = b"?"
-"""What a board that waits for firmware answers to anything, behind an echo."""
+"""Reply of a board that waits for new firmware to anything, after an echo."""
 
 _SHOWN = 12
-"""Bytes that are shown of what nobody understands."""
+"""Longest excerpt, in bytes, of an unknown reply."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,9 +22,8 @@ class FoundBoard:
     Attributes:
         settings: what to connect with; addressed by number only where several boards share
             the line.
-        signature: which board it is.
-        device_number: the number that it answers to, where it said so.
-        note: what else to know of it, for people; may be empty.
+        device_number: the number that it stores, if it was read.
+        note: a hint for the user; may be empty.
     """
 
     settings: ConnectionSettings
@@ -41,16 +40,16 @@ class FoundBoard:
 
 @dataclass(slots=True)
 class TrexScan:
-    """What a search has seen.
+    """What a scan has seen.
 
     Attributes:
         found: boards; more than one only where several share the line.
         echo: whether what was sent came back.
-        strange: what answered otherwise, and at which settings, first things first.
+        strange: other replies, and the settings of their probes, in order.
         several: settings at which several boards answered at once.
-        skipped: settings that the port cannot have.
-        fixed: whether somebody else sets the rate, so that only one question could be asked.
-        cancelled: whether it ended early because it was asked to.
+        skipped: settings that the port does not support.
+        fixed: whether the rate is set at the other end, so that only one probe was possible.
+        cancelled: whether it was cancelled.
     """
 
     url: str
@@ -63,17 +62,17 @@ class TrexScan:
     cancelled: bool = False
 
     def diagnosis(self) -> str:
-        """Say what was seen where no board was found, and what to look at."""
+        """Explain why no board was found, and what to check."""
         return self.judged().text
 
     def judged(self) -> Diagnosis:
-        """Say what was seen where no board was found, what to look at, and how telling it is."""
+        """The same, with how much was learned."""
         telling, text = self._what_was_seen()
         if self.skipped:
             rates = sorted({line.baud for line in self.skipped})
             text += (
                 f" The port cannot be set to {', '.join(map(str, rates))} baud, so nothing was "
-                "asked there."
+                "probed there."
             )
         return Diagnosis(telling, text)
 
@@ -81,7 +80,7 @@ class TrexScan:
         if self.several is not None:
             return Evidence.KNOWN, (
                 f"Several boards answer at once on {self.url} at {self.several.text()}. "
-                "The full search asks for each device number."
+                "The full scan tries each device number."
             )
         if self.strange:
             return self._what_came()
@@ -100,7 +99,7 @@ class TrexScan:
             f"No TReX answers on {self.url} at any baud rate, with any parity or with CRC. Check "
             "that the board has power (an LED is lit), that the adapter's TX goes to SI and its "
             "RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board "
-            "with a CRC polynomial of its own is only found by the full search."
+            "with a CRC polynomial of its own is only found by the full scan."
         )
 
     def _what_came(self) -> tuple[Evidence, str]:

@@ -1,9 +1,9 @@
-"""Motor output as one state machine: what may be sent, what may be moving, what comes next.
+"""Motor output as one state machine: what may be sent, what may be moving, what is due next.
 
 Pure: every method takes the time, in seconds on the line's clock. `motor_driver` performs the I/O.
 
-Two things change independently, each with its table below. `Arming` says whose motor commands
-pass; `Motion` says whether a motor may be moving and whether a stop is still to be confirmed.
+Two things change independently, each with its table below. `Arming` says which motor
+commands pass; `Motion` says whether a motor may be moving, and whether a stop is unconfirmed.
 """
 
 import math

@@ -71,7 +71,7 @@ class Calibration:
     deadband: int
 
     def problem(self) -> str | None:
-        """Say why the board would refuse these values; `None` when it would take them."""
+        """Say why the board would reject these values; `None` if it accepts them."""
         for name in CALIBRATION_FIELDS:
             value = getattr(self, name)
             if not 0 <= value <= HIGHEST_CODED:
@@ -88,7 +88,7 @@ class Calibration:
         """The eight data bytes of 0xA0-0xA4.
 
         Raises:
-            BadRequest: the board would refuse the values.
+            BadRequest: the board would reject the values.
         """
         if problem := self.problem():
             raise BadRequest(f"calibration: {problem}")

@@ -1,4 +1,4 @@
-"""What every command is: a frozen value that knows its packet and reads its reply.
+"""The base of every command: a frozen value that knows its packet and reads its reply.
 
 So the type of a reply follows from the command. Opcodes are those of the compact protocol
 (0x81-0xFF); framing.py turns them into bytes on the wire.

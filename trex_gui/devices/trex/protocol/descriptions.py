@@ -62,9 +62,9 @@ _MODES = {
 
 _RESULTS = {
     ResultCode.OK: "stored",
-    ResultCode.BAD_PARAMETER: "refused: no such parameter (code 1)",
-    ResultCode.BAD_VALUE: "refused: this value is not allowed (code 2)",
-    ResultCode.NOT_SERIAL_MODE: "refused: not in serial mode (code 3)",
+    ResultCode.BAD_PARAMETER: "rejected: no such parameter (code 1)",
+    ResultCode.BAD_VALUE: "rejected: this value is not allowed (code 2)",
+    ResultCode.NOT_SERIAL_MODE: "rejected: not in serial mode (code 3)",
 }
 
 
@@ -131,7 +131,7 @@ def describe_reply(command: Command[Any], value: Any, board: Signature | None = 
 
 
 def is_refusal(value: object) -> bool:
-    """Return whether an answer says that the board did not do what was asked."""
+    """Whether a reply rejects its request."""
     return isinstance(value, ResultCode) and value is not ResultCode.OK
 
 

@@ -1,4 +1,4 @@
-"""Commands 0xC0 to 0xF1: what the motors shall do. None of them has a reply.
+"""Commands 0xC0 to 0xF1: motor commands. None of them has a reply.
 
 Ref: TReX 1.0 command documentation, "Motor Commands".
 """
@@ -28,7 +28,7 @@ class Direction(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """What a motor shall do: a direction and a speed or braking duty of 0-127."""
+    """Setpoint of one motor: a direction and a speed or braking duty of 0-127."""
 
     direction: Direction
     speed: int
@@ -67,7 +67,7 @@ class Drive:
 
 
 class _MotorCommand(Command[None]):
-    """A command without a reply: what the board reports afterwards is its only proof."""
+    """A command without a reply: only what the board reports afterwards confirms it."""
 
     __slots__ = ()
 

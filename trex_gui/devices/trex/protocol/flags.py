@@ -1,4 +1,4 @@
-"""The bytes whose bits mean something: status, UART errors, channel masks; and the mode.
+"""Bit fields (status, UART errors, channel masks) and the mode.
 
 Ref: TReX 1.0 command documentation, 0x82, 0x84, 0x85, 0x86, 0x95.
 """
@@ -107,7 +107,7 @@ class InputSource(Enum):
 
     @property
     def unit(self) -> str:
-        """The unit a person reads: µs or V."""
+        """The physical unit: µs or V."""
         return "µs" if self is InputSource.RC else "V"
 
     @property
@@ -137,7 +137,7 @@ class InputSource(Enum):
         return round(physical * self.counts_per_unit)
 
     def text(self, count: float) -> str:
-        """A raw count as a person reads it, such as `1500 µs` or `2.50 V`."""
+        """A raw count in physical units, such as `1500 µs` or `2.50 V`."""
         if self is InputSource.RC:
             return f"{self.physical(count):.0f} µs"
         return f"{self.physical(count):.2f} V"

@@ -76,7 +76,7 @@ class ParameterSpec:
 
     @property
     def default_confirmed(self) -> bool:
-        """Whether a source confirms the factory's value."""
+        """Whether a source confirms the factory default."""
         return "default" not in self.inferred
 
     def problem(self, wire: int) -> str | None:
@@ -109,7 +109,7 @@ class ParameterSpec:
         return f"{self.text(self.minimum)} to {self.text(self.maximum)}"
 
     def range_text(self) -> str:
-        """The allowed values as a person reads them."""
+        """The allowed values in physical units."""
         match self.kind:
             case ParameterKind.CHOICE:
                 return " or ".join(f"{wire} ({word})" for wire, word in self.choices.items())
@@ -125,7 +125,7 @@ class ParameterSpec:
         return f"{low} to {high} (wire value {self.minimum} to {self.maximum})"
 
     def text(self, wire: int) -> str:
-        """Return a wire value in the unit that a person knows; any 0-127, allowed or not."""
+        """Return a wire value in physical units; any 0-127, allowed or not."""
         match self.kind:
             case ParameterKind.CHANNELS:
                 return _channels_text(wire) if wire <= self.maximum else f"wire {wire}"
@@ -145,7 +145,7 @@ class ParameterSpec:
         return f"{number} {self.unit}".rstrip()
 
     def wire(self, text: str) -> int:
-        """Return the wire value that a person means by `text` ("1.5 s", "1.5", "off").
+        """Return the wire value for `text` ("1.5 s", "1.5", "off").
 
         A number between two steps goes to the nearer one, but never to a 0 that means off.
 
@@ -164,7 +164,7 @@ class ParameterSpec:
         return meant
 
     def _spoken_range(self) -> str:
-        """The allowed values in the words and units that a person types."""
+        """The allowed values as they are typed."""
         if self.kind is ParameterKind.CHOICE:
             return " or ".join(self.choices.values())
         if self.kind is ParameterKind.CHANNELS:

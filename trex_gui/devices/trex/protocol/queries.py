@@ -1,4 +1,4 @@
-"""Commands 0x81 to 0x9F: what the board can be asked, in every mode; and 0xFF, nothing.
+"""Queries, 0x81 to 0x9F, which work in every mode; and the null command 0xFF.
 
 Ref: TReX 1.0 command documentation, "Data-Query Commands".
 """
@@ -91,7 +91,7 @@ class GetSerialControl(PlainCommand[bool]):
 
 @dataclass(frozen=True, slots=True)
 class GetStatus(PlainCommand[Status]):
-    """0x84: the status bits. Reading clears them: whoever reads owns the news."""
+    """0x84: the status bits. Reading clears them."""
 
     opcodes: ClassVar[Sequence[int]] = (0x84,)
     fixed_reply: ClassVar[int] = 1
@@ -102,7 +102,7 @@ class GetStatus(PlainCommand[Status]):
 
 @dataclass(frozen=True, slots=True)
 class GetUartErrors(PlainCommand[UartError]):
-    """0x85: the UART error bits. Reading clears them: whoever reads owns the news."""
+    """0x85: the UART error bits. Reading clears them."""
 
     opcodes: ClassVar[Sequence[int]] = (0x85,)
     fixed_reply: ClassVar[int] = 1
@@ -133,13 +133,13 @@ class _ChannelQuery(Command[ReplyT_co]):
 
     @property
     def channels(self) -> tuple[int, ...]:
-        """The channels asked for, lowest first: the order of the reply."""
+        """The requested channels, lowest first: the order of the reply."""
         return channels_in(self.mask)
 
 
 @dataclass(frozen=True, slots=True)
 class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
-    """0x86: raw input of each channel asked for, in counts of 0.4 us or 4.89 mV.
+    """0x86: raw input of each requested channel, in counts of 0.4 us or 4.89 mV.
 
     The reply maps channel to count; `None` is a channel without a valid pulse.
     """
@@ -160,7 +160,7 @@ class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
 
 @dataclass(frozen=True, slots=True)
 class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
-    """0x87: what each channel asked for would make its motor do, -127 to 127."""
+    """0x87: remapped input of each requested channel, -127 to 127."""
 
     opcodes: ClassVar[Sequence[int]] = (0x87,)
 

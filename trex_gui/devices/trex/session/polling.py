@@ -1,6 +1,7 @@
-"""Which value to poll next: each as often as the board renews it, in fair shares. Pure.
+"""Which value to poll next, and batches of the samples. Pure.
 
-Polling faster than the board renews a value reads the same value again, and costs the time in
+Each value is polled as often as the board renews it, in fair shares.
+Polling faster reads the same value again, and costs the time in
 which a motor command could have been sent.
 
 While motors are armed, polling also feeds the board's serial timeout. The board counts from one
@@ -9,13 +10,15 @@ one query and the first byte of the next one.
 """
 
 import math
-from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, replace
 
-from trex_gui.devices.trex.client.telemetry import QUERIES, Topic
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.client.telemetry import QUERIES, Sample, Topic
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.session.messages import Batch
 
 _LONGEST_LAG = 0.1
 """Seconds by which the schedule may be late before it stops catching up."""
@@ -170,3 +173,32 @@ class Polling:
     def _pause_left(self, now: float, timeout: float) -> float:
         pause = longest_pause(timeout)
         return math.inf if pause is None else max(0.0, self._polled_at + pause - now)
+
+
+# --- Samples ----------------------------------------------------------------------------
+
+FRAME = 1 / 60
+"""Least seconds between two batches of samples."""
+
+
+class SampleBatcher:
+    """Collects samples into at most one batch each display frame."""
+
+    def __init__(self, report: Callable[[Batch], None]) -> None:
+        self._report = report
+        self._samples: list[Sample] = []
+        self._last_flush = 0.0
+        self.add = self._samples.append
+        self.extend = self._samples.extend
+
+    def seconds_to_next(self, now: float) -> float | None:
+        """Return when a batch is due; `None` without samples."""
+        return self._last_flush + FRAME - now if self._samples else None
+
+    def flush(self, counters: Counters, now: float) -> None:
+        """Report the samples, if there are any."""
+        self._last_flush = now
+        if self._samples:
+            batch = Batch(tuple(self._samples), replace(counters))
+            self._samples.clear()
+            self._report(batch)

@@ -12,12 +12,11 @@ from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
 from trex_gui.core.session.loop import SHORTEST_WAIT, Closing, Inbox, run_until_closed
 from trex_gui.core.session.messages import Closed, Outcome, Progress
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.client.client import Counters, TrexClient, diagnose
+from trex_gui.devices.trex.client.client import TrexClient, diagnose
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.client.telemetry import (
     LatchedStatus,
     ModeSample,
-    Sample,
     StatusReader,
     Topic,
     poll,
@@ -31,7 +30,6 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, TrexError
 from trex_gui.devices.trex.protocol.line_settings import baud_rates
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import (
-    Batch,
     Connected,
     Job,
     NotResponding,
@@ -43,37 +41,11 @@ from trex_gui.devices.trex.session.messages import (
     Write,
     Written,
 )
-from trex_gui.devices.trex.session.polling import Polling
+from trex_gui.devices.trex.session.polling import Polling, SampleBatcher
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.request_queue import RequestQueue
 
 log = logging.getLogger(__name__)
-
-FRAME = 1 / 60
-"""Least seconds between two batches of samples."""
-
-
-class SampleBatcher:
-    """Collects samples into at most one batch each display frame."""
-
-    def __init__(self, report: Callable[[Batch], None]) -> None:
-        self._report = report
-        self._samples: list[Sample] = []
-        self._last_flush = 0.0
-        self.add = self._samples.append
-        self.extend = self._samples.extend
-
-    def seconds_to_next(self, now: float) -> float | None:
-        """Return when a batch is due; `None` without samples."""
-        return self._last_flush + FRAME - now if self._samples else None
-
-    def flush(self, counters: Counters, now: float) -> None:
-        """Report the samples, if there are any."""
-        self._last_flush = now
-        if self._samples:
-            batch = Batch(tuple(self._samples), replace(counters))
-            self._samples.clear()
-            self._report(batch)
 
 
 class TrexSession:
@@ -338,7 +310,7 @@ class TrexSession:
         return 0.0 if self._state is None else self._state.serial_timeout
 
     def _next_topic(self, now: float) -> Topic | None:
-        self._line.feeds_timeout = self._motors.is_armed
+        self._line.keepalive_while_waiting = self._motors.is_armed
         return self._polling.next(
             now,
             self._line.settings.line,

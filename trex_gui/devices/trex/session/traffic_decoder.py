@@ -51,7 +51,7 @@ class TrexDecoder(Decoder):
     def read(self, exchange: Transaction) -> Decoded:
         """Say the packet, and what was answered or what is wrong with that."""
         if not exchange.sent:
-            return Decoded("bytes that nobody asked for", is_fault=True)
+            return Decoded("unsolicited bytes", is_fault=True)
         packets = _packets(exchange.sent, _polynomial(exchange.settings))
         said = "; ".join(map(self._said, packets))
         packet = packets[-1]
@@ -62,7 +62,7 @@ class TrexDecoder(Decoder):
                 answer = describe_reply(packet.command, value, self.board)
                 return Decoded(f"{said} → {answer}" if answer else said, is_refusal(value))
             case Malformed() if not packet.command.reply_size():
-                text = "bytes that it does not ask for; perhaps a late answer"
+                text = "unsolicited bytes; perhaps a late reply"
                 return Decoded(f"{said} → {text}", is_fault=True)
             case Malformed(reason=reason):
                 return Decoded(f"{said} → damaged: {reason}", is_fault=True)
@@ -90,7 +90,7 @@ def _packets(sent: bytes, polynomial: int | None) -> tuple[Packet | Malformed, .
 
 
 def _reply(packet: Packet, exchange: Transaction) -> Reply[object] | NeedData | Malformed:
-    """Judge what came; where nobody knows of an echo, the length tells one from an answer."""
+    """Parse the received bytes; if an echo is unknown, their length shows whether there is one."""
     framing = Framing(packet.device_number, _polynomial(exchange.settings))
     if exchange.echo is not None:
         return _parsed(packet.command, framing, exchange.received, echo=exchange.echo)
