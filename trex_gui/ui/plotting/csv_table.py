@@ -9,7 +9,6 @@ import csv
 import io
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TextIO
@@ -70,39 +69,36 @@ class TableSaver(FileSaver):
             self.failed.emit(self.tr("Another export is still being written."))
             return
         times, values = source.samples(*span)
+        heads = [(trace.name, trace.unit) for trace in source.traces]
         # Copies: the history goes on. A million take 0.1 to 0.3 s, as rows they would take longer.
-        table = _Table(
-            [(trace.name, trace.unit) for trace in source.traces],
-            [column.copy() for column in (times, *values)],
-            [(event.time, event.text) for event in source.events_between(*span)],
-            origin,
-        )
-        self.begin(path, partial(_write, path, table))
+        columns = [column.copy() for column in (times, *values)]
+        events = [(event.time, event.text) for event in source.events_between(*span)]
+        table = partial(_write, path, heads=heads, columns=columns, events=events, origin=origin)
+        self.begin(path, table)
 
 
-@dataclass(frozen=True, slots=True)
-class _Table:
-    heads: Sequence[tuple[str, str]]
-    columns: Sequence[Floats]
-    events: Sequence[tuple[float, str]]
-    origin: float
-
-    def rows(self, progress: ProgressCallback) -> Iterator[list[float]]:
-        count = len(self.columns[0])
-        for first in range(0, count, _CHUNK):
-            progress(first / count)
-            rows = [column[first : first + _CHUNK] for column in self.columns]
-            yield from np.column_stack(rows).tolist()
-
-
-def _write(path: Path, table: _Table, progress: ProgressCallback) -> int:
+def _write(
+    path: Path,
+    progress: ProgressCallback,
+    *,
+    heads: Sequence[tuple[str, str]],
+    columns: Sequence[Floats],
+    events: Sequence[tuple[float, str]],
+    origin: float,
+) -> int:
     try:
         with (
             atomic_file(path) as data,
             io.TextIOWrapper(data, encoding="utf-8", newline="") as file,
         ):
-            rows = table.rows(progress)
-            return write_trace_csv(file, table.heads, rows, table.events, table.origin)
+            return write_trace_csv(file, heads, _rows(columns, progress), events, origin)
     except OSError as error:
         reason = error.strerror or str(error)
         raise RecordingError(path.name, f"It was not written: {reason.rstrip('.')}.") from error
+
+
+def _rows(columns: Sequence[Floats], progress: ProgressCallback) -> Iterator[list[float]]:
+    count = len(columns[0])
+    for first in range(0, count, _CHUNK):
+        progress(first / count)
+        yield from np.column_stack([column[first : first + _CHUNK] for column in columns]).tolist()

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Collection, Sequence
 
-from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 
@@ -185,34 +185,16 @@ class CurveTags(QWidget):
                 painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self._traces[name].tag)
 
 
-class OverlayLabel(QLabel):
-    """A text over a plot that lets the mouse through."""
-
-    def __init__(self, name: str, parent: QWidget, text: str, background: str = "") -> None:
-        """With the theme's colours `<background>_base` and `<background>_text`, if it is given."""
-        super().__init__(text, parent)
-        self._background = background
-        self.setObjectName(name)
-        self.setAutoFillBackground(bool(background))
-        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        theme().changed.connect(self._on_theme_changed)
-        self._on_theme_changed()
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        palette, name = QPalette(), self._background
-        if name:
-            palette.setColor(QPalette.ColorRole.Window, theme().color(f"{name}_base"))
-        text = theme().color(f"{name}_text" if name else "muted")
-        palette.setColor(QPalette.ColorRole.WindowText, text)
-        self.setPalette(palette)
-
-
-class Readout(OverlayLabel):
+class Readout(QLabel):
     """The box beside the cursor: the time and the values there."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__("cursorReadout", parent, "", "tool_tip")
+        super().__init__(parent)
+        self.setObjectName("cursorReadout")
+        self.setAutoFillBackground(True)
+        self.setBackgroundRole(QPalette.ColorRole.ToolTipBase)
+        self.setForegroundRole(QPalette.ColorRole.ToolTipText)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setMargin(3)
         self.hide()
 

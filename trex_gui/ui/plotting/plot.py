@@ -23,12 +23,12 @@ from trex_gui.ui.plotting.marks import (
     MAX_MARKS,
     CurveTags,
     EventMarks,
-    OverlayLabel,
     Readout,
 )
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import FocusFramed
-from trex_gui.ui.widgets.builders import column
+from trex_gui.ui.widgets.builders import column, named
+from trex_gui.ui.widgets.labels import Muted
 
 BINS = 500
 """Parts of the width that get two points each."""
@@ -110,9 +110,9 @@ class TracePlot(FocusFramed):
         self._cursor_line = self._canvas.add_line("pointer", vertical=True)
         self._mark_line = self._canvas.add_line("pointer", Qt.PenStyle.DashDotLine, vertical=True)
         self._tags = CurveTags(self._canvas)
-        self._empty = OverlayLabel("emptyLabel", self._canvas, self.tr("No data yet"))
+        self._empty = named(Muted(self.tr("No data yet"), self._canvas), "emptyLabel")
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._empty.setWordWrap(True)
+        self._empty.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._readout = Readout(self._canvas)
         column(self._marks, (self._canvas, 1), into=self, margins=1, spacing=0)  # for the focus
 

@@ -10,9 +10,9 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.channel_text import wrong_order
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.count_editor import CountEditor
-from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import NO_VALUE
 from trex_gui.ui.widgets.builders import grid, label, named, row
+from trex_gui.ui.widgets.labels import Muted
 
 
 class CalibrationFields(QWidget):
@@ -48,7 +48,8 @@ class CalibrationFields(QWidget):
                 f"{field}Edit",
                 accessible=title.replace("&", ""),
             )
-            counts = label(self, f"{field}Counts")
+            counts = named(Muted("", self), f"{field}Counts")
+            counts.setWordWrap(False)
             layout.addLayout(row(label(self, text=title, buddy=editor), 1, counts), 0, number)
             layout.addWidget(editor, 1, number)
             editor.valueChanged.connect(partial(self._on_value_changed, field))
@@ -56,8 +57,6 @@ class CalibrationFields(QWidget):
             editor.refused.connect(self._on_invalid_text)
             self._editors[field] = editor
             self._counts[field] = counts
-        theme().changed.connect(self._on_theme_changed)
-        self._on_theme_changed()
 
     def show_calibration(
         self, source: InputSource, calibration: Calibration | None, *, editable: bool
@@ -96,10 +95,3 @@ class CalibrationFields(QWidget):
     @Slot()
     def _on_run_ended(self) -> None:
         self._run = object()
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        for counts in self._counts.values():
-            palette = counts.palette()
-            palette.setColor(counts.foregroundRole(), theme().color("muted"))
-            counts.setPalette(palette)
