@@ -69,7 +69,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
     reports: list[Report] = []
     trex(program).device.connect_to(settings)
     qtbot.waitUntil(lambda: trex(program).device.link is ConnectionState.CONNECTED, timeout=20_000)
-    trex(program).device._connection.reported.connect(reports.append)
+    trex(program).device.connection.reported.connect(reports.append)
     qtbot.wait(round(_SECONDS * 1000))
     read = {name: count / _SECONDS for name, count in _count(reports).items()}
 

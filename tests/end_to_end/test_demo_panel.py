@@ -141,8 +141,8 @@ def test_faults_are_counted_on_the_status_page(window: WindowDriver, panel: Demo
 
     panel.drag_stick("demoNoise", 1)
     panel.wait(lambda: panel.board.line.noise == pytest.approx(0.05))
-    counters = window.device.counters
-    window.wait(lambda: window.device.counters != counters)
+    counters = window.device.connection.counters
+    window.wait(lambda: window.device.connection.counters != counters)
     panel.drag_stick("demoNoise", 0)
     panel.wait(lambda: panel.board.line.noise == 0)
     panel.wait_for(ConnectionState.CONNECTED)

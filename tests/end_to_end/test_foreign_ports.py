@@ -101,7 +101,7 @@ def test_addressed_board_with_echo_connects(
     simulator = start_simulator("--echo", "--device", "9")
     window.device.connect_to(ConnectionSettings(simulator.url, device_number=9))
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    assert window.device.echo
+    assert window.device.connection.echo
 
 
 def test_driving_continues_over_a_damaged_echo(

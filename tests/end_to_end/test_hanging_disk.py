@@ -40,8 +40,8 @@ def table(program):
 
 def transcript(program):
     from trex_gui.ui.traffic.saver import TranscriptSaver
-    kept.append(saver := TranscriptSaver(trex(program).device.traffic, program.window))
-    saver.save(path, trex(program).device.traffic.everything.rows)
+    kept.append(saver := TranscriptSaver(trex(program).device.connection.traffic, program.window))
+    saver.save(path, trex(program).device.connection.traffic.everything.rows)
 
 def built(*_):
     program = build()

@@ -22,7 +22,7 @@ class TrafficDriver(WidgetDriver):
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.open_page("transcriptPage").root, window.qtbot)
         self.view = self.find(TrafficView, "transcriptView")
-        self._traffic = window.device.traffic
+        self._traffic = window.device.connection.traffic
 
     def column(self, column: int) -> list[str]:
         """Return the texts of a column from the top."""

@@ -65,9 +65,9 @@ def test_undecodable_port_name_is_saved_in_the_transcript(qtbot: QtBot, tmp_path
     device = Device()
     device.connect_to(ConnectionSettings(os.fsdecode(b"/dev/pts/\xe9")))
     qtbot.waitUntil(lambda: device.link is ConnectionState.DISCONNECTED)
-    saver, path = TrafficSaver(device.traffic), tmp_path / "line.txt"
+    saver, path = TrafficSaver(device.connection.traffic), tmp_path / "line.txt"
     with qtbot.waitSignal(saver.saved):
-        saver.save(path, device.traffic.everything.rows)
+        saver.save(path, device.connection.traffic.everything.rows)
     assert "There is no port /dev/pts/\\udce9" in path.read_text(encoding="utf-8")
     qtbot.waitUntil(device.shut_down)
 

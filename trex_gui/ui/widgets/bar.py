@@ -73,7 +73,6 @@ class Bar(QWidget):
 
     @property
     def state(self) -> BarState:
-        """What is shown now."""
         return self._state
 
     def set_connected(self, connected: bool) -> None:

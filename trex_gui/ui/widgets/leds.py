@@ -48,7 +48,6 @@ class Lamp(QWidget):
         return self._lit
 
     def set_lit(self, lit: bool) -> None:
-        """Light it, or not."""
         if lit != self._lit:
             self._lit = lit
             self.update()

@@ -79,7 +79,6 @@ class PressSlider(PaintedSlider):
 
     @property
     def held(self) -> bool:
-        """Whether a hand is on it."""
         return self._held
 
     @Slot()

@@ -19,7 +19,7 @@ def test_traffic_log_shows_motions_resets_and_faults(connected_window: RobotWind
     window = connected_window
     pages = aracna(window.program).workspace.pages
     pages.setCurrentIndex(pages.count() - 1)
-    board = window.device.traffic
+    board = window.device.connection.traffic
     assert board.everything.count == 0
     wait_for_row(window, "Opened the simulated Aracna")
     assert window.robot.move((300,) * 8)
@@ -46,7 +46,7 @@ def test_traffic_log_shows_motions_resets_and_faults(connected_window: RobotWind
 def test_aracna_and_trex_traffic_logs_are_separate(connected_window: RobotWindow) -> None:
     window = connected_window
     window.choose_demo("trex")
-    board = window.device.traffic
+    board = window.device.connection.traffic
     board.pull()
     assert any(row.sent == b"\x81" for row in board.everything.rows)
     window.robot.traffic.pull()

@@ -104,7 +104,7 @@ def test_connecting_reads_state_and_enables_arming(
     assert device.telemetry.serial_controls is True
     assert device.motors.is_available
     assert not device.motors.armed
-    assert not device.echo
+    assert not device.connection.echo
     assert connected.steps[-1][0] == connected.steps[-1][1]
     assert connected.failures == []
 
@@ -119,14 +119,14 @@ def test_telemetry_updates_after_connecting(
     connected.until(lambda: telemetry.motor_currents == pytest.approx((3.0, 0.0)))
     connected.until(lambda: telemetry.remapped_of(1) == 127)
     assert len(telemetry.currents) > 0
-    assert connected.device.counters.requests > 0
+    assert connected.device.connection.counters.requests > 0
 
 
 def test_echo_of_the_rs232_side_is_detected(
     recorder: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
     recorder.connect(start_simulator("--echo").url)
-    assert recorder.device.echo
+    assert recorder.device.connection.echo
 
 
 def test_missing_port_is_reported(recorder: DeviceRecorder) -> None:

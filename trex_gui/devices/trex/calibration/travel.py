@@ -242,7 +242,6 @@ class TravelWatch:
         self._now = 0.0
 
     def feed(self, sample: Sample) -> None:
-        """Take the next sample."""
         self._samples += 1
         self._now = sample.time
         self._times.append(sample.time)

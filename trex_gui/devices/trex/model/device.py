@@ -7,7 +7,6 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.explanations import who_controls
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
@@ -46,7 +45,6 @@ from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.event_log import EventLog
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.traffic.model import TrafficModel
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
@@ -68,6 +66,7 @@ class Device(QObject):
     Attributes:
         draft: what the board stores and the edits of it; `parameters`, `calibrations` and `undo`
             are its parts.
+        connection: the line to the board, its traffic and counters.
         history: what boards stored before each Apply.
         events: what happened since the line was opened, on the clock of `telemetry`.
     """
@@ -92,23 +91,23 @@ class Device(QObject):
         self.history = SettingsHistory()
         self._apply = Apply(self.draft, self.history, self._ask, self)
         self.motors = Motors(self)
-        self._connection = Connection(self)
-        self._driving = DriveController(self.motors, self._connection, self.notifier, self)
+        self.connection = Connection(self)
+        self._driving = DriveController(self.motors, self.connection, self.notifier, self)
         self.events = EventLog(self)
-        self._event_watch = EventWatch(self.events, self.motors, self._connection, self)
+        self._event_watch = EventWatch(self.events, self.motors, self.connection, self)
         self.telemetry.watch(self.motors)
         self._kept = EditBackup(self.history, self.notifier, self)
         self._reset_order = PendingReset()
         self._state: DeviceState | None = None
 
-        self._connection.changed.connect(self.link_changed)
-        self._connection.device_read.connect(self._on_answered)
-        self._connection.ready.connect(self._on_settled)
-        self._connection.not_responding.connect(self._on_silenced)
-        self._connection.line_closed.connect(self._on_left)
-        self._connection.sampled.connect(self._on_sampled)
-        self._connection.progressed.connect(self.progressed)
-        self._connection.failed.connect(self._on_connection_failed)
+        self.connection.changed.connect(self.link_changed)
+        self.connection.device_read.connect(self._on_answered)
+        self.connection.ready.connect(self._on_settled)
+        self.connection.not_responding.connect(self._on_silenced)
+        self.connection.line_closed.connect(self._on_left)
+        self.connection.sampled.connect(self._on_sampled)
+        self.connection.progressed.connect(self.progressed)
+        self.connection.failed.connect(self._on_connection_failed)
         self._driving.confirmed.connect(self.link_changed)
         self.draft.pending_changed.connect(self.pending_changed)
         self.draft.replacing.connect(self._kept.keep)
@@ -121,49 +120,28 @@ class Device(QObject):
 
     @property
     def link(self) -> ConnectionState:
-        """State of the connection."""
-        return self._connection.link
+        return self.connection.link
 
     @property
     def status(self) -> str:
         """State of the connection as a sentence."""
-        return self._connection.status
+        return self.connection.status
 
     @property
     def settings(self) -> ConnectionSettings | None:
         """How the line is, or was last, opened."""
-        return self._connection.settings
+        return self.connection.settings
 
     @property
     def timeouts(self) -> Timeouts:
         """How long to wait on this line."""
-        settings = self._connection.settings
+        settings = self.connection.settings
         return Timeouts() if settings is None else settings.timeouts
 
     @property
     def state(self) -> DeviceState | None:
         """What the board said of itself; `None` while none answers."""
         return self._state
-
-    @property
-    def traffic(self) -> TrafficModel:
-        """Every byte that went over its line."""
-        return self._connection.traffic
-
-    @property
-    def echo(self) -> bool:
-        """Whether everything sent comes back: the RS-232 side of the board."""
-        return self._connection.echo
-
-    @property
-    def port_rates(self) -> frozenset[int] | None:
-        """The baud rates that this computer's port can do; `None`: unknown."""
-        return self._connection.port_rates
-
-    @property
-    def counters(self) -> Counters:
-        """What the line has seen since it was opened."""
-        return self._connection.counters
 
     def name_of(self, key: str) -> str:
         """Return the name of a parameter or of a calibrated channel."""
@@ -211,11 +189,6 @@ class Device(QObject):
         return wire * self._state.specs[_TIMEOUT].scale
 
     @property
-    def timeout_off(self) -> bool:
-        """Whether motors would go on when the cable or this computer fails."""
-        return self.serial_timeout_s == 0
-
-    @property
     def applying(self) -> bool:
         """Whether edits are being written."""
         return self._apply.running
@@ -227,18 +200,18 @@ class Device(QObject):
 
         A line that is open is closed first.
         """
-        self._connection.open(settings, may_move=self.may_move)
+        self.connection.open(settings, may_move=self.may_move)
 
     def disconnect_line(self) -> None:
         """Stop the motors if they were driven, and close the line; does not wait for it."""
-        self._connection.close()
+        self.connection.close()
 
     def shut_down(self) -> bool:
         """Close the line and wait for it, at most a second; return whether it ended in time.
 
         For the end of the program only; see `SessionThread.shut_down`.
         """
-        return self._connection.shut_down()
+        return self.connection.shut_down()
 
     def stop_motors(self, then: AfterStop, reason: str = "") -> None:
         """Stop everything and disarm; `then` is called once with the confirmation or its error.
@@ -260,7 +233,7 @@ class Device(QObject):
         Raises:
             BadRequest: the board cannot wait so long.
         """
-        if self._state is None or not self._connection.is_open:
+        if self._state is None or not self.connection.is_open:
             self._on_request_failed(self.tr("No board is connected."))
             return
         spec = self._state.specs[_TIMEOUT]
@@ -278,7 +251,7 @@ class Device(QObject):
         `applied` tells how it went. Before the first byte the line session is told where else
         to look for the board, since its power may fail right behind the write.
         """
-        if self._state is not None and self._connection.is_open and not self.reset_ordered:
+        if self._state is not None and self.connection.is_open and not self.reset_ordered:
             self._expect_after(self.parameters.all_shown)
             self._apply.start(self._state, self.settings, only)
 
@@ -288,7 +261,7 @@ class Device(QObject):
         Edits that wait are dropped: they were made to what will be gone. `applied` tells how it
         went.
         """
-        if self._state is None or not self._connection.is_open or self.applying:
+        if self._state is None or not self.connection.is_open or self.applying:
             return
         defaults = factory_settings(self._state.signature.model, self._state.signature.firmware)
         self._expect_after(defaults.parameters)
@@ -313,7 +286,7 @@ class Device(QObject):
 
     def expect(self, settings: tuple[ConnectionSettings, ...]) -> None:
         """Name where else to look for the board when it falls silent; replaces what was named."""
-        self._connection.submit(SetReconnectCandidates(settings))
+        self.connection.submit(SetReconnectCandidates(settings))
 
     @property
     def pending(self) -> int:
@@ -327,7 +300,7 @@ class Device(QObject):
     # --- Requests and their outcomes ----------------------------------------------------
 
     def _ask(self, make: Callable[[int], Reload | Write], then: Callable[[Outcome], None]) -> None:
-        if not self._connection.ask(make, then):
+        if not self.connection.ask(make, then):
             self._on_request_failed(self.tr("No board is connected."))
 
     def _on_reloaded(self, outcome: Outcome) -> None:
@@ -383,7 +356,7 @@ class Device(QObject):
     @Slot(object)
     def _on_written(self, written: Written) -> None:
         self._state = written.state
-        self._connection.follow(written.settings)
+        self.connection.follow(written.settings)
         self.draft.note_stored(written.state)
         self.state_changed.emit()
 

@@ -75,4 +75,4 @@ class BoardLinter(SettingsLinter):
             self.set_context(None)
             return
         self._drove |= self._device.motors.armed
-        self.set_context(Context(self._drove, self._device.port_rates, settings.line))
+        self.set_context(Context(self._drove, self._device.connection.port_rates, settings.line))

@@ -88,7 +88,6 @@ class LineSettingsDialog(QDialog):
 
     @property
     def settings(self) -> ConnectionSettings:
-        """What is shown."""
         number = self._number.value() if self._addressed.isChecked() else None
         return replace(
             self._settings,

@@ -50,7 +50,6 @@ class OutputBar(Bar):
 
     @property
     def value(self) -> int | None:
-        """What was last set."""
         return self._value
 
     def x_of(self, value: float) -> float:

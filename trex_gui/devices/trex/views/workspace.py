@@ -64,7 +64,7 @@ class TrexWorkspace(Workspace):
         calibration_page = CalibrationPage(device, self)
         motors_page = MotorsPage(device, self)
         transcript_page = TrafficPage(
-            device.traffic, "transcript", self.tr("a board"), self.notifier, self
+            device.connection.traffic, "transcript", self.tr("a board"), self.notifier, self
         )
         self.add_pages(
             (

@@ -48,7 +48,6 @@ class GamepadWords(QObject):
         return self.tr("Another control drives now.")
 
     def not_armed(self, pad: Pad, profile: GamepadProfile) -> str:
-        """The motors are not armed."""
         if profile.hold is None:
             return self.tr("Press Run motor, then move a stick.")
         return self.tr("Press Run motor, then hold {0} and move a stick.").format(
@@ -169,17 +168,14 @@ class Gamepad(QObject):
 
     @property
     def pads(self) -> tuple[Pad, ...]:
-        """The gamepads that are there."""
         return self._pads
 
     @property
     def pad(self) -> Pad | None:
-        """The one that is read."""
         return self._pad
 
     @property
     def profile(self) -> GamepadProfile:
-        """What its parts are for."""
         return self._profile
 
     @property
@@ -346,7 +342,6 @@ class Gamepad(QObject):
         self._drive_with.lose(reason)
 
     def _take(self, pad: Pad | None) -> None:
-        """Read this one, or none, from now on."""
         self._pad = pad
         self._state, self._ask = None, _NOTHING
         if pad is not None:

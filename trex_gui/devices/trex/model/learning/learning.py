@@ -135,7 +135,6 @@ class Learning(QObject):
 
     @property
     def channels(self) -> tuple[LearnedChannel, ...]:
-        """The channels that are learned."""
         return self._channels.all
 
     @property
@@ -145,7 +144,6 @@ class Learning(QObject):
 
     @property
     def source(self) -> InputSource:
-        """What the inputs are read as."""
         return self._guard.source
 
     @property

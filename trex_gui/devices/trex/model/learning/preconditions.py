@@ -39,7 +39,6 @@ class CalibrationPreconditions(QObject):
 
     @property
     def source(self) -> InputSource:
-        """What the inputs are read as."""
         return self._source or self._device.calibrations.source
 
     def begin(self) -> None:

@@ -87,7 +87,6 @@ class GamepadPanel(QGroupBox):
 
     @property
     def gamepad(self) -> Gamepad:
-        """What is shown here."""
         return self._gamepad
 
     @Slot(bool)

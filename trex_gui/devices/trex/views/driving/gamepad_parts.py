@@ -76,7 +76,6 @@ class GamepadLive(QGroupBox):
         self._content.show()
 
     def show_state(self, state: PadState | None) -> None:
-        """Show the state."""
         for number, bar in enumerate(self._bars):
             bar.set_part(None if state is None else state.axis(number))
         for number, lamp in enumerate(self._lamps):

@@ -95,7 +95,6 @@ class ChannelRow:
         return self.bar.minimumSizeHint().height() + self.beside.minimumSizeHint().height() + lines
 
     def refresh(self) -> None:
-        """Show the channel as it is now."""
         self.bar.set_raw(self.channel.raw)
         self._align()
 
@@ -156,7 +155,6 @@ class ChannelRows(QWidget):
             row.put_into(self._grid, _ROWS * number, narrow=self._narrow)
 
     def make_row(self, channel: LearnedChannel) -> ChannelRow:
-        """Make the row of one channel."""
         raise NotImplementedError
 
     @Slot()

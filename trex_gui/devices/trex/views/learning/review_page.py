@@ -92,7 +92,6 @@ class ChannelForm(QWidget):
 
     @property
     def channel(self) -> LearnedChannel:
-        """The channel that it shows."""
         return self._channel
 
     @Slot(bool)
@@ -122,7 +121,6 @@ class ChannelForm(QWidget):
         self._problem.setVisible(True)
 
     def refresh(self) -> None:
-        """Show the choice as it is."""
         channel, choice = self._channel, self._channel.choice
         there = choice is not None
         for widget in (

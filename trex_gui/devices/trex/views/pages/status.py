@@ -137,7 +137,7 @@ class StatusPage(QWidget):
             "port": settings.name or settings.url,
             "settings": settings.line.text() + self._address_text(settings.device_number),
             "side": self.tr("RS-232 (everything sent comes back)")
-            if self._device.echo
+            if self._device.connection.echo
             else self.tr("TTL (SI and SO)"),
         }
         if old := self._half_rate_warning():
@@ -168,7 +168,7 @@ class StatusPage(QWidget):
     def _on_telemetry_updated(self) -> None:
         if self._device.link is not ConnectionState.CONNECTED:
             return
-        counters = self._device.counters
+        counters = self._device.connection.counters
         self._values["control"].setText(self._device.control_text)
         failures = counters.silences + counters.damaged
         good = 100 * (1 - failures / max(counters.requests, 1))

@@ -67,7 +67,6 @@ class Level(QObject):
             grid.addWidget(widget, row, column)
 
     def explain(self, text: str) -> None:
-        """Say what it is for."""
         for widget in (self._label, self._slider, self._entry):
             widget.setToolTip(text)
 
