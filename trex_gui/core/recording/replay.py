@@ -1,5 +1,6 @@
 """What was known at any time of a recording, without reading it from the start."""
 
+import math
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from copy import copy
@@ -25,7 +26,8 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
     def __init__(self, recording: Recording[HeaderT, RecordT], initial: StateT) -> None:
         self.recording = recording
         self._states = [initial]
-        self._starts: list[float] = []
+        self._starts: list[float] = []  # latest time before each chunk: they rise
+        self._latest = -math.inf
         self._cached: tuple[int, Sequence[RecordT]] = (-1, ())
 
     @property
@@ -49,9 +51,9 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
         records = self._read(index)
         state = copy(self._states[-1])
         result = take(state, records)
-        previous = self._starts[-1] if self._starts else float("-inf")
-        self._starts.append(records[0].time if records else previous)
+        self._starts.append(self._latest)
         self._states.append(state)
+        self._latest = max(self._latest, *(record.time for record in records), -math.inf)
         return records, result
 
     def at(self, time: float) -> StateT:

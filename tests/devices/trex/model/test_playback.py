@@ -21,7 +21,8 @@ from tests.devices.trex.recording.samples import (
 )
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.recording.kinds import Marker
-from trex_gui.devices.trex.client.telemetry import Currents, Raw, Remapped
+from trex_gui.core.recording.store import CHUNK
+from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.model.playback import Playback, limits_in
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.flags import Mode
@@ -89,6 +90,16 @@ def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) ->
     for place in [*sorted(places, reverse=True), *places]:
         minute.set_position(T0 + place)
         assert minute.state() == expected[place]
+
+
+def test_late_marker_does_not_disturb_seeking(tmp_path: Path, qtbot: QtBot) -> None:
+    """An event may be noted long after it happened, also at the start of a chunk."""
+    control: list[Record] = [Control(T0 + n, by_serial=n % 2 == 0) for n in range(2 * CHUNK)]
+    control[CHUNK] = Marker(T0 + 5, "fault", "noted late")
+    playback = playback_of(tmp_path / "a.trexrec", qtbot, *control)
+    for second in (3, CHUNK - 3, CHUNK - 2, CHUNK + 3):
+        assert playback.state_at(T0 + second).by_serial == (second % 2 == 0)
+    playback.close()
 
 
 def test_traces_hold_every_pair_of_currents(minute: Playback) -> None:
