@@ -25,7 +25,7 @@ Do = Callable[[], object]
 
 
 class Tour(QObject):
-    """Connects to the simulated device of each kind, runs the steps of its plugin, writes PNGs.
+    """Connects to each simulated device, runs the steps of its plugin, writes PNG files.
 
     `folder` is made when it is missing.
 
