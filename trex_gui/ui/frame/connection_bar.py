@@ -1,17 +1,11 @@
-"""The row above the pages: which port, how the line is set, how things stand."""
+"""The row above the pages: port, line settings, state of the connection."""
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import (
     QComboBox,
-    QHBoxLayout,
     QInputDialog,
-    QLabel,
-    QProgressBar,
-    QPushButton,
-    QSizePolicy,
-    QToolButton,
     QWidget,
 )
 
@@ -20,21 +14,22 @@ from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets import builders as ui
 
 _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 
 class ConnectionBar(QWidget):
-    """Choosing a port connects to it, as users of the maker's programs expect.
+    """Choosing a port connects to it, as in Pololu's programs.
 
-    What the list shows is connected, or what Connect connects to: at first the port that was used
-    last or the only one, then whatever was connected or chosen last, a simulated device too.
+    The list shows the connected port, or the one that Connect opens: at first the port that was
+    used last or the only one, then the one that was connected or chosen last.
 
     Signals:
         connecting: the user has chosen a port.
         line_settings_requested: the user wants to edit them.
-        interruption_wanted: what a person wants would cut off the writing of settings; carries
-            what does it all the same.
+        interruption_wanted: the user's choice would interrupt the writing of settings; carries
+            the function that does it anyway.
     """
 
     connecting = Signal()
@@ -51,57 +46,13 @@ class ConnectionBar(QWidget):
         self._manager = device_manager
         self._ports = ports
 
-        self._combo = QComboBox(self)
-        self._combo.setObjectName("portCombo")
-        self._combo.setAccessibleName(self.tr("Port"))
-        self._combo.setMinimumContentsLength(20)
-        self._combo.setSizeAdjustPolicy(
-            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
-        label = QLabel(self.tr("P&ort:"), self)
-        label.setBuddy(self._combo)
-        self._connect = QPushButton(self.tr("&Connect"), self)
-        self._connect.setObjectName("connectButton")
-        self._line = QToolButton(self)
-        self._line.setObjectName("lineButton")
-        self._line.setAccessibleName(self.tr("Line settings"))
-        self._line.setToolTip(self.tr("How this computer talks to the board"))
-        self._line.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        set_icon(self._line, "settings")
-        self._find = QToolButton(self)
-        self._find.setObjectName("findButton")
-        self._find.setText(self.tr("Find…"))
-        self._find.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._find.setAccessibleName(self.tr("Find a board"))
-        self._find.setToolTip(self.tr("Find a board whose line settings are not known"))
-        set_icon(self._find, "find")
         self._dialog: FindDialog | None = None
         self._connected: Port | None = None
         self._chosen: Port | None = None
         self._wants_none = False
-        self._status = QLabel(self)
-        self._status.setObjectName("statusLabel")
-        self._status.setWordWrap(True)
-        self._status.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self._progress = QProgressBar(self)
-        self._progress.setObjectName("progressBar")
-        self._progress.setAccessibleName(self.tr("Progress"))
-        self._progress.setFixedWidth(70)
-        self._progress.setTextVisible(False)
-        self._progress.hide()
-
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        for widget in (label, self._combo, self._connect, self._line, self._find):
-            layout.addWidget(widget)
-        layout.addSpacing(8)
-        layout.addWidget(self._status, 1)
-        layout.addWidget(self._progress)
+        self._create_widgets()
 
         self._combo.activated.connect(self._on_activated)
-        self._connect.clicked.connect(self.toggle)
-        self._line.clicked.connect(self.line_settings_requested)
-        self._find.clicked.connect(self.find_board)
         ports.changed.connect(self._on_ports_changed)
         device_manager.changed.connect(self._on_link_changed)
         device_manager.current_changed.connect(self._on_link_changed)
@@ -109,7 +60,48 @@ class ConnectionBar(QWidget):
         self._on_ports_changed()
         self._on_link_changed()
 
-    # --- What a person does -------------------------------------------------------------
+    def _create_widgets(self) -> None:
+        self._combo = ui.named(QComboBox(self), "portCombo", accessible=self.tr("Port"))
+        self._combo.setMinimumContentsLength(20)
+        self._combo.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self._connect = ui.button(self, "connectButton", self.tr("&Connect"), on_click=self.toggle)
+        self._line = ui.tool_button(
+            self,
+            "lineButton",
+            " ",  # the line settings follow
+            icon="settings",
+            accessible=self.tr("Line settings"),
+            tip=self.tr("How this computer talks to the board"),
+            on_click=self.line_settings_requested,
+        )
+        self._find = ui.tool_button(
+            self,
+            "findButton",
+            self.tr("Find…"),
+            icon="find",
+            accessible=self.tr("Find a board"),
+            tip=self.tr("Find a board whose line settings are unknown"),
+            on_click=self.find_board,
+        )
+        self._status = ui.label(self, "statusLabel", wrap=True, expand=True)
+        self._progress = ui.progress_bar(self, "progressBar", self.tr("Progress"))
+        self._progress.setFixedWidth(70)
+        self._progress.hide()
+        ui.row(
+            ui.label(self, text=self.tr("P&ort:"), buddy=self._combo),
+            self._combo,
+            self._connect,
+            self._line,
+            self._find,
+            (self._status, 1),
+            self._progress,
+            into=self,
+            margins=0,
+        )
+
+    # --- The user's choices -------------------------------------------------------------
 
     @Slot()
     def toggle(self) -> None:
@@ -131,7 +123,7 @@ class ConnectionBar(QWidget):
             then()
 
     def connect_shown(self) -> None:
-        """Connect to the port that the list shows; where it shows none let a person choose."""
+        """Connect to the port that the list shows; if it shows none, open the list."""
         if not self._manager.is_idle:
             return
         shown = self._combo.currentData()
@@ -143,7 +135,7 @@ class ConnectionBar(QWidget):
 
     @Slot()
     def find_board(self) -> None:
-        """Show the search for a board whose line settings nobody knows."""
+        """Show the search for a board."""
         if self._dialog is None:
             self._dialog = FindDialog(self._manager, self._ports, self.window())
         self._dialog.look()
@@ -165,7 +157,7 @@ class ConnectionBar(QWidget):
             self._when_nothing_is_cut_off(self._leave_for_good)
 
     def _leave_for_good(self) -> None:
-        """Disconnect, and offer no port: somebody has chosen none."""
+        """Disconnect, and offer no port."""
         self._chosen, self._wants_none = None, True
         self._manager.leave()
 

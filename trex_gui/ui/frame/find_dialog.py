@@ -1,33 +1,30 @@
-"""Find a board: looking on every port for one whose line settings nobody knows."""
+"""Find a board whose line settings are unknown, on every port."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import (
-    QCheckBox,
     QDialog,
     QFrame,
     QHBoxLayout,
     QLabel,
     QListWidget,
     QListWidgetItem,
-    QProgressBar,
     QPushButton,
     QScrollArea,
     QSizePolicy,
-    QVBoxLayout,
     QWidget,
 )
 
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import ScanFinding
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets import builders as ui
 
 _PORT = Qt.ItemDataRole.UserRole
 
 
 class FindDialog(QDialog):
-    """Beside the window, never in its way; closing it ends the search."""
+    """A dialog beside the window; closing it ends the search."""
 
     def __init__(
         self,
@@ -45,100 +42,90 @@ class FindDialog(QDialog):
         self._ticks: dict[Port, bool] = {}
         self._shown: tuple[ScanFinding, ...] | None = None
         self._connects: dict[QPushButton, Port] = {}
+        self._create_widgets()
+        self._arrange()
 
-        intro = _text(
-            self.tr(
-                "Asks on each port which device is there: for each kind at its likely settings, "
-                "then at every baud rate, with every parity and with CRC. This never moves a "
-                "motor and changes no setting. A TReX that hears the questions of another rate "
-                "notes UART errors, and stops its motors where it is set to do so."
-            ),
-            self,
-        )
-        self._list = QListWidget(self)
-        self._list.setObjectName("findPorts")
-        self._list.setAccessibleName(self.tr("Ports to look on"))
+        ports.changed.connect(self._on_ports_changed)
+        device_manager.changed.connect(self._on_ports_changed)
+        self._scanner.simulators_changed.connect(self._on_ports_changed)
+        self._scanner.changed.connect(self._on_scanner_changed)
+        self._scanner.progressed.connect(self._on_progressed)
+        self._on_ports_changed()
+        self._on_scanner_changed()
+
+    def _create_widgets(self) -> None:
+        self._list = ui.named(QListWidget(self), "findPorts", accessible=self.tr("Ports to search"))
         self._list.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self._list.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        label = QLabel(self.tr("&Look on:"), self)
-        label.setBuddy(self._list)
-        self._busy = _text("", self)
-        self._busy.setObjectName("findBusyLabel")
-        self._disconnect = QPushButton(self.tr("&Disconnect"), self)
-        self._disconnect.setObjectName("findDisconnectButton")
-        set_icon(self._disconnect, "disconnect")
-        self._full = QCheckBox(
+        self._list.itemChanged.connect(self._on_item_changed)
+        self._busy = _text("", self, "findBusyLabel")
+        self._disconnect = ui.button(
+            self,
+            "findDisconnectButton",
+            self.tr("&Disconnect"),
+            icon="disconnect",
+            on_click=self._manager.leave,
+        )
+        self._full = ui.check_box(
+            self,
+            "findFullBox",
             self.tr(
                 "&Full search: also every CRC polynomial and every device number (some minutes)"
             ),
+        )
+        self._start = ui.button(
+            self,
+            "findStartButton",
+            self.tr("&Start"),
+            icon="find",
+            default=True,
+            on_click=self._on_start_clicked,
+        )
+        self._cancel = ui.button(
+            self,
+            "findCancelButton",
+            self.tr("C&ancel"),
+            default=False,
+            on_click=self._scanner.cancel,
+        )
+        self._progress = ui.progress_bar(self, "findProgress", self.tr("Progress of the search"))
+        self._tried = _text("", self, "findProgressText")
+        self._results = ui.named(QWidget(self), "findResults", accessible=self.tr("Found devices"))
+        self._rows = ui.column(1, into=self._results, margins=0)
+
+    def _arrange(self) -> None:
+        intro = _text(
+            self.tr(
+                "Probes each port for a supported device: each kind at its likely settings, then "
+                "at every baud rate, with every parity and with CRC. Probing never moves a motor "
+                "or changes a setting. A TReX that receives probes at another rate counts UART "
+                "errors, and stops its motors if it is set to do so."
+            ),
             self,
         )
-        self._full.setObjectName("findFullBox")
-        self._start = QPushButton(self.tr("&Start"), self)
-        self._start.setObjectName("findStartButton")
-        self._start.setDefault(True)
-        set_icon(self._start, "find")
-        self._cancel = QPushButton(self.tr("C&ancel"), self)
-        self._cancel.setObjectName("findCancelButton")
-        self._cancel.setAutoDefault(False)
-        self._progress = QProgressBar(self)
-        self._progress.setObjectName("findProgress")
-        self._progress.setAccessibleName(self.tr("Progress of the search"))
-        self._progress.setTextVisible(False)
-        self._tried = _text("", self)
-        self._tried.setObjectName("findProgressText")
-        self._results = QWidget(self)
-        self._results.setObjectName("findResults")
-        self._results.setAccessibleName(self.tr("What was found"))
-        self._rows = QVBoxLayout(self._results)
-        self._rows.setContentsMargins(0, 0, 0, 0)
-        self._rows.addStretch(1)
         scroll = QScrollArea(self)
         scroll.setFrameShape(QFrame.Shape.NoFrame)
         scroll.setWidgetResizable(True)
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setWidget(self._results)
-        close = QPushButton(self.tr("Close"), self)
-        close.setObjectName("findCloseButton")
-        close.setAutoDefault(False)
-
-        busy = QHBoxLayout()
-        busy.addWidget(self._busy, 1)
-        busy.addWidget(self._disconnect)
-        buttons = QHBoxLayout()
-        buttons.addWidget(self._start)
-        buttons.addWidget(self._cancel)
-        buttons.addWidget(self._progress, 1)
-        bottom = QHBoxLayout()
-        bottom.addStretch(1)
-        bottom.addWidget(close)
-        layout = QVBoxLayout(self)
-        layout.addWidget(intro)
-        layout.addSpacing(4)
-        layout.addWidget(label)
-        layout.addWidget(self._list)
-        layout.addLayout(busy)
-        layout.addWidget(self._full)
-        layout.addLayout(buttons)
-        layout.addWidget(self._tried)
-        layout.addWidget(scroll, 1)
-        layout.addLayout(bottom)
-
-        self._list.itemChanged.connect(self._on_item_changed)
-        self._disconnect.clicked.connect(device_manager.leave)
-        self._start.clicked.connect(self._on_start_clicked)
-        self._cancel.clicked.connect(self._scanner.cancel)
-        close.clicked.connect(self.close)
-        ports.changed.connect(self._on_ports_changed)
-        device_manager.changed.connect(self._on_ports_changed)
-        self._scanner.simulators_changed.connect(self._on_ports_changed)
-        self._scanner.changed.connect(self._on_finder_changed)
-        self._scanner.progressed.connect(self._on_progressed)
-        self._on_ports_changed()
-        self._on_finder_changed()
+        close = ui.button(
+            self, "findCloseButton", self.tr("Close"), default=False, on_click=self.close
+        )
+        ui.column(
+            intro,
+            ui.label(self, text=self.tr("&Search on:"), buddy=self._list),
+            self._list,
+            ui.row((self._busy, 1), self._disconnect),
+            self._full,
+            ui.row(self._start, self._cancel, (self._progress, 1)),
+            self._tried,
+            (scroll, 1),
+            ui.row(1, close),
+            into=self,
+        )
 
     def look(self) -> None:
-        """Show it; the search begins when a person says so."""
+        """Show it; the user starts the search."""
         self.show()
         self.activateWindow()
         self._start.setFocus()
@@ -224,13 +211,12 @@ class FindDialog(QDialog):
             self._scanner.text
             or self._scanner.summary
             or self.tr(
-                "The likely settings come first; a port where nobody answers takes about half a "
-                "minute."
+                "The likely settings come first; a port without a reply takes about half a minute."
             )
         )
 
     @Slot()
-    def _on_finder_changed(self) -> None:
+    def _on_scanner_changed(self) -> None:
         self._on_actions_changed()
         self._on_progressed()
         if self._scanner.findings != self._shown:
@@ -251,17 +237,19 @@ class FindDialog(QDialog):
         row.setFrameShape(QFrame.Shape.StyledPanel)
         row.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         layout = QHBoxLayout(row)
-        text = _text(finding.text, row)
-        text.setObjectName(f"findText{index}")
+        text = _text(finding.text, row, f"findText{index}")
         text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         layout.addWidget(text, 1)
         if finding.found is not None:
-            connect = QPushButton(self.tr("Connect"), row)
-            connect.setObjectName(f"connectFound{index}")
-            connect.setAccessibleName(self.tr("Connect to {0}").format(finding.text))
-            connect.setAutoDefault(False)
-            set_icon(connect, "connect")
-            connect.clicked.connect(lambda: self._connect(finding))
+            connect = ui.button(
+                row,
+                f"connectFound{index}",
+                self.tr("Connect"),
+                icon="connect",
+                accessible=self.tr("Connect to {0}").format(finding.text),
+                default=False,
+                on_click=lambda: self._connect(finding),
+            )
             connect.setEnabled(finding.port != self._manager.current.port)
             self._connects[connect] = finding.port
             layout.addWidget(connect, 0, Qt.AlignmentFlag.AlignVCenter)
@@ -279,10 +267,6 @@ _ENABLED = Qt.ItemFlag.ItemIsEnabled
 _CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
 
 
-def _text(text: str, parent: QWidget) -> QLabel:
+def _text(text: str, parent: QWidget, name: str = "") -> QLabel:
     """Make a label of plain, wrapped text."""
-    label = QLabel(text, parent)
-    label.setTextFormat(Qt.TextFormat.PlainText)
-    label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-    label.setWordWrap(True)  # last: it makes the height follow from the width
-    return label
+    return ui.label(parent, name, text, wrap=True, expand=True, plain=True)
