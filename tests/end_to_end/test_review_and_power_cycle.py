@@ -114,7 +114,7 @@ def test_review_reports_stored_and_failed_settings(
     review.open()
     assert "RC mode and takes no settings" in review.head
     review.click("writeButton")
-    review.wait_for_text("reviewHead", "did not stick")
+    review.wait_for_text("reviewHead", "could not be verified")
     untried, refused = sorted((row[-1] for row in review.rows()), key=len)
     assert "not in serial mode" in refused
     assert untried == "not tried after that"
@@ -129,9 +129,9 @@ def test_interrupted_write_keeps_unwritten_settings_pending(
     review.open()
     simulator.do("line mute on")
     review.click("writeButton")
-    review.wait_for_text("reviewHead", "did not stick")
+    review.wait_for_text("reviewHead", "could not be verified")
     assert "not tried after that" in [row[-1] for row in review.rows()]
-    assert "the factory's" in review.head
+    assert "the default" in review.head
     simulator.do("line mute off")
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
     device.discard_edits()
@@ -144,7 +144,7 @@ def test_interrupted_write_keeps_unwritten_settings_pending(
     review.click("writeButton")
     window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     review.wait(lambda: review.button("reviewCloseButton").text() == "Close")
-    assert "did not stick" in review.head
+    assert "could not be verified" in review.head
     assert count > device.pending > 0
     assert review.rows()[0][-1] == "stored"
     assert any("gone" in row[-1] for row in review.rows())
@@ -301,7 +301,7 @@ def test_pending_reset_blocks_writing_until_power_cycle(
 
     edit(window, motor1_acceleration=5)
     review.open()
-    assert "told to reset itself" in review.head
+    assert "will reset itself" in review.head
     assert not review.is_enabled("writeButton")
     device.apply()
     assert not device.applying

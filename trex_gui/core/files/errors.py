@@ -1,4 +1,4 @@
-"""What can be wrong with a settings file, said for each line."""
+"""Errors and warnings about text files, by line."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ class Severity(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One thing that a person should know of a settings file.
+    """One error or warning about a settings file.
 
     Attributes:
         line: counted from 1; `None` when it concerns the file as a whole.
@@ -43,7 +43,7 @@ class SettingsError(StudioError):
     """A settings file cannot be used, read or written.
 
     Attributes:
-        name: the file, as the person knows it.
+        name: the file, as shown to the user.
         findings: everything found, in the order of the lines; at least one is an error.
     """
 

@@ -34,7 +34,7 @@ class TrafficEvent:
     Attributes:
         time: seconds on the line's clock; received bytes may have waited in the port before.
         data: the bytes; none where something happened to the line itself.
-        text: what happened to the line, for people.
+        text: what happened to the line, for the user.
         settings: how the line is set from here on, where that is said.
     """
 

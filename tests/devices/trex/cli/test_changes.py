@@ -249,7 +249,7 @@ def test_restore_defaults_lists_changes_before_prompt(
     before = memory(trexcmd)
     result = trexcmd("restore-defaults", stdin="n\n")
     assert result.exit_code == 1
-    said, question, _ = result.stderr.partition("Put every parameter")
+    said, question, _ = result.stderr.partition("Reset every parameter")
     assert question
     assert "What will change, 3 of 28 parameters:\n" in said
     rows = {line.split()[0]: line.split()[1:4] for line in said.splitlines() if "→" in line}
@@ -280,5 +280,5 @@ def test_restore_defaults_without_changes_still_prompts(
     for url in (None, junior.url):
         words = ("--port", url) if url else ()
         result = trexcmd("restore-defaults", *words, stdin="n\n")
-        assert "Every parameter has the factory's value already" in result.stderr
-        assert "Put every parameter" in result.stderr
+        assert "Every parameter already has its default" in result.stderr
+        assert "Reset every parameter" in result.stderr

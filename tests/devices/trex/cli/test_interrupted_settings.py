@@ -134,7 +134,7 @@ def test_ctrl_c_ends_writing_between_two_settings(
     disturb: Disturb, trexcmd: RunCommand, key: str
 ) -> None:
     writing, said = disturb(key, lambda writing: writing.process.send_signal(signal.SIGINT))
-    assert "Interrupted: not everything was stored; what was not tried is as it was." in said
+    assert "Interrupted: not all settings were stored; the others are unchanged." in said
     writing.assert_reported(said)
     writing.assert_snapshot_complete()
     again = trexcmd("set-settings", str(writing.file), "--port", writing.board.url)

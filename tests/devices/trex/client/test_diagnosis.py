@@ -1,4 +1,4 @@
-"""Sentences about a line and a board, for people."""
+"""Sentences about a line and a board, for the user."""
 
 import pytest
 

@@ -92,7 +92,7 @@ def test_active_input_source_is_unknown_outside_serial_mode() -> None:
 def ordered() -> PendingReset:
     order = PendingReset()
     order.note_written(ORDERED, STATE.parameters)
-    assert order.stands
+    assert order.is_pending
     return order
 
 
@@ -100,28 +100,28 @@ def test_refused_reset_is_not_pending() -> None:
     order = PendingReset()
     order.note_written([WriteResult("factory_reset", error=NoReply("x"))], STATE.parameters)
     order.note_written([WriteResult("motor_mode", 1)], STATE.parameters)
-    assert not order.stands
+    assert not order.is_pending
 
 
 def test_reset_stays_pending_while_values_are_unchanged() -> None:
     order = ordered()
     order.note_read(STATE.parameters, power_cycled=False)
-    assert order.stands
+    assert order.is_pending
 
 
 def test_power_cycle_completes_the_reset() -> None:
     order = ordered()
     order.note_read(STATE.parameters, power_cycled=True)
-    assert not order.stands
+    assert not order.is_pending
 
 
 def test_changed_values_complete_the_reset() -> None:
     order = ordered()
     order.note_read({**STATE.parameters, "motor_mode": 1}, power_cycled=False)
-    assert not order.stands
+    assert not order.is_pending
 
 
 def test_forget_clears_the_pending_reset() -> None:
     order = ordered()
     order.forget()
-    assert not order.stands
+    assert not order.is_pending

@@ -204,7 +204,7 @@ def test_snapshot_of_another_program_appears_on_refresh(
     assert dialog.selected_row() == 1  # what was looked at stays
 
 
-# --- What a person does -----------------------------------------------------------------
+# --- User actions ---------------------------------------------------------------------
 
 
 def test_deletion_needs_confirmation_in_the_dialog(

@@ -124,7 +124,7 @@ def _parse(name: str, text: str) -> tuple[float, str]:
     """Read a number and its unit, which may be empty.
 
     Raises:
-        Usage: it is no such thing.
+        UsageError: it is not a value with a unit.
     """
     found = _VALUE.fullmatch(text.strip())
     unit = found[2].lower() if found else ""

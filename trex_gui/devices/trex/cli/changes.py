@@ -36,7 +36,7 @@ def say_changes(result: Comparison) -> None:
 
 
 def require_serial_mode(state: DeviceState, what: str) -> None:
-    """Let nothing be begun that the board would refuse.
+    """Check that the board accepts writes.
 
     Raises:
         Rejected: it is not in serial mode.
@@ -61,7 +61,7 @@ def prepare_one(
         after: what it is to store.
         context: for the rules.
         link: how the board was reached.
-        what: the setting, for people.
+        what: the setting, for the user.
         command: the snapshot's reason.
 
     Raises:
@@ -83,7 +83,7 @@ def prepare_one(
 def say_what_follows(
     client: TrexClient, link: ConnectionSettings, state: DeviceState, stored: Mapping[str, int]
 ) -> None:
-    """Say what waits for a power cycle, and how the board is reached now and after it.
+    """Report what needs a power cycle and how to reach the board now and after it.
 
     Args:
         client: the line after the writing.

@@ -1,4 +1,4 @@
-"""restore-defaults: all parameters back to the factory's."""
+"""restore-defaults: reset all parameters to factory defaults."""
 
 from typing import Any
 
@@ -21,7 +21,7 @@ _HOW_TO_REACH = (ParameterKey.UART_SETTINGS, ParameterKey.DEVICE_NUMBER)
 @link_options
 @click.option("--yes", is_flag=True, help="Do not ask.")
 def restore_defaults(yes: bool, **options: Any) -> None:
-    """Put every parameter back to the factory's value.
+    """Reset every parameter to its factory default.
 
     Shows what will change and asks. The board does it when it is switched off and on. Channel
     calibrations stay as they are. A snapshot of what the board stores is kept.
@@ -38,7 +38,7 @@ def restore_defaults(yes: bool, **options: Any) -> None:
         _announce(compare(there, factory), specs)
         if not yes:
             click.confirm(
-                "Put every parameter of this board back to the factory's value?",
+                "Reset every parameter of this board to its default?",
                 abort=True,
                 err=True,
             )
@@ -46,17 +46,17 @@ def restore_defaults(yes: bool, **options: Any) -> None:
         write_parameter(client.request, spec, spec.maximum)
     line, number = (specs[key].text(specs[key].default) for key in _HOW_TO_REACH)
     say(
-        "The board has taken the order. Switch it off and on: then every parameter is the "
-        f"factory's again, it runs at {line} and is device number {number}. The channel "
-        "calibrations stay as they are."
+        "The board accepted the reset. Switch it off and on: then every parameter has its "
+        f"default, the board runs at {line} and its device number is {number}. The channel "
+        "calibrations do not change."
     )
     say_how_to_reach(link, factory.parameters, signature.firmware)
 
 
 def _announce(result: Comparison, specs: ParameterSet) -> None:
-    """Say what becomes of each parameter, and how far the factory's values are known."""
+    """Report the changes, and the defaults that no source confirms."""
     if not result.changed:
-        say("Every parameter has the factory's value already, as far as that is known.")
+        say("Every parameter already has its default, as far as defaults are known.")
         return
     say(f"What will change, {result.changed} of {len(list(specs.readable))} parameters:")
     say_changes(result)

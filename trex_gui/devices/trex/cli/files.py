@@ -109,7 +109,7 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
     """Check a settings file without a board; with OUT, write it there as it should be.
 
     Says on standard error what is wrong, line by line; - is standard input or output. Comments
-    and order stay; only what can be mended is changed, such as a last line without an end.
+    and order stay; only repairable faults are changed, such as a last line without an end.
     """
     if as_json and out == "-":
         raise UsageError("--json and OUT cannot both have standard output.")
@@ -147,11 +147,11 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
         errors = sum(finding.severity is Severity.ERROR for finding in findings)
         refuse(f"{name_of(file)} has {errors} error{'' if errors == 1 else 's'}.")
     if out is not None:
-        save_file(out, _mended(data, settings))
+        save_file(out, _repaired(data, settings))
 
 
-def _mended(data: bytes, settings: Settings) -> str:
-    """Return a file's text as it should be; what a person wrote around the values stays."""
+def _repaired(data: bytes, settings: Settings) -> str:
+    """Return the corrected text of a file with the user's comments and order."""
     try:
         text = amend(data.decode("utf-8"), settings)
     except SettingsError as error:
@@ -259,11 +259,11 @@ def _write(
     say_what_follows(client, chosen, state, after)
     if failed:
         begun = "Interrupted: not" if interrupted else "Not"
-        refuse(f"{begun} everything was stored; what was not tried is as it was.")
+        refuse(f"{begun} all settings were stored; the others are unchanged.")
 
 
 def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:
-    """Name what did not stick; what was not tried after a fatal error is only listed."""
+    """Name failed writes; settings not tried after a fatal error are only listed."""
     said: set[int] = set()
     untried: list[str] = []
     for result in failed:

@@ -107,7 +107,7 @@ def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) 
     """Show how the second snapshot differs from the first, or a snapshot from the board.
 
     Prints nothing when they are equal. With the board, its values stand left, and right what
-    set-settings with this snapshot would bring back.
+    set-settings with this snapshot would restore.
     """
     from trex_gui.devices.trex.cli import files  # noqa: PLC0415 - the way to a board takes its time
 
@@ -118,7 +118,7 @@ def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) 
 @history.command("path")
 @click.argument("number", metavar="N", shell_complete=_complete_number)
 def path(number: str) -> None:
-    """Print where the file of a snapshot lies."""
+    """Print the path of a snapshot's file."""
     if not number.isdecimal() or len(number) > 9:
         raise UsageError(f"{number!r} is not a number such as 1, the newest snapshot.")
     click.echo(_path_of(number))

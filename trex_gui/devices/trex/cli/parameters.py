@@ -28,7 +28,7 @@ from trex_gui.devices.trex.settings.rules import Context
 
 
 def spec_of(client: TrexClient, name: str) -> ParameterSpec:
-    """Return the parameter that a person calls so, as it is for the board on the line.
+    """Return the parameter with a name or key, for the connected board.
 
     Raises:
         BadRequest: the board has none such.

@@ -15,7 +15,7 @@ FILE = click.Path(allow_dash=True)
 
 
 def name_of(file: str) -> str:
-    """Return what a person calls the file."""
+    """Return the name of the file for messages."""
     return "standard input" if file == "-" else file
 
 

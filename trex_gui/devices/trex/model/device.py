@@ -170,7 +170,7 @@ class Device(QObject):
 
         What is written before that is wiped then.
         """
-        return self._reset_order.stands
+        return self._reset_order.is_pending
 
     @property
     def may_move(self) -> bool:

@@ -23,7 +23,7 @@ from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
 KEPT = 500
-"""How many snapshots are kept unless the person says otherwise: a megabyte or two."""
+"""How many snapshots are kept by default: one or two megabytes."""
 
 _NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
 _TIME = "%Y%m%dT%H%M%SZ"
@@ -54,7 +54,7 @@ class Snapshot:
         turn: 1 for the first of a second.
         product, firmware: of which board, as the file says; empty where it cannot be read.
         device_number: the board's number then; `None` when the file does not say.
-        adapter: through which port, for people.
+        adapter: through which port, for the user.
         reason: what it was taken before.
         problem: why it is of no use, as far as its head tells; empty for a sound one.
     """
@@ -72,11 +72,11 @@ class Snapshot:
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """How many snapshots a person wants kept.
+    """How many snapshots to keep.
 
     Attributes:
         kept: that many, at least 1; `None` for all of them.
-        problem: why what the person set is not known, as a sentence. Then all are kept.
+        problem: why the setting cannot be read, as a sentence. Then all are kept.
     """
 
     kept: int | None = KEPT
@@ -96,11 +96,10 @@ def default_folder() -> Path:
 class SettingsHistory:
     """The snapshots in one folder.
 
-    Only the bound that the person has set removes snapshots, the oldest first and never the
-    one that was just taken.
+    Only the user's limit removes snapshots, the oldest first and never the newest.
 
     Attributes:
-        folder: where they lie; made with the first one.
+        folder: their path; created with the first one.
     """
 
     def __init__(self, folder: Path | None = None) -> None:
@@ -113,7 +112,7 @@ class SettingsHistory:
 
         Args:
             settings: everything that is known of it.
-            adapter: through which port it was read, for people.
+            adapter: through which port it was read, for the user.
             reason: what comes next, such as `Apply of 3 settings`.
             now: the time, if it is not the present.
 
@@ -153,7 +152,7 @@ class SettingsHistory:
         return settings
 
     def remove(self, snapshot: Snapshot) -> None:
-        """Remove a snapshot because a person wants it; one that is gone already is no error.
+        """Remove a snapshot; a missing file is not an error.
 
         Raises:
             SettingsError: it cannot be removed.

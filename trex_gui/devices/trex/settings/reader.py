@@ -1,4 +1,4 @@
-"""Settings from text; everything that is wrong is said at once, line by line."""
+"""Read settings from text; all errors and warnings are reported, by line."""
 
 import difflib
 import re
@@ -239,7 +239,7 @@ def _words(node: Node) -> str:
 
 
 def _shown(node: Node) -> str:
-    """Return what a person sees where a value belongs."""
+    """Return the text of a value for a message."""
     if not isinstance(node, ScalarNode):
         return "a list" if isinstance(node, SequenceNode) else "a group of settings"
     text = shortened(str(node.value))

@@ -1,4 +1,4 @@
-"""Settings as text: one line a setting, what it means to a person beside it."""
+"""Write settings as text: one line each, with the physical value as a comment."""
 
 from collections.abc import Iterator, Sequence
 from itertools import groupby
@@ -43,7 +43,7 @@ def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> st
 
 
 def check_keys(settings: Settings) -> None:
-    """Make sure that a file can hold every key of the settings.
+    """Check that a file can hold every key of the settings.
 
     Raises:
         BadRequest: their model and firmware do not have one; names it.

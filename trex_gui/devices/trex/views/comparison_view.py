@@ -55,7 +55,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class _Table(QTableView):
-    """Lets the space bar tick a row, whatever column the keyboard is in.
+    """Lets the space bar check a row, whatever column the keyboard is in.
 
     Signals:
         resized: it has more or less room.
@@ -172,7 +172,7 @@ class ComparisonView(QWidget):
             comparison: what to show.
             before: what the left side is, in few words.
             after: what the right side is.
-            with_ticks: whether a person chooses among the changes.
+            with_ticks: whether the user chooses among the changes.
             summary: a sentence in place of the counts.
         """
         self._table.show_comparison(comparison, before, after, with_ticks=with_ticks)
@@ -186,7 +186,7 @@ class ComparisonView(QWidget):
         self._summary.setText(why)
 
     def freeze(self, before: str, after: str) -> None:
-        """Keep what is ticked, under new heads, with no tick to change: it is being written."""
+        """Keep the checked rows under new headings, with the check boxes fixed, while writing."""
         self._table.freeze(before, after)
         for button in (self._all, self._none, self._equal):
             button.hide()
@@ -198,7 +198,7 @@ class ComparisonView(QWidget):
         self._fit_columns()
 
     def renew(self, comparison: Comparison, summary: str = "", *, tick_new: bool = True) -> None:
-        """Show the same two sides as they are now; what was unticked stays so.
+        """Update both sides; cleared check boxes stay cleared.
 
         Other changes are ticked; without `tick_new` only those that were there.
         """

@@ -49,7 +49,7 @@ class SettingsFiles(QObject):
     # --- Asking -------------------------------------------------------------------------
 
     def ask_and_open(self) -> None:
-        """Let a person choose a file to look at."""
+        """Let the user choose a file to look at."""
         chosen, _ = QFileDialog.getOpenFileName(
             self._window,
             self.tr("Open settings file"),
@@ -60,7 +60,7 @@ class SettingsFiles(QObject):
             self.open_file(Path(chosen))
 
     def ask_and_save(self) -> bool:
-        """Let a person choose where to save the settings shown; return whether they are."""
+        """Let the user choose where to save the settings shown; return whether they are."""
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
         name = file_questions.last_folder(self._store) / f"{key}_settings.txt"
@@ -70,7 +70,7 @@ class SettingsFiles(QObject):
         return bool(chosen) and self.save_file(Path(chosen))
 
     def ask_and_export(self) -> None:
-        """Let a person choose where to save the settings shown as a program, and its language."""
+        """Let the user choose where to save the settings shown as a program, and its language."""
         settings = self._device.draft.shown
         if settings is None:
             return
@@ -86,7 +86,7 @@ class SettingsFiles(QObject):
             self.export_file(path, written.get(path.suffix.lower(), filters[kind]))
 
     def ask_and_begin(self) -> None:
-        """Let a person choose what a new file begins with, and open a window for it."""
+        """Let the user choose what a new file begins with, and open a window for it."""
         dialog = NewDialog(self._device, self._window)
         dialog.made.connect(self.open_editor)
         dialog.show()
@@ -230,7 +230,7 @@ class SettingsFiles(QObject):
 
         Of a file that is there only the values are written.
 
-        What people wrote into it stays, and so does what the board does not show now: the
+        The user's comments stay, and so does what the board does not show now: the
         calibrations of the other input source.
         """
         settings = self._device.draft.shown
@@ -250,7 +250,7 @@ class SettingsFiles(QObject):
         return True
 
     def _text_for(self, path: Path, settings: Settings) -> tuple[str | None, str]:
-        """Return what to write, and what was kept in words; `None`: a person rather would not.
+        """Return what to write, and a note about what was kept; `None`: the user cancelled.
 
         Raises:
             SettingsError, BadRequest: it cannot be written.
@@ -263,7 +263,7 @@ class SettingsFiles(QObject):
             before = SettingsDocument.check_text(load(path), path.name)
             old, _ = read_settings(before, path.name)
         except SettingsError:
-            why = self.tr("is no settings file that can be read.")
+            why = self.tr("is not a readable settings file.")
             return (fresh if file_questions.may_replace(self._window, path.name, why) else None), ""
         if old.product.key != settings.product.key:
             why = self.tr("holds settings of a {0}.").format(old.product.name)

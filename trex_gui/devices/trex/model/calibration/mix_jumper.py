@@ -1,4 +1,4 @@
-"""Whether the mix jumper is on: no command tells, but what the board answers shows it.
+"""Infer the mix jumper from the channel values: no command reads it.
 
 Ref: a user's measurement (Pololu forum, viewtopic 9053): the jumper alters the remapped values in
 serial mode, too. Inferred: by which sums; so only values that fit either way are taken.

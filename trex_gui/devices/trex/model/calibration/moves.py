@@ -1,4 +1,4 @@
-"""What a person may do to a calibration in one move: drag a part of it, or set it to rights."""
+"""Changes to a calibration in one step: drag a handle, or make it symmetric."""
 
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -103,7 +103,7 @@ def _deadband_moved(calibration: Calibration, handle: Handle, count: int) -> Cal
 def within_input(
     calibration: Calibration, handle: Handle, count: int, source: InputSource
 ) -> tuple[int, str]:
-    """Return the count nearest to the one wished that the input can be, and why it is another.
+    """Limit a count to the range of the input; also return why it was limited.
 
     A handle that lies further out already may stay there.
     """

@@ -28,7 +28,7 @@ KEYS = tuple(CalibrationKey)
 
 
 class CalibrationRole(IntEnum):
-    """What a cell tells besides its text."""
+    """Data of a cell besides its text."""
 
     KEY = Qt.ItemDataRole.UserRole
     DIRTY = Qt.ItemDataRole.UserRole + 1
@@ -38,7 +38,7 @@ class CalibrationTable(QAbstractTableModel):
     """A row a channel; the first column names it, the others are its four counts.
 
     Signals:
-        refused: why an edit was not taken, for people.
+        refused: why an edit was not taken, for the user.
     """
 
     refused = Signal(str)
@@ -49,7 +49,7 @@ class CalibrationTable(QAbstractTableModel):
         self._calibrations = draft.calibrations
         self._calibrations.changed.connect(self._on_changed)
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -----------------------------------------------------------------
 
     def add(self, keys: Collection[CalibrationKey]) -> None:
         """Give the channels that have no calibration the usual one; one step to undo."""

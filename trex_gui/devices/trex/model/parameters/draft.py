@@ -17,7 +17,7 @@ class Draft:
         active: wire value that is still in force by key, for what was stored since the last
             power cycle and acts only after the next.
         open_to: keys that need not be stored to be edited, nor stay; empty for a board, which
-            stores each of its parameters, whatever is wished.
+            stores each of its parameters.
     """
 
     stored: dict[str, int] = field(default_factory=dict)
@@ -49,7 +49,7 @@ class Draft:
         self.removed = unwanted & self.open_to & stored.keys()
 
     def takes(self, key: str) -> bool:
-        """Whether a value can be wished for."""
+        """Whether a value can be edited."""
         return key in self.stored or key in self.open_to
 
     def value(self, key: str) -> int | None:
@@ -59,7 +59,7 @@ class Draft:
         return self.edited.get(key, self.stored.get(key))
 
     def is_modified(self, key: str) -> bool:
-        """Whether something else than what is stored is wished for."""
+        """Whether the edited value differs from the stored one."""
         return key in self.edited or key in self.removed
 
     def edit(self, spec: ParameterSpec, wire: int | None) -> None:

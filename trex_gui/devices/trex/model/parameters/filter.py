@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 
 
 class ParameterFilter(QSortFilterProxyModel):
-    """The rows that meet every wish, under the headings of their groups.
+    """The rows that match every filter, under the headings of their groups.
 
     Without wishes, all of them in the order of the table; a group without rows has no heading.
     """
@@ -41,7 +41,7 @@ class ParameterFilter(QSortFilterProxyModel):
 
     @property
     def is_narrowed(self) -> bool:
-        """Whether anything is wished for."""
+        """Whether any filter is active."""
         return bool(self._words or self._group or self._modified_only or self._not_default_only)
 
     def index_of(self, key: str, column: Column = Column.VALUE) -> QModelIndex:
@@ -59,12 +59,12 @@ class ParameterFilter(QSortFilterProxyModel):
         self.invalidate()
 
     def set_modified_only(self, only: bool) -> None:
-        """Show only what waits for Apply."""
+        """Show only pending edits."""
         self._modified_only = only
         self.invalidate()
 
     def set_not_default_only(self, only: bool) -> None:
-        """Show only what is, or would be, other than the factory's."""
+        """Show only values that differ from their default."""
         self._not_default_only = only
         self.invalidate()
 

@@ -23,7 +23,7 @@ class ParameterModel(ParameterTree):
 
     Signals:
         pending_changed: how many edits wait.
-        refused: why an edit was not taken, for people.
+        refused: why an edit was not taken, for the user.
     """
 
     pending_changed = Signal(int)
@@ -177,7 +177,7 @@ class ParameterModel(ParameterTree):
         twin = other_motor_key(key)
         return twin if twin is not None and self.knows(key) and self.knows(twin) else None
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -----------------------------------------------------------------
 
     @property
     def both_motors(self) -> bool:
@@ -201,7 +201,7 @@ class ParameterModel(ParameterTree):
         if not self.knows(key):
             raise KeyError(key)
         if wire == self._draft.value(key):
-            return  # an editor that was opened and left is no wish for the twin, either
+            return  # an editor that was opened and left does not edit the other motor either
         keys = (key,) if alone else self._with_twin(key)
         for each in keys:
             if wire != self._draft.stored.get(each):
@@ -209,7 +209,7 @@ class ParameterModel(ParameterTree):
         self._change(dict.fromkeys(keys, wire))
 
     def reset(self, key: str) -> None:
-        """Wish for the factory's value."""
+        """Edit a parameter to its default."""
         if self.knows(key):
             self.edit(key, self.text.specs[key].default)
 

@@ -1,4 +1,4 @@
-"""What the parameter table says in words: values in units that a person knows, and why."""
+"""The texts of the parameter table: values in physical units, states and explanations."""
 
 from collections.abc import Mapping
 from html import escape
@@ -26,7 +26,7 @@ def pwm_partner(key: str) -> str | None:
 
 
 class ParameterText(QObject):
-    """Derives every text from the draft as it is when asked; holds no state of its own.
+    """Derives every text from the current draft; has no state.
 
     Attributes:
         specs: the parameters that there are, by key.
@@ -126,7 +126,7 @@ class ParameterText(QObject):
         return self.tr("{0} differs: {1}.").format(motor_name(other.key), self.value(other))
 
     def reset_text(self, spec: ParameterSpec) -> str:
-        """What going back to the factory's value does."""
+        """The effect of resetting to the default."""
         return self.tr("Back to default: {0}").format(self.with_wire(spec, spec.default))
 
     def stored(self, spec: ParameterSpec) -> str:
@@ -179,7 +179,7 @@ class ParameterText(QObject):
 
 
 def duration(milliseconds: float) -> str:
-    """Return a time as people say it: `508 ms`, `3.2 s`."""
+    """Return a duration with a unit: `508 ms`, `3.2 s`."""
     if milliseconds < 1000:
         return f"{milliseconds:.0f} ms"
     return f"{milliseconds / 1000:.1f} s"

@@ -30,7 +30,7 @@ class Column(IntEnum):
 
 
 class Role(IntEnum):
-    """What a cell tells besides its text; headings of groups know of GROUP only.
+    """Data of a cell besides its text; headings of groups know of GROUP only.
 
     TWIN and STORED_TEXT are sentences, RESET is what going back to the default would do, and
     `None` where nothing differs.
@@ -98,7 +98,7 @@ class ParameterTree(QAbstractItemModel):
         return tuple(group for group, _ in self._groups)
 
     def title_of(self, group: str) -> str:
-        """Return what people call a group."""
+        """Return the name of a group for the user."""
         return self._titles[group]
 
     @property
@@ -217,7 +217,7 @@ class ParameterTree(QAbstractItemModel):
         return self._fact(spec, role)
 
     def _fact(self, spec: ParameterSpec, role: int) -> Any:
-        """What a row tells to those who paint it and explain it."""
+        """Return the data of a row for its roles."""
         match role:
             case Role.SPEC:
                 return spec
@@ -290,7 +290,7 @@ class ParameterTree(QAbstractItemModel):
     # --- News ---------------------------------------------------------------------------
 
     def _announce(self, key: str) -> None:
-        """Announce a row, those whose texts tell of it, and the heading that counts it."""
+        """Announce a row, the rows whose text refers to it, and its group's heading."""
         twin = other_motor_key(key)
         for each in (key, twin, pwm_partner(key), pwm_partner(twin or "")):
             if each in self._places:

@@ -1,4 +1,4 @@
-"""Writing edits into the board: a snapshot first, then every value written and read back."""
+"""Write edits to the board: save a snapshot, then write and verify every value."""
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import cast
@@ -23,13 +23,13 @@ Ask = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None]
 
 
 class Apply(QObject):
-    """One Apply after another; what did not stick stays an edit.
+    """Writes edits, one Apply at a time; failed writes stay edits.
 
     Signals:
         started: it is being written.
         written: the `Written`, before `finished`; its receiver updates the draft.
         finished: the `WriteResult` of everything that was tried; the draft has taken them in.
-        failed: why nothing, or nothing more, was written, for people.
+        failed: why nothing, or nothing more, was written, for the user.
     """
 
     started = Signal()
@@ -85,21 +85,18 @@ class Apply(QObject):
     def store(
         self, state: DeviceState, link: ConnectionSettings | None, key: str, wire: int
     ) -> bool:
-        """Write one parameter at once; edits of others go on waiting.
-
-        Return whether it is on its way.
-        """
+        """Write one parameter now; other edits stay pending. Return whether it was sent."""
         reason = self.tr("{0} set").format(state.specs[key].name)
         return self._write(state, link, reason, ((key, wire),), ())
 
     def reset(self, state: DeviceState, link: ConnectionSettings | None) -> bool:
-        """Let the board put every parameter back to the factory's value at its next start.
+        """Request a reset of every parameter to its default at the next start.
 
-        Its answer is the only proof until then: the order cannot be read back. Return whether
-        the order is on its way.
+        The request cannot be read back, so its reply is the only confirmation. Return whether
+        it was sent.
         """
         order = state.specs[ParameterKey.FACTORY_RESET]
-        reason = self.tr("Reset to the factory's parameters")
+        reason = self.tr("Reset to factory defaults")
         return self._write(state, link, reason, ((order.key, order.maximum),), ())
 
     def _write(
@@ -130,7 +127,7 @@ class Apply(QObject):
         return True
 
     def forget(self) -> None:
-        """Expect no answer any more: the line is closed, which others tell."""
+        """Stop waiting for an outcome: the line is closed."""
         self._running = False
 
     def _on_written(self, outcome: Outcome) -> None:
@@ -145,28 +142,28 @@ class Apply(QObject):
 
 
 class PendingReset:
-    """Whether a board was told to reset itself and has not started since, as far as it shows."""
+    """Whether a board will reset itself at its next start, as far as its values show."""
 
     def __init__(self) -> None:
         self._given_at: dict[str, int] | None = None
 
     @property
-    def stands(self) -> bool:
-        """Whether what is written now will be wiped at the next start."""
+    def is_pending(self) -> bool:
+        """Whether values written now will be lost at the next start."""
         return self._given_at is not None
 
     def note_written(self, results: Sequence[WriteResult], stored: Mapping[str, int]) -> None:
-        """Look for the order among what was written to a board that stores these parameters."""
+        """Look for the reset request among the results."""
         if any(
             result.key == ParameterKey.FACTORY_RESET and result.error is None for result in results
         ):
             self._given_at = dict(stored)
 
     def note_read(self, stored: Mapping[str, int], *, power_cycled: bool) -> None:
-        """Take the board as it shows itself; one that stores other values has started anew."""
+        """Clear the request if the stored values show that the board has restarted."""
         if power_cycled or self._given_at != dict(stored):
             self._given_at = None
 
     def forget(self) -> None:
-        """Take it for carried out."""
+        """Treat the reset as done."""
         self._given_at = None

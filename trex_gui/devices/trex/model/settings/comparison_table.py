@@ -1,4 +1,4 @@
-"""Two sets of settings side by side as a table, with a tick for each change that is wanted."""
+"""Two sets of settings as a table, with a check box for each change."""
 
 from collections.abc import Mapping
 from enum import IntEnum
@@ -35,7 +35,7 @@ class ComparisonColumn(IntEnum):
 
 
 class ComparisonRole(IntEnum):
-    """What a cell tells besides its text."""
+    """Data of a cell besides its text."""
 
     CHANGED = Qt.ItemDataRole.UserRole
     KEY = Qt.ItemDataRole.UserRole + 1
@@ -81,7 +81,7 @@ class ComparisonTable(QAbstractTableModel):
         self.ticked_changed.emit()
 
     def renew(self, comparison: Comparison, *, tick_new: bool = True) -> None:
-        """Show the same two sides as they are now; what was unticked stays so.
+        """Update both sides; cleared check boxes stay cleared.
 
         Other changes are ticked; without `tick_new` only those that were there.
         """
@@ -121,7 +121,7 @@ class ComparisonTable(QAbstractTableModel):
         self._set_ticked(changed if ticked and self._with_ticks else set())
 
     def freeze(self, before: str, after: str) -> None:
-        """Keep the ticked rows only, under new heads, and let no tick be changed any more."""
+        """Keep only the checked rows, under new headings, with the check boxes fixed."""
         rows = self.ticked
         self.beginResetModel()
         self._titles = (before, after)

@@ -42,7 +42,7 @@ class SettingsDocument(QObject):
         path: Path | None = None,
         doubt: Finding | None = None,
     ) -> None:
-        """Begin with a text; with a `doubt` a person looks at it before it gives settings."""
+        """Start with a text; with a `doubt` the user must check it before it is read."""
         super().__init__(parent)
         self.draft = SettingsDraft(self)
         self._name = name
@@ -104,12 +104,12 @@ class SettingsDocument(QObject):
 
     @property
     def name(self) -> str:
-        """What people call the file."""
+        """The name shown to the user."""
         return self._name if self._path is None else self._path.name
 
     @property
     def path(self) -> Path | None:
-        """Where the file lies; `None` before it is saved."""
+        """The path of the file; `None` before it is saved."""
         return self._path
 
     @property
@@ -136,7 +136,7 @@ class SettingsDocument(QObject):
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What reading the text as it is now finds, in the order of the lines."""
+        """The findings of the reader, in the order of the lines."""
         self._settle()
         return self._findings
 
@@ -154,10 +154,10 @@ class SettingsDocument(QObject):
         except SettingsError:
             return True
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -----------------------------------------------------------------
 
     def set_text(self, text: str) -> None:
-        """Take the text of a person, while it cannot be read as settings."""
+        """Replace the text while it cannot be read as settings."""
         if not self._readable and text != self._base:
             self._base = self._text = text
             self.changed.emit()
@@ -178,7 +178,7 @@ class SettingsDocument(QObject):
     def save(self, path: Path | None = None, *, fresh: bool = False) -> None:
         """Write the file, here or elsewhere; it is the file from now on.
 
-        With `fresh`, as the program writes settings, without what a person wrote around them.
+        With `fresh`, in the program's own layout, without the user's comments.
 
         Raises:
             SettingsError: it cannot be written, or the edits cannot be put into its text.

@@ -1,4 +1,4 @@
-"""The settings of a board or of a file with the edits of them, and the way back."""
+"""The settings of a board or a file with their edits and undo."""
 
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager

@@ -1,4 +1,4 @@
-"""Letting a list of rows become another without disturbing whoever looks at it."""
+"""Update the rows of a model without losing selection and scroll position."""
 
 from collections.abc import Callable, Hashable, Sequence
 from typing import TypeVar

@@ -37,7 +37,7 @@ class SnapshotColumn(IntEnum):
 
 
 class SnapshotRole(IntEnum):
-    """What a cell tells besides its text."""
+    """Data of a cell besides its text."""
 
     SNAPSHOT = Qt.ItemDataRole.UserRole
     PROBLEM = Qt.ItemDataRole.UserRole + 1
@@ -45,7 +45,7 @@ class SnapshotRole(IntEnum):
 
 
 class SnapshotTable(QAbstractTableModel):
-    """Follows the folder of a history whenever it is asked to look.
+    """Lists the folder of a history; `refresh` looks again.
 
     A snapshot whose head is sound may still be damaged further down; that shows when it is
     loaded, and stays known.
@@ -70,7 +70,7 @@ class SnapshotTable(QAbstractTableModel):
         self._loaded = {path: known for path, known in self._loaded.items() if path in paths}
         self._damaged = {p: known for p, known in self._damaged.items() if _stamp(p) == known[0]}
         renew_rows(self, self._rows, found, lambda snapshot: snapshot.path)
-        if self._rows:  # it may be tomorrow now, or a file was mended
+        if self._rows:  # it may be tomorrow now, or a file was repaired
             self.dataChanged.emit(self.index(0, 0), self.index(len(self._rows) - 1, 0))
 
     @property

@@ -16,7 +16,7 @@ class BoundField(QWidget):
 
     Signals:
         changed: another bound is set; snapshots may be gone.
-        refused: why it was not set, for people.
+        refused: why it was not set, for the user.
     """
 
     changed = Signal()
@@ -65,7 +65,7 @@ class BoundField(QWidget):
         return self._problem
 
     def refresh(self) -> None:
-        """Look at the bound again; what a person has begun to change stays."""
+        """Read the limit again; an edit in progress stays."""
         untouched = self._wanted == self._stored
         bound = self._history.bound()
         self._problem = bound.problem

@@ -1,4 +1,4 @@
-"""The history in a window: look back, compare row by row, bring back."""
+"""The history window: list, compare and restore snapshots."""
 
 from pathlib import Path
 
@@ -35,8 +35,8 @@ from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 class HistoryDialog(QDialog):
     """What boards stored before each change, against the present or each other.
 
-    It does not stand in the way of the window, has a stop button of its own, and writes nothing:
-    what shall come back becomes edits, which wait for Apply like others.
+    It is not modal, has its own stop button, and writes nothing: restored values become pending
+    edits.
 
     Signals:
         restore_requested: rows of a snapshot were made edits; they are to be reviewed.
@@ -82,8 +82,8 @@ class HistoryDialog(QDialog):
             self.tr(
                 "There are no snapshots yet.\n\nBefore each Apply and each restoring of defaults, "
                 "in this window or with trexcmd, everything that the board stores is saved here "
-                "first. You can then compare it with the board and bring it back, whole or row "
-                "by row."
+                "first. You can then compare it with the board and restore all or some "
+                "of it."
             ),
             self,
         )
@@ -199,7 +199,7 @@ class HistoryDialog(QDialog):
         self._save.setEnabled(len(chosen) == 1 and not self._table.problem_of(chosen[0]))
         self._delete.setEnabled(bool(chosen))
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -----------------------------------------------------------------
 
     @Slot()
     def _on_present_chosen(self) -> None:
@@ -258,7 +258,7 @@ class HistoryDialog(QDialog):
     def _on_folder_clicked(self) -> None:
         if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(self._history.folder))):
             self._banner.show_news(
-                self.tr("The snapshots lie in {0}.").format(self._history.folder)
+                self.tr("The snapshots are in {0}.").format(self._history.folder)
             )
 
     def _last_folder(self) -> str:

@@ -1,4 +1,4 @@
-"""What a snapshot would bring back, row by row."""
+"""What a snapshot would restore, row by row."""
 
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
@@ -25,9 +25,9 @@ class SnapshotPane(QWidget):
     Left always stands what is there, right what the snapshot would bring back.
 
     Signals:
-        present_chosen: a person chose what to compare with.
+        present_chosen: the user chose what to compare with.
         restore_requested: rows of the snapshot were made edits; they are to be reviewed.
-        refused: what did not work, for people.
+        refused: what did not work, for the user.
     """
 
     present_chosen = Signal()
@@ -95,7 +95,7 @@ class SnapshotPane(QWidget):
             case (newer, older):
                 self._compare(older, newer)
             case ():
-                self._show_nothing(self.tr("Select a snapshot to see what it would bring back."))
+                self._show_nothing(self.tr("Select a snapshot to see what it would restore."))
             case _:
                 self._show_nothing(self.tr("Select one snapshot, or two to compare them."))
         self._show_possibilities()
@@ -175,7 +175,7 @@ class SnapshotPane(QWidget):
                 self._settings(comparison.changed), comparison.equal
             )
         elif comparison.missing or comparison.left_out:
-            text = self.tr("Nothing that this snapshot could bring back differs.")
+            text = self.tr("This snapshot has no differences to restore.")
         else:
             text = self.tr("The board, with the edits made here, is set like this snapshot.")
         if comparison.missing:
@@ -218,7 +218,7 @@ class SnapshotPane(QWidget):
         if why_not := self._choice.why_not_the_board(chosen[0]):
             return why_not
         if not self._against_board:
-            return self.tr("To restore, compare with the board as it is now.")
+            return self.tr("To restore, compare with the board.")
         if self._device.link is not ConnectionState.CONNECTED:
             return self.tr("The board does not answer now, so nothing can be restored.")
         if self._device.applying:
@@ -226,11 +226,11 @@ class SnapshotPane(QWidget):
         if self._rows.table.comparison.changed == 0:
             return self.tr("There is nothing to restore.")
         if not self._rows.table.ticked:
-            return self.tr("Tick what shall come back.")
+            return self.tr("Select the settings to restore.")
         return ""
 
     def _caution(self, snapshot: Snapshot) -> str:
-        """Say what a person should know before restoring."""
+        """Show notes about restoring."""
         ticked = len(self._rows.table.ticked)
         edits = self.tr("an edit") if ticked == 1 else self.tr("edits")
         text = self.tr("{0} would become {1}; nothing is written before Apply.").format(

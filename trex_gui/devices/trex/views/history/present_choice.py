@@ -40,11 +40,11 @@ class Present:
 class PresentChoice(QWidget):
     """`Compare with:` and a list; what a person chose stays chosen from snapshot to snapshot.
 
-    While nobody chose, it is the board, or without one the next snapshot.
+    By default it is the board, or without one the next snapshot.
 
     Signals:
-        chosen: a person chose something.
-        refused: why a settings file cannot be used, for people.
+        chosen: the user chose something.
+        refused: why a settings file cannot be used, for the user.
     """
 
     chosen = Signal()
@@ -182,7 +182,7 @@ class PresentChoice(QWidget):
         self.chosen.emit()
 
     def _ask_for_file(self) -> bool:
-        """Let a person choose a settings file to compare with; return whether one can be used."""
+        """Let the user choose a settings file to compare with; return whether one can be used."""
         chosen, _ = QFileDialog.getOpenFileName(
             self,
             self.tr("Compare with a settings file"),

@@ -1,4 +1,4 @@
-"""Back to the factory's settings: first what that changes, then by edits or by the board."""
+"""Restore the defaults: show the changes, then make edits or let the board reset itself."""
 
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import (
@@ -24,7 +24,7 @@ class DefaultsDialog(QDialog):
 
     Signals:
         staged: the ticked changes are edits now, and wait for their review.
-        reset_requested: the board shall put every parameter back by itself.
+        reset_requested: the board is to reset every parameter by itself.
     """
 
     staged = Signal()
@@ -57,9 +57,9 @@ class DefaultsDialog(QDialog):
 
         self._question = QLabel(
             self.tr(
-                "The board is told to put every parameter back at its next start, the ones "
-                "unticked here, too. What it stores now is saved first (File, History). Edits "
-                "that were not applied are dropped, which Undo takes back."
+                "At its next start the board will reset every parameter, including those cleared "
+                "here. What it stores now is saved first (File, History). Unapplied changes are "
+                "discarded; Undo restores them."
             ),
             self,
         )
@@ -92,7 +92,7 @@ class DefaultsDialog(QDialog):
         device.link_changed.connect(self._on_link_changed)
 
     def preview(self, *, serial_only: bool) -> None:
-        """Show what the factory's settings, or its serial ones, would change."""
+        """Show what the defaults, or only the serial ones, would change."""
         self._serial_only = serial_only
         self.setWindowTitle(
             self.tr("Restore serial defaults")
@@ -101,13 +101,14 @@ class DefaultsDialog(QDialog):
         )
         self._intro.setText(
             self.tr(
-                "How the board is reached goes back to the factory's settings. They become "
+                "The communication settings go back to their defaults. They become "
                 "active when the board is switched off and on."
             )
             if serial_only
             else self.tr(
-                "Every parameter goes back to the factory's value; the channel calibrations "
-                "stay. Untick what shall stay, too. Nothing is written before the review."
+                "Every parameter goes back to its default; the channel calibrations "
+                "stay. Clear the check box of any parameter to keep. Nothing is written before "
+                "the review."
             )
         )
         self._ask(False)

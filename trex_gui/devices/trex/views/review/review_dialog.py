@@ -101,7 +101,7 @@ class ReviewDialog(QDialog):
                 self._changes(),
                 self.tr("In the board"),
                 self.tr("Will be written"),
-                summary=self.tr("Untick what shall wait."),
+                summary=self.tr("Clear the check box of any setting you want to apply later."),
             )
             self._enter(_Phase.REVIEW)
         self.show()
@@ -124,7 +124,7 @@ class ReviewDialog(QDialog):
             and not device.reset_ordered
         )
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -----------------------------------------------------------------
 
     @Slot()
     def _on_write_clicked(self) -> None:
@@ -157,7 +157,10 @@ class ReviewDialog(QDialog):
     @Slot()
     def _on_draft_changed(self) -> None:
         if self._phase is _Phase.REVIEW and self.isVisible():
-            self._rows.renew(self._changes(), self.tr("Untick what shall wait."))
+            self._rows.renew(
+                self._changes(),
+                self.tr("Clear the check box of any setting you want to apply later."),
+            )
             self._describe()
 
     @Slot()
@@ -210,12 +213,12 @@ class ReviewDialog(QDialog):
         errors = [result.error for result in results if result.error is not None]
         if not errors:
             return ""
-        text = self.tr("{0} of {1} did not stick, and stay edits.")
+        text = self.tr("{0} of {1} settings could not be verified and stay pending.")
         text = text.format(len(errors), len(results))
         if any(isinstance(error, (NoReply, PortUnavailable)) for error in errors):
             text += " " + self.tr(
                 "What was being written when the board was lost may be the old value, the new "
-                "one or, after a power cut, the factory's; it is read again."
+                "one or, after a power cut, the default; it is read again."
             )
         return text
 
@@ -268,7 +271,7 @@ class ReviewDialog(QDialog):
             return self.tr("No board answers. The edits are kept.")
         if self._device.reset_ordered:
             return self.tr(
-                "The board was told to reset itself at its next start, and would lose what is "
+                "The board will reset itself at its next start and would lose what is "
                 "written now. Switch it off and on first (Device, Make stored settings active)."
             )
         if state is not None and not state.mode.is_serial:

@@ -52,7 +52,7 @@ class _Delegate(QStyledItemDelegate):
         return editor
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep an editor open while what was typed into it is no value."""
+        """Keep an editor open while its input is not a value."""
         if (
             isinstance(watched, CountEditor)
             and isinstance(event, QKeyEvent)
@@ -97,7 +97,7 @@ class CalibrationEditor(QWidget):
             self.tr(
                 "A board keeps two calibrations for each channel: one for RC pulses, one for "
                 "analog voltages. The file needs none: those that it does not give stay as the "
-                "board has them. In brackets stands the count that the file holds."
+                "board has them. The count stored in the file is in brackets."
             ),
             self,
         )

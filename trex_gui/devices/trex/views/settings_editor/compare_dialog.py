@@ -1,4 +1,4 @@
-"""A settings file beside something else: another file, the board, the factory's values."""
+"""Compare a settings file with another file, the board or the factory defaults."""
 
 from collections.abc import Callable
 
@@ -19,7 +19,7 @@ class CompareDialog(QDialog):
     """Beside the editor; it follows the edits there, and values can be taken over.
 
     Signals:
-        taken: values of the other side became edits; says how many, for people.
+        taken: values of the other side became edits; the count, for the user.
     """
 
     taken = Signal(str)

@@ -29,7 +29,7 @@ class ReadFile:
 
     Attributes:
         settings: `None` when the file cannot be used.
-        findings: what a person should know of it.
+        findings: the reader's findings.
     """
 
     name: str
@@ -42,9 +42,9 @@ class LoadDialog(QDialog):
     """Beside the window, never in its way; it follows what the board's settings become.
 
     Signals:
-        staged: changes were made edits; says how many, for people.
+        staged: changes became edits; the count, for the user.
         edit_wanted: the file is to be opened in a window of its own.
-        ended: why the dialog closed by itself, for people.
+        ended: why the dialog closed by itself, for the user.
     """
 
     staged = Signal(str)
@@ -112,7 +112,7 @@ class LoadDialog(QDialog):
         """Say whether the file may be opened in a window of its own; it may have one already."""
         self._edit.setVisible(offered)
 
-    # --- What a person does -------------------------------------------------------------
+    # --- User actions -----------------------------------------------------------------
 
     @Slot()
     def _on_take_clicked(self) -> None:
@@ -154,7 +154,7 @@ class LoadDialog(QDialog):
 
     @Slot()
     def _on_draft_changed(self) -> None:
-        """Compare anew; what was unticked stays so."""
+        """Compare again; cleared check boxes stay cleared."""
         trouble = ""
         comparison: Comparison | None = None
         if self._settings is None:

@@ -42,7 +42,7 @@ class NewDialog(QDialog):
         self._device = device
         self._makers: list[Callable[[], SettingsDocument]] = []
 
-        about = QLabel(self.tr("What shall the new file begin with?"), self)
+        about = QLabel(self.tr("Start the new file with:"), self)
         self._list = QListWidget(self)
         self._list.setObjectName("beginningsList")
         self._list.setAccessibleName(about.text())

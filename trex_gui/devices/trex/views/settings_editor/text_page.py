@@ -64,7 +64,7 @@ class TextPage(QWidget):
         self._notice.setWordWrap(True)
         self._check = QPushButton(self.tr("Chec&k again"), self)
         self._check.setObjectName("checkAgainButton")
-        self._check.setToolTip(self.tr("Read the text as it is now and list what is wrong"))
+        self._check.setToolTip(self.tr("Read the text again and list its errors"))
         set_icon(self._check, "reload")
         self._text = NumberedText(self)
         self._text.setObjectName("settingsText")
@@ -150,7 +150,7 @@ class TextPage(QWidget):
         document = self._document
         if not document.readable:
             return self.tr(
-                "This file cannot be used as it is. Mend the text here, then check it again; "
+                "This file cannot be used. Correct the text here, then check it again; "
                 "the other pages open once it has no errors."
             )
         if document.trouble:

@@ -34,8 +34,8 @@ class SettingsEditor(QMainWindow):
 
     Signals:
         send_requested: the board is to be offered what is shown here.
-        new_requested: a person wants to begin another file.
-        open_requested: a person wants to open another file.
+        new_requested: the user wants a new file.
+        open_requested: the user wants to open another file.
         saved: where the file was written, a `Path`.
         closed: the window is closed.
     """
@@ -146,7 +146,7 @@ class SettingsEditor(QMainWindow):
         return self.save_to(path)
 
     def ask_and_save(self) -> bool:
-        """Let a person choose where to write the file; whether it was."""
+        """Let the user choose where to write the file; whether it was."""
         folder = self._document.path.parent if self._document.path else self._folder()
         chosen, _ = QFileDialog.getSaveFileName(
             self,
@@ -199,7 +199,7 @@ class SettingsEditor(QMainWindow):
         return dialog
 
     def ask_and_save_pdf(self) -> None:
-        """Let a person choose where to save the pages."""
+        """Let the user choose where to save the pages."""
         folder = self._document.path.parent if self._document.path else self._folder()
         name = folder / Path(self._document.name).with_suffix(".pdf").name
         chosen, _ = QFileDialog.getSaveFileName(
@@ -223,7 +223,7 @@ class SettingsEditor(QMainWindow):
     # --- Comparing ----------------------------------------------------------------------
 
     def ask_and_compare(self) -> None:
-        """Let a person choose another file to compare with."""
+        """Let the user choose another file to compare with."""
         chosen, _ = QFileDialog.getOpenFileName(
             self, self.tr("Compare with"), str(self._folder()), file_questions.file_filter()
         )
@@ -331,7 +331,7 @@ class SettingsEditor(QMainWindow):
     # --- The end ------------------------------------------------------------------------
 
     def may_close(self) -> bool:
-        """Ask before edits are lost; save them if a person wants that."""
+        """Ask before edits are lost; save them if the user wants that."""
         if not self._document.modified:
             return True
         self.activateWindow()

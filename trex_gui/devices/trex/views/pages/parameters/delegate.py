@@ -43,7 +43,7 @@ class ParameterDelegate(QStyledItemDelegate):
     something was typed or chosen, or with Enter.
 
     Signals:
-        refused: why what was typed is no value, for people.
+        refused: why the input is not a value, for the user.
     """
 
     refused = Signal(str)
@@ -77,7 +77,7 @@ class ParameterDelegate(QStyledItemDelegate):
             self.commitData.emit(editor)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep an editor open while what was typed into it is no value."""
+        """Keep an editor open while its input is not a value."""
         if (
             isinstance(event, QKeyEvent)
             and event.type() == QEvent.Type.KeyPress
@@ -95,7 +95,7 @@ class ParameterDelegate(QStyledItemDelegate):
         spec = cast("ParameterSpec", index.data(Role.SPEC))
         untouched = editor.property(_UNTOUCHED)
         cast("Editor", editor).setValue(spec.default if wire is None else wire)
-        editor.setProperty(_UNTOUCHED, untouched)  # it was not a person who changed it
+        editor.setProperty(_UNTOUCHED, untouched)  # not changed by the user
 
     def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: Index) -> None:
         if not editor.property(_UNTOUCHED):
@@ -158,7 +158,7 @@ class ParameterDelegate(QStyledItemDelegate):
 
 
 class ResetDelegate(QStyledItemDelegate):
-    """Paints the way back to the default; framed where a key would press it."""
+    """Paints the reset button; framed while it has the keyboard focus."""
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         super().paint(painter, option, index)

@@ -23,7 +23,7 @@ class NumberEditor(QSpinBox):
     A value may be typed in any unit that the parameter understands.
 
     Signals:
-        refused: why what was typed is no value, for people.
+        refused: why the input is not a value, for the user.
     """
 
     refused = Signal(str)
@@ -66,7 +66,7 @@ class NumberEditor(QSpinBox):
             self.refused.emit(sentence(error))
 
     def meant(self, text: str) -> int:
-        """Return the wire value that a person means.
+        """Return the wire value of the input.
 
         Raises:
             BadRequest: none, or one outside the limits; names them.
@@ -134,7 +134,7 @@ class ChoiceEditor(QComboBox):
 
 
 class ChannelsEditor(QWidget):
-    """Five tick boxes, one a channel.
+    """Five check boxes, one for each channel.
 
     Signals:
         valueChanged: a box was ticked or cleared.

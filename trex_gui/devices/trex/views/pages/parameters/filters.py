@@ -30,7 +30,7 @@ class ParameterFilters(QWidget):
         self._modified.setToolTip(self.tr("Show only what you have changed"))
         self._not_default = QCheckBox(self.tr("Not default only"), self)
         self._not_default.setObjectName("notDefaultOnly")
-        self._not_default.setToolTip(self.tr("Show only what differs from the factory's value"))
+        self._not_default.setToolTip(self.tr("Show only values that differ from their default"))
         self._both = QCheckBox(self.tr("Both motors as one"), self)
         self._both.setObjectName("bothMotors")
         self._both.setToolTip(

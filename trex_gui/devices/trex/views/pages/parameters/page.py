@@ -13,7 +13,7 @@ from trex_gui.ui.theme.icons import set_icon
 
 
 class ParametersPage(QWidget):
-    """The parameter table below what waits for Apply and what the last one did.
+    """The parameter table, below pending edits and the result of the last Apply.
 
     Signals:
         reload_requested: read everything from the board again.
@@ -100,7 +100,7 @@ class ParametersPage(QWidget):
             self._waits_for_power and self._device.link is ConnectionState.CONNECTED
         )
         if self._device.reset_ordered:
-            text = self.tr("The factory's values stand here after the next power cycle.")
+            text = self.tr("Factory defaults take effect after the next power cycle.")
         elif count:
             text = self.tr("{0} not applied yet: Apply settings writes them.").format(
                 self._count_text(count)
@@ -118,14 +118,14 @@ class ParametersPage(QWidget):
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):
             text = self.tr("Not taken by the board: {0}").format(failed[0].error) if failed else ""
             self._notice.setText(
-                text or self.tr("The factory's values stand here after the next power cycle.")
+                text or self.tr("Factory defaults take effect after the next power cycle.")
             )
             return
         if failed:
             self._table.show_parameter(failed[0].key)
-            text = self.tr("{0} of {1} did not stick; they are marked below.").format(
-                len(failed), len(results)
-            )
+            text = self.tr(
+                "{0} of {1} settings could not be verified; they are marked below."
+            ).format(len(failed), len(results))
         else:
             text = self.tr("{0} written and read back equal.").format(
                 self._count_text(len(results))

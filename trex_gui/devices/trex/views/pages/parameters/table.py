@@ -36,7 +36,7 @@ class ParameterTable(QWidget):
     """Everything to look at parameters and edit them; knows of no board.
 
     Signals:
-        refused: why what was typed is no value, for people.
+        refused: why the input is not a value, for the user.
     """
 
     refused = Signal(str)
@@ -123,7 +123,7 @@ class ParameterTable(QWidget):
 
     @Slot()
     def _on_rows_changed(self) -> None:
-        """Keep to the row that a person was at, while it is shown; else to the first."""
+        """Keep the user's current row while it is shown; else select the first."""
         self._nothing.setVisible(self._model.count > 0 and self._rows.rowCount() == 0)
         is_lost = self._stands_in or not self._view.currentIndex().isValid()
         if is_lost and self._rows.rowCount() > 0:
@@ -137,7 +137,7 @@ class ParameterTable(QWidget):
         self._show_help()
 
     def _go_to_first(self) -> None:
-        """Stand at the first row for now; where a person was before is not forgotten."""
+        """Select the first row, but remember the user's row."""
         wanted = self._place
         heading = self._rows.index(0, 0)
         first = self._rows.index(0, Column.VALUE, heading)

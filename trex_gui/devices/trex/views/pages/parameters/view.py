@@ -33,12 +33,12 @@ _WIDTHS = {
 class ParameterView(QTreeView):
     """Keeps headings spanned and groups open as they were, through reloads and searches.
 
-    While the rows are narrowed down every group is open; then each is as a person left it.
+    While the rows are narrowed down every group is open; then each is as the user left it.
 
     Signals:
-        reset_wanted: the factory's value was asked for, for the parameter of this key.
+        reset_wanted: the parameter with this key is to be reset to its default.
         menu_wanted: a menu for the current row, and where on the screen.
-        refused: why what was typed is no value, for people.
+        refused: why the input is not a value, for the user.
     """
 
     reset_wanted = Signal(str)
@@ -123,7 +123,7 @@ class ParameterView(QTreeView):
         if not self._arranging:
             self._closed.discard(str(heading.data(Role.GROUP)))
 
-    # --- A person -----------------------------------------------------------------------
+    # --- User actions -----------------------------------------------------------------------
 
     def begin_edit(self, index: QModelIndex) -> None:
         """Open the editor of the row of a cell."""
