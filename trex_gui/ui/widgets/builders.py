@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLayout,
-    QLineEdit,
     QProgressBar,
     QPushButton,
     QSizePolicy,
@@ -238,24 +237,6 @@ def double_spin_box(
     made.setValue(lowest if value is None else value)
     if on_change is not None:
         made.valueChanged.connect(on_change)
-    return made
-
-
-def line_edit(
-    parent: QWidget,
-    name: str,
-    accessible: str,
-    *,
-    placeholder: str = "",
-    tip: str = "",
-    on_change: Handler | None = None,
-) -> QLineEdit:
-    """Create a field for one line of text, with a button that clears it."""
-    made = named(QLineEdit(parent), name, accessible=accessible, tip=tip)
-    made.setPlaceholderText(placeholder)
-    made.setClearButtonEnabled(True)
-    if on_change is not None:
-        made.textChanged.connect(on_change)
     return made
 
 
