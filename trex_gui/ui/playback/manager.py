@@ -7,15 +7,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from PySide6.QtCore import QEvent, QObject, QSettings, QSize, Qt, Signal, Slot
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFileDialog, QLabel, QSizePolicy, QWidget
 
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.recording.store import SUFFIX
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.formats import size_text, time_text
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.theme.icons import icon, set_icon
+from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.workers.record_thread import RecordThread
 
@@ -38,36 +39,26 @@ class RecordIndicator(QWidget):
     ) -> None:
         """`prefix` starts all object names."""
         super().__init__(parent)
-        self.setObjectName(f"{prefix}recordIndicator")
-        self.setAccessibleName(self.tr("Recording"))
+        builders.named(self, f"{prefix}recordIndicator", accessible=self.tr("Recording"))
         self._recorder = recorder
 
         self._dot = QLabel(self)
-        self._text = QLabel(self)
-        self._text.setObjectName(f"{prefix}recordText")
-        font = self._text.font()
-        font.setBold(True)
-        self._text.setFont(font)
-        self._file = QLabel(self)
-        self._file.setObjectName(f"{prefix}recordFile")
-        self._file.setTextFormat(Qt.TextFormat.PlainText)
+        self._text = builders.label(self, f"{prefix}recordText", bold=True)
+        self._file = builders.label(self, f"{prefix}recordFile", plain=True)
         # A long name is cut rather than making the window wide; its tool tip has all of it.
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        stop = QPushButton(self.tr("Stop recordin&g"), self)
-        stop.setObjectName(f"{prefix}stopRecordingButton")
-        stop.setToolTip(self.tr("End the recording; motors and connection are not affected"))
-        set_icon(stop, "ok")
+        stop = builders.button(
+            self,
+            f"{prefix}stopRecordingButton",
+            self.tr("Stop recordin&g"),
+            icon="ok",
+            tip=self.tr("End the recording; motors and connection are not affected"),
+            on_click=recorder.stop,
+        )
         self._timer = runtime().timer(self)
         self._timer.setInterval(_UPDATE_INTERVAL_MS)
+        builders.row(self._dot, self._text, (self._file, 1), stop, into=self, margins=0)
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._dot)
-        layout.addWidget(self._text)
-        layout.addWidget(self._file, 1)
-        layout.addWidget(stop)
-
-        stop.clicked.connect(recorder.stop)
         self._timer.timeout.connect(self._update_text)
         recorder.changed.connect(self._on_changed)
         theme().changed.connect(self._on_theme_changed)

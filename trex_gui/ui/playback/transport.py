@@ -1,11 +1,12 @@
 """Playback controls: play, time slider, speed."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
+from PySide6.QtWidgets import QSlider, QWidget
 
 from trex_gui.ui.playback.cursor import SPEEDS, PlaybackCursor
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets import builders
 
 _PER_SECOND = 100
 """Slider steps per second: about the rate of the samples."""
@@ -21,30 +22,24 @@ class TransportBar(QWidget):
         super().__init__(parent)
         self._playback = playback
 
-        self._play = QPushButton(self)
-        self._play.setObjectName("playButton")
-        self._slider = QSlider(Qt.Orientation.Horizontal, self)
-        self._slider.setObjectName("timeSlider")
-        self._slider.setAccessibleName(self.tr("Time in the recording"))
+        self._play = builders.button(self, "playButton", on_click=self.toggle)
+        self._slider = builders.named(
+            QSlider(Qt.Orientation.Horizontal, self),
+            "timeSlider",
+            accessible=self.tr("Time in the recording"),
+        )
         self._slider.setSingleStep(_PER_SECOND)
         self._slider.setPageStep(10 * _PER_SECOND)
-        self._time = QLabel(self)
-        self._time.setObjectName("timeLabel")
-        self._speed = QComboBox(self)
-        self._speed.setObjectName("speedCombo")
-        self._speed.setAccessibleName(self.tr("Playback speed"))
-        for speed in SPEEDS:
-            self._speed.addItem(f"{speed:g} ×", speed)
+        self._time = builders.label(self, "timeLabel")
+        self._speed = builders.combo_box(
+            self,
+            "speedCombo",
+            self.tr("Playback speed"),
+            items=[(f"{speed:g} ×", speed) for speed in SPEEDS],
+        )
         self._speed.setCurrentIndex(SPEEDS.index(1.0))
+        builders.row(self._play, (self._slider, 1), self._time, self._speed, into=self, margins=0)
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._play)
-        layout.addWidget(self._slider, 1)
-        layout.addWidget(self._time)
-        layout.addWidget(self._speed)
-
-        self._play.clicked.connect(self.toggle)
         self._slider.valueChanged.connect(self._on_slid)
         self._speed.currentIndexChanged.connect(self._on_speed_chosen)
         playback.moved.connect(self._on_moved)

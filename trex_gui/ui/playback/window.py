@@ -6,17 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import QByteArray, QDateTime, QLocale, QSettings, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QHBoxLayout,
-    QLabel,
-    QMainWindow,
-    QProgressBar,
-    QPushButton,
-    QSplitter,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QSplitter, QWidget
 
 from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
 from trex_gui.ui.event_log import Event
@@ -28,8 +18,9 @@ from trex_gui.ui.plotting.event_list import EventList
 from trex_gui.ui.plotting.export import ExportButton
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.theme.icons import application_icon, set_icon
+from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.banner import Banner
 
 _REDRAW_DELAY_MS = 100
@@ -102,23 +93,32 @@ class RecordingWindow(QMainWindow):
 
         self.notifier = Notifier(self)
         self.banner = Banner(self, self.notifier)
-        self._heading = QLabel(self)
-        self._heading.setObjectName("recordingHeading")
-        self._heading.setWordWrap(True)
-        self._heading.setTextFormat(Qt.TextFormat.PlainText)
-        self._show_all = QPushButton(self.tr("Show &all"), self)
-        self._show_all.setObjectName("showAllButton")
-        self._show_all.setToolTip(self.tr("Show the whole recording again"))
-        self._export = QPushButton(self.tr("&Export span…"), self)
-        self._export.setObjectName("exportSpanButton")
-        self._export.setToolTip(self.tr("Save every sample in the plot as CSV or MCAP"))
-        set_icon(self._export, "save")
-        self._progress = QProgressBar(self)
-        self._progress.setObjectName("recordingProgress")
-        self._progress.setAccessibleName(self.tr("Progress"))
-        self._cancel = QPushButton(self.tr("&Cancel"), self)
-        self._cancel.setObjectName("cancelRecordingButton")
-        self._cancel.setToolTip(self.tr("Stop loading or exporting"))
+        self._heading = builders.label(self, "recordingHeading", wrap=True, plain=True)
+        self._show_all = builders.button(
+            self,
+            "showAllButton",
+            self.tr("Show &all"),
+            tip=self.tr("Show the whole recording again"),
+            on_click=self.show_all,
+        )
+        self._export = builders.button(
+            self,
+            "exportSpanButton",
+            self.tr("&Export span…"),
+            icon="save",
+            tip=self.tr("Save every sample in the plot as CSV or MCAP"),
+            on_click=self._on_export_clicked,
+        )
+        self._progress = builders.named(
+            QProgressBar(self), "recordingProgress", accessible=self.tr("Progress")
+        )
+        self._cancel = builders.button(
+            self,
+            "cancelRecordingButton",
+            self.tr("&Cancel"),
+            tip=self.tr("Stop loading or exporting"),
+            on_click=self._on_cancelled,
+        )
         self.plot = TracePlot(parent=self, name=plot_name)
         self.plot.set_source(playback.traces)
         self._picture = ExportButton(
@@ -129,9 +129,6 @@ class RecordingWindow(QMainWindow):
 
         QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
         self._redraw.timeout.connect(self.plot.draw)
-        self._show_all.clicked.connect(self.show_all)
-        self._export.clicked.connect(self._on_export_clicked)
-        self._cancel.clicked.connect(self._on_cancelled)
         self.plot.view_changed.connect(self.update_figures)
         self.plot.cursor_changed.connect(self._on_cursor_changed)
         self.plot.event_chosen.connect(self._on_event_chosen)
@@ -147,28 +144,13 @@ class RecordingWindow(QMainWindow):
         self, stop: QWidget, buttons: Sequence[QWidget], below_plot: QWidget, above_events: QWidget
     ) -> None:
         """Lay out the window once; `buttons` are added to the top row."""
-        top = QHBoxLayout()
-        top.addWidget(self._heading, 1)
-        for button in (self._show_all, *buttons, self._export, self._picture):
-            top.addWidget(button)
-        work = QHBoxLayout()
-        work.addWidget(self._progress, 1)
-        work.addWidget(self._cancel)
-        below = QHBoxLayout()
-        below.addWidget(stop)
-        below.addWidget(self._transport, 1)
+        top = builders.row(
+            (self._heading, 1), self._show_all, *buttons, self._export, self._picture
+        )
         left, right = QWidget(self), QWidget(self)
-        column = QVBoxLayout(left)
-        column.setContentsMargins(0, 0, 6, 0)
-        column.addWidget(self.plot, 1)
-        column.addWidget(below_plot)
-        column = QVBoxLayout(right)
-        column.setContentsMargins(6, 0, 0, 0)
-        column.addWidget(above_events)
-        heading = QLabel(self.tr("E&vents"), self)
-        heading.setBuddy(self._list)
-        column.addWidget(heading)
-        column.addWidget(self._list, 1)
+        builders.column((self.plot, 1), below_plot, into=left, margins=(0, 0, 6, 0))
+        heading = builders.label(self, text=self.tr("E&vents"), buddy=self._list)
+        builders.column(above_events, heading, (self._list, 1), into=right, margins=(6, 0, 0, 0))
         halves = QSplitter(Qt.Orientation.Horizontal, self)
         halves.setObjectName(f"{self._name}Splitter")
         halves.setChildrenCollapsible(False)
@@ -176,12 +158,14 @@ class RecordingWindow(QMainWindow):
         halves.addWidget(right)
         halves.setStretchFactor(0, 1)
         frame = QWidget(self)
-        layout = QVBoxLayout(frame)
-        layout.addWidget(self.banner)
-        layout.addLayout(top)
-        layout.addLayout(work)
-        layout.addWidget(halves, 1)
-        layout.addLayout(below)
+        builders.column(
+            self.banner,
+            top,
+            builders.row((self._progress, 1), self._cancel),
+            (halves, 1),
+            builders.row(stop, (self._transport, 1)),
+            into=frame,
+        )
         self.setCentralWidget(frame)
         geometry = self._store.value(f"{self._name}/geometry")
         if not isinstance(geometry, QByteArray) or not self.restoreGeometry(geometry):

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QIcon, QPixmap
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QWidget
 
 from trex_gui.devices.aracna.model.playback import COLORS, Moment, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
@@ -22,6 +22,7 @@ from trex_gui.devices.aracna.views.robot.words import (
 from trex_gui.devices.aracna.views.stop_button import StopSequenceButton
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -43,26 +44,23 @@ class RobotPlaybackWindow(RecordingWindow):
         self.playback = playback
         self._recorded = RecordedRobot(playback, self)
 
-        self._activity = Note(3, self)
-        self._activity.setObjectName("aracnaRecordedDoing")
-        self._activity.setAccessibleName(self.tr("Activity of the robot"))
-        self._drawing = RobotDrawing(self._recorded, self)
-        caption = QLabel(
-            self.tr("Full lines: as last reported; dashed: goal.") + f"\n* {assumed_text()}", self
+        self._activity = builders.named(
+            Note(3, self), "aracnaRecordedDoing", accessible=self.tr("Activity of the robot")
         )
-        caption.setObjectName("aracnaRecordedCaption")
-        caption.setWordWrap(True)
+        self._drawing = RobotDrawing(self._recorded, self)
+        caption = builders.label(
+            self,
+            "aracnaRecordedCaption",
+            self.tr("Full lines: as last reported; dashed: goal.") + f"\n* {assumed_text()}",
+            wrap=True,
+        )
         caption.setForegroundRole(caption.palette().ColorRole.PlaceholderText)
         caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         caption.setMinimumHeight(caption.heightForWidth(self._drawing.minimumSizeHint().width()))
         self._joints = JointValues(self._recorded, self)
         scrolls = playback.header.motors > MOTORS  # as many as the published robot fit
         beside = QWidget(self)
-        column = QVBoxLayout(beside)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self._activity)
-        column.addWidget(self._drawing, 1)
-        column.addWidget(caption)
+        builders.column(self._activity, (self._drawing, 1), caption, into=beside, margins=0)
 
         self._recorded.changed.connect(self._on_recorded_changed)
         self._drawing.pointed.connect(self._on_pointed)
@@ -174,10 +172,7 @@ class JointValues(QWidget):
             "Speed": (self.tr("Speed"), self.tr("speed"), "1023 = 684 °/s"),
         }
 
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(2)
+        grid = builders.grid(self, margins=0, spacing=(12, 2), stretch=[(len(self._parts) + 1, 1)])
         headings = (self.tr("Curve"), *(heading for heading, _, _ in self._parts.values()))
         for column, text in enumerate(headings):
             label = QLabel(text, self)
@@ -185,7 +180,6 @@ class JointValues(QWidget):
             grid.addWidget(label, 0, column)
         for motor in range(robot.motors):
             self._add_row(grid, motor)
-        grid.setColumnStretch(len(headings), 1)
 
         robot.changed.connect(self._on_changed)
         theme().changed.connect(self._on_theme_changed)
@@ -193,17 +187,19 @@ class JointValues(QWidget):
         self._on_changed()
 
     def _add_row(self, grid: QGridLayout, motor: int) -> None:
-        box = QCheckBox(joint_text(motor), self)
-        box.setObjectName(f"aracnaCurveBox{motor}")
-        box.setAccessibleName(self.tr("{0}: draw its curve").format(spoken_joint(motor)))
-        box.setToolTip(self.tr("Draw the position of this motor in the plot"))
-        box.setChecked(True)
-        box.toggled.connect(lambda on: self.toggled.emit(motor, on))
+        box = builders.check_box(
+            self,
+            f"aracnaCurveBox{motor}",
+            joint_text(motor),
+            accessible=self.tr("{0}: draw its curve").format(spoken_joint(motor)),
+            tip=self.tr("Draw the position of this motor in the plot"),
+            checked=True,
+            on_toggle=lambda on: self.toggled.emit(motor, on),
+        )
         grid.addWidget(box, motor + 1, 0)
         self._boxes.append(box)
         for column, (part, (_, _, widest)) in enumerate(self._parts.items(), 1):
-            cell = QLabel(_NONE, self)
-            cell.setObjectName(f"aracnaRecorded{part}{motor}")
+            cell = builders.label(self, f"aracnaRecorded{part}{motor}", _NONE)
             cell.setAlignment(_RIGHT)
             cell.setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))
             grid.addWidget(cell, motor + 1, column)
@@ -217,10 +213,7 @@ class JointValues(QWidget):
     def mark(self, motor: int | None) -> None:
         """Highlight the name of a motor."""
         for number, box in enumerate(self._boxes):
-            font = box.font()
-            if font.bold() != (number == motor):
-                font.setBold(number == motor)
-                box.setFont(font)
+            builders.set_bold(box, number == motor)
 
     @Slot()
     def _on_changed(self) -> None:
@@ -257,10 +250,7 @@ class JointValues(QWidget):
         if cell.text() != text:
             cell.setText(text)
             cell.setAccessibleName(f"{spoken_joint(motor)}, {self._parts[part][1]}: {text}")
-        font = cell.font()
-        if font.bold() != bold:
-            font.setBold(bold)
-            cell.setFont(font)
+        builders.set_bold(cell, bold)
 
     @Slot()
     def _on_theme_changed(self) -> None:

@@ -1,7 +1,7 @@
 """Window of a recording of a board."""
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.playback import Playback
@@ -12,7 +12,7 @@ from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.plotting.table import TraceColumn, TraceTable, TraceTableView
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.bar import MINUS
 
 _NONE = "–"
@@ -31,19 +31,20 @@ class PlaybackWindow(RecordingWindow):
         super().__init__(playback, "playback", parent=parent)
         self.playback = playback
 
-        self._settings = QPushButton(self.tr("&Settings at this time…"), self)
-        self._settings.setObjectName("settingsInForceButton")
-        self._settings.setToolTip(
-            self.tr("Open what the board stored at this time in the settings editor")
+        self._settings = builders.button(
+            self,
+            "settingsInForceButton",
+            self.tr("&Settings at this time…"),
+            icon="settings",
+            tip=self.tr("Open what the board stored at this time in the settings editor"),
+            on_click=self._on_settings_clicked,
         )
-        set_icon(self._settings, "settings")
         self._table = TraceTable(self.plot, self)
         table = TraceTableView(self._table, self)
         table.setColumnHidden(TraceColumn.NOW, True)  # there is no newest value
         # The plot is what the window is for: the table scrolls rather than taking its room.
         table.setMaximumHeight(max(table.minimumHeight(), 8 * self.fontMetrics().height()))
 
-        self._settings.clicked.connect(self._on_settings_clicked)
         self.arrange(
             StopButton(device, "playbackStopButton", self),
             [self._settings],
@@ -83,13 +84,8 @@ class ValuesPanel(QWidget):
         self._cells: dict[str, QLabel] = {}
         self._names: dict[str, str] = {}
 
-        self._control = QLabel(self)
-        self._control.setObjectName("controlAtPosition")
-        self._control.setWordWrap(True)
-        self._control.setTextFormat(Qt.TextFormat.PlainText)
-        self._grid = QGridLayout(self)
-        self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setVerticalSpacing(2)
+        self._control = builders.label(self, "controlAtPosition", wrap=True, plain=True)
+        self._grid = builders.grid(self, margins=0, spacing=(-1, 2), stretch=[(3, 1)])
         self._grid.addWidget(self._control, 0, 0, 1, 4)
         self._grid.setRowMinimumHeight(0, 2 * self.fontMetrics().lineSpacing())
         self._add_headings(1, "", self.tr("Current"), self.tr("Setpoint"))
@@ -102,7 +98,6 @@ class ValuesPanel(QWidget):
         for channel in CHANNELS:
             name = self.tr("Channel {0}").format(channel)
             self._add_row(6 + channel, name, f"channel{channel}", "physical", "raw", "remapped")
-        self._grid.setColumnStretch(3, 1)
 
         playback.moved.connect(self.refresh)
         playback.loaded.connect(self.refresh)
@@ -120,9 +115,8 @@ class ValuesPanel(QWidget):
         for column, part in enumerate(parts, 1):
             if not part:
                 continue
-            label = QLabel(_NONE, self)
             name = f"{key}{part.capitalize()}"
-            label.setObjectName(f"{name}AtPosition")
+            label = builders.label(self, f"{name}AtPosition", _NONE)
             label.setAlignment(Qt.AlignmentFlag.AlignRight)
             label.setMinimumWidth(width)
             self._names[name] = f"{title}, {part}"
