@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.devices.trex.model.calibration.mix_jumper import MixWatch
 from trex_gui.devices.trex.model.device import Device
@@ -31,7 +31,9 @@ class CurveLegend(QWidget):
         self._live = LegendKey("", "motor2", self, style=None)
         self._curve = LegendKey("", "motor1", self)
         self._stored = LegendKey(self.tr("stored now"), "muted", self, Qt.PenStyle.DashLine)
-        row(self._live, 1, self._curve, self._stored, into=self, margins=0, spacing=16)
+        # Values that change must not change the least width of the page.
+        self._live.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        row((self._live, 1), self._curve, self._stored, into=self, margins=0, spacing=16)
 
     def set_live(self, text: str) -> None:
         """Show the live value."""
@@ -55,7 +57,12 @@ class LiveInputs(QObject):
     """Shows new samples, at most once a display frame, while the page is visible.
 
     Signals:
-        mixing_changed: `mixed` has changed.
+        mixing_changed: `mix.mixed` has changed.
+
+    Attributes:
+        mix: what the outputs reveal of the mix jumper.
+        plot: where dot and trace are shown.
+        timer: runs while the samples are followed.
     """
 
     mixing_changed = Signal()
@@ -74,27 +81,14 @@ class LiveInputs(QObject):
         self._legend = legend
         self._options = options
         self._page = page
-        self._mix = MixWatch()
+        self.mix = MixWatch()
         self._mix_shown: bool | None = None
-        self._plot: CurvePlot | None = None
+        self.plot: CurvePlot | None = None
         self._in_force = False
         self._frame_of = -1
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_FRAME_MS)
-        self._timer.timeout.connect(self._on_frame)
-
-    @property
-    def mixed(self) -> bool | None:
-        """Whether the board mixes channels 1 and 2; `None` while that is not known."""
-        return self._mix.mixed
-
-    def forget_mixing(self) -> None:
-        """Forget the mix jumper: the board is disconnected."""
-        self._mix.forget()
-
-    def set_plot(self, plot: "CurvePlot") -> None:
-        """Show dot and trace on this plot."""
-        self._plot = plot
+        self.timer = runtime().timer(self)
+        self.timer.setInterval(_FRAME_MS)
+        self.timer.timeout.connect(self._on_frame)
 
     def refresh(self, *, in_force: bool) -> None:
         """Show the newest sample again, for another channel or other settings.
@@ -104,14 +98,6 @@ class LiveInputs(QObject):
         self._in_force = in_force
         self._frame_of = -1
         self._on_frame()
-
-    def start(self) -> None:
-        """Follow the samples."""
-        self._timer.start()
-
-    def stop(self) -> None:
-        """Stop following the samples."""
-        self._timer.stop()
 
     @Slot()
     def _on_frame(self) -> None:
@@ -128,11 +114,11 @@ class LiveInputs(QObject):
         channel = self._channels.channel
         raw = telemetry.raw_of(channel) if self._in_force else None
         self._legend.set_live(self._text(raw))
-        if self._plot is not None:
-            self._plot.set_raw(raw)
+        if self.plot is not None:
+            self.plot.set_raw(raw)
             if self._in_force:
                 ring = telemetry.inputs
-                self._plot.set_trace(ring.times, ring.values(channel - 1), telemetry.latest)
+                self.plot.set_trace(ring.times, ring.values(channel - 1), telemetry.latest)
 
     def _detect_mixing(self) -> None:
         """Compare the outputs of channels 1 and 2 with those that the board reports."""
@@ -144,14 +130,14 @@ class LiveInputs(QObject):
         raws = [device.telemetry.raw_of(channel) for channel in (1, 2, 4)]
         reported = [device.telemetry.remapped_of(channel) for channel in (1, 2)]
         if device.is_joint:
-            self._mix.forget()
+            self.mix.forget()
         elif curves[2] is not None and not curves[2].is_switched(4, raws[2]):
             known = [curve.output(raw) for curve, raw in zip(curves, raws, strict=True) if curve]
             values = [value for value in reported if value is not None]
             if len(known) == 3 and len(values) == 2:
-                self._mix.feed((known[0], known[1]), (values[0], values[1]))
-        if self._mix.mixed is not self._mix_shown:
-            self._mix_shown = self._mix.mixed
+                self.mix.feed((known[0], known[1]), (values[0], values[1]))
+        if self.mix.mixed is not self._mix_shown:
+            self._mix_shown = self.mix.mixed
             self.mixing_changed.emit()
 
     def _text(self, raw: int | None) -> str:
@@ -161,7 +147,7 @@ class LiveInputs(QObject):
             return self.tr("no live value")
         if raw is None:
             return self.tr("no signal now: the output is 0")
-        curve = self._plot.curve if self._plot is not None else None
+        curve = self.plot.curve if self.plot is not None else None
         output = curve.output(raw) if curve is not None else 0
         counts = self.tr("1 count") if raw == 1 else self.tr("{0} counts").format(raw)
         return self.tr("input now {0} ({1}), output {2}").format(

@@ -157,7 +157,7 @@ class CalibrationPage(QWidget):
     @Slot()
     def _on_device_changed(self) -> None:
         if self._device.link is not ConnectionState.CONNECTED:
-            self._live.forget_mixing()
+            self._live.mix.forget()
         known = self._device.calibrations.stored(1) is not None
         self._empty.setVisible(not known)
         self._body.setVisible(known)
@@ -202,7 +202,7 @@ class CalibrationPage(QWidget):
             self._source,
             edited=self._in_force and shown != self._device.calibrations.stored(channel),
             joint=self._device.is_joint,
-            mixed=self._live.mixed,
+            mixed=self._live.mix.mixed,
         )
 
     def _show_actions(self) -> None:
@@ -281,13 +281,13 @@ class CalibrationPage(QWidget):
         super().showEvent(event)
         if self._plot is None:
             self._plot = self._make_plot()
-            self._live.set_plot(self._plot)
+            self._live.plot = self._plot
         self._show_channel()
-        self._live.start()
+        self._live.timer.start()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
-        self._live.stop()
+        self._live.timer.stop()
 
     def _make_plot(self) -> "CurvePlot":
         """Import pyqtgraph when the page is first shown."""
