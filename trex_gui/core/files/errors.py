@@ -21,13 +21,15 @@ class Finding:
     Attributes:
         line: counted from 1; `None` when it concerns the file as a whole.
         key: the setting concerned, as the file spells it.
-        message: what was expected, and what is there instead.
+        message: what was expected, and what was found instead.
+        code: the kind of finding, for programs; empty for errors of the file system.
     """
 
     line: int | None
     key: str | None
     message: str
     severity: Severity = Severity.ERROR
+    code: str = ""
 
     def __str__(self) -> str:
         parts = [

@@ -173,7 +173,7 @@ def test_unknown_firmware_gives_warning() -> None:
         ("rc_chanel_3: 5", "rc_chanel_3: there is no such setting; did you mean rc_channel_3?"),
         ("firmwear: 1.2", "firmwear: there is no such setting; did you mean firmware?"),
         ("hovercraft: 5", "hovercraft: there is no such setting"),
-        ("factory_reset: 127", "factory_reset: is an order to the board, not a setting"),
+        ("factory_reset: 127", "factory_reset: is a command to the board, not a setting"),
         ("firmware: new", "firmware: a version such as 1.3, not new"),
         ("firmware:", "firmware: a version such as 1.3, not nothing"),
         ("firmware: [1]", "firmware: a version such as 1.3, not a list"),
@@ -293,6 +293,18 @@ def test_all_findings_are_reported_in_line_order() -> None:
     assert keys[2:7] == ["speed", "serial_timeout", "motor_mode", "rc_channel_1", "rc_channel_1"]
     kinds = [found.severity for found in error.findings]
     assert kinds == [Severity.ERROR] * 7 + [Severity.WARNING] * 2
+
+
+def test_findings_carry_codes_for_programs() -> None:
+    text = "product: TReX\nserial_timeot: 1\nserial_timeout: 300\nrc_channel_1: {minimum: 1}"
+    codes = [found.code for found in refused(text).findings]
+    assert codes == [
+        "key_unknown",
+        "value_invalid",
+        "fields_missing",
+        "unterminated",
+        "parameters_missing",
+    ]
 
 
 def test_error_contains_file_name() -> None:

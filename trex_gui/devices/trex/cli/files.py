@@ -133,6 +133,7 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
                     "line": finding.line,
                     "key": finding.key,
                     "severity": finding.severity.value,
+                    "code": finding.code,
                     "message": finding.message,
                 }
                 for finding in findings

@@ -20,6 +20,7 @@ from trex_gui.devices.trex.protocol.calibration import (
 from trex_gui.devices.trex.protocol.device_table import Model, device_table, version_key
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec, parameters_of
 from trex_gui.devices.trex.settings.document import Settings, specs_for
+from trex_gui.devices.trex.settings.finding_texts import READER_MESSAGES
 from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
 MOST_FINDINGS = 100
@@ -52,7 +53,7 @@ def read_settings(
     settings = reader.read(compose(content, name))
     if content[-1:] not in {"\n", "\r"}:
         last = len(content.splitlines())
-        reader.warn(last, None, "the last line has no end; was the file cut short?")
+        reader.warn(last, None, "unterminated")
     findings = reader.sorted_findings()
     if settings is None or any(found.severity is Severity.ERROR for found in findings):
         raise SettingsError(name, findings)
@@ -77,20 +78,20 @@ class _Reader:
     parameters: dict[str, int] = field(default_factory=dict)
     calibrations: dict[CalibrationKey, Calibration] = field(default_factory=dict)
 
-    def error(self, line: int | None, key: str | None, message: str) -> None:
+    def error(self, line: int | None, key: str | None, code: str, **fields: object) -> None:
         if len(self.findings) < MOST_FINDINGS:
-            self.findings.append(Finding(line, key, message))
+            self.findings.append(_finding(line, key, code, Severity.ERROR, **fields))
         else:
             self.left_out += 1
 
-    def warn(self, line: int | None, key: str | None, message: str) -> None:
-        self.findings.append(Finding(line, key, message, Severity.WARNING))
+    def warn(self, line: int | None, key: str | None, code: str, **fields: object) -> None:
+        self.findings.append(_finding(line, key, code, Severity.WARNING, **fields))
 
     def sorted_findings(self) -> tuple[Finding, ...]:
         """In the order of the lines, what concerns the whole file last."""
         found = sorted(self.findings, key=lambda f: (f.line is None, f.line or 0))
         if self.left_out:
-            found.append(Finding(None, None, f"{self.left_out} more errors are not listed"))
+            found.append(_finding(None, None, "more_errors", Severity.ERROR, count=self.left_out))
         return tuple(found)
 
     def read(self, root: MappingNode) -> Settings | None:
@@ -114,13 +115,12 @@ class _Reader:
         for key_node, value in node.value:
             line = line_of(key_node)
             if not isinstance(key_node, ScalarNode):
-                self.error(line, owner, "a name belongs before the colon, not a list or a group")
+                self.error(line, owner, "key_is_no_name")
                 continue
             key = str(key_node.value)
             if key in entries:
-                first = f"was given in line {entries[key].line} already"
-                in_owner = f"{shortened(key)} {first}"
-                self.error(line, owner or shortened(key), in_owner if owner else first)
+                code, name = "repeated_in_group" if owner else "repeated", shortened(key)
+                self.error(line, owner or name, code, name=name, first=entries[key].line)
             else:
                 entries[key] = _Entry(key, line, value)
         return list(entries.values())
@@ -130,19 +130,19 @@ class _Reader:
         wanted = " or ".join(f"'product: {model.name}'" for model in models)
         found = next((entry for entry in entries if entry.key == "product"), None)
         if found is None:
-            self.error(1, None, f"the first setting is {wanted}; this file has none")
+            self.error(1, None, "product_missing", wanted=wanted)
             return None
         if found is not entries[0]:
-            self.error(found.line, "product", "must be the first setting of the file")
+            self.error(found.line, "product", "product_not_first")
         given = _words(found.value)
+        fields = {"models": _names(models), "given": _shown(found.value)}
         for model in models:
             if _bare(given) in {_bare(model.name), _bare(model.key)}:
                 if not isinstance(found.value, ScalarNode) or given != model.name:
-                    message = f"{_names(models)}, not {_shown(found.value)}"
-                    self.error(found.line, "product", f"{message}; did you mean {model.name}?")
+                    name = model.name
+                    self.error(found.line, "product", "product_misspelt", model=name, **fields)
                 return model
-        message = f"{_names(models)}, not {_shown(found.value)}"
-        self.error(found.line, "product", f"{message}; these are not settings of a TReX")
+        self.error(found.line, "product", "product_unknown", **fields)
         return None
 
     def _firmware(self, entries: list[_Entry], product: Model) -> str | None:
@@ -152,43 +152,48 @@ class _Reader:
         given = _words(found.value)
         known = product.firmware
         if not _FIRMWARE.fullmatch(given):
-            message = f"a version such as {known[-1]}, not {_shown(found.value)}"
-            self.error(found.line, "firmware", message)
+            fields = {"newest": known[-1], "given": _shown(found.value)}
+            self.error(found.line, "firmware", "firmware_invalid", **fields)
             return None
         if not version_key(known[0]) <= version_key(given) <= version_key(known[-1]):
-            message = f"versions {known[0]} to {known[-1]} are known, {given} is not"
-            self.warn(found.line, "firmware", message)
+            fields = {"oldest": known[0], "newest": known[-1], "given": given}
+            self.warn(found.line, "firmware", "firmware_unknown", **fields)
         return given
 
     def _read_parameter(self, entry: _Entry, product: Model, firmware: str | None) -> None:
         key = entry.key
         spec = next((s for s in specs_for(product, firmware) if s.key == key), None)
         if spec is None:
-            self.error(entry.line, shortened(key), self._why_unknown(key, product, firmware))
+            self._report_unknown(entry, product, firmware)
         elif not spec.readable:
-            self.error(entry.line, key, "is an order to the board, not a setting")
+            self.error(entry.line, key, "not_a_setting")
         else:
             wire = _integer(entry.value)
             if wire is not None and spec.problem(wire) is None:
                 self.parameters[key] = wire
             else:
-                message = f"{_range(spec)}, not {_shown(entry.value)}{_hint(spec, entry.value)}"
-                self.error(entry.line, key, message)
+                given, hint = _shown(entry.value), _hint(spec, entry.value)
+                fields = {"allowed": _range(spec), "given": given, "hint": hint}
+                self.error(entry.line, key, "value_invalid", **fields)
 
-    def _why_unknown(self, key: str, product: Model, firmware: str | None) -> str:
+    def _report_unknown(self, entry: _Entry, product: Model, firmware: str | None) -> None:
+        key = entry.key
         if firmware is not None and key in _since():
-            since = _since()[key]
-            return f"a {product.name} has it from firmware {since} on, these are for {firmware}"
+            fields = {"product": product.name, "since": _since()[key], "firmware": firmware}
+            self.error(entry.line, shortened(key), "needs_firmware", **fields)
+            return
         specs = specs_for(product, firmware).readable
         keys = ["product", "firmware", *(s.key for s in specs), *CALIBRATION_KEYS]
         is_listed = len(self.findings) < MOST_FINDINGS
-        return f"there is no such setting{_guess(key, keys) if is_listed else ''}"
+        guess = _guess(key, keys) if is_listed else ""
+        self.error(entry.line, shortened(key), "key_unknown", guess=guess)
 
     def _read_calibration(self, entry: _Entry) -> None:
         key = entry.key
         if not isinstance(entry.value, MappingNode):
             wanted = "{" + ", ".join(f"{name}: …" for name in CALIBRATION_FIELDS) + "}"
-            self.error(entry.line, key, f"is written {wanted}, not {_shown(entry.value)}")
+            given = _shown(entry.value)
+            self.error(entry.line, key, "calibration_layout", layout=wanted, given=given)
             return
         inner = {part.key: part for part in self._entries(entry.value, key)}
         values: dict[str, int] = {}
@@ -196,20 +201,20 @@ class _Reader:
             wire = _integer(part.value)
             if name not in CALIBRATION_FIELDS:
                 guess = _guess(name, CALIBRATION_FIELDS)
-                self.error(part.line, key, f"a calibration has no {shortened(name)!r}{guess}")
+                self.error(part.line, key, "field_unknown", field=shortened(name), guess=guess)
             elif wire is None or not 0 <= wire <= HIGHEST_CODED:
-                message = f"{name} is 0 to {HIGHEST_CODED}, not {_shown(part.value)}"
-                self.error(part.line, key, message)
+                fields = {"field": name, "highest": HIGHEST_CODED, "given": _shown(part.value)}
+                self.error(part.line, key, "field_invalid", **fields)
             else:
                 values[name] = wire
         if missing := [name for name in CALIBRATION_FIELDS if name not in inner]:
-            verb = "is" if len(missing) == 1 else "are"
-            self.error(entry.line, key, f"{' and '.join(missing)} {verb} missing")
+            code = "field_missing" if len(missing) == 1 else "fields_missing"
+            self.error(entry.line, key, code, fields=" and ".join(missing))
         if len(values) < len(CALIBRATION_FIELDS):
             return
         calibration = Calibration(**values)
         if problem := calibration.problem():
-            self.error(entry.line, key, problem)
+            self.error(entry.line, key, "calibration_invalid", problem=problem)
         else:
             self.calibrations[CALIBRATION_KEYS[key]] = calibration
 
@@ -219,9 +224,14 @@ class _Reader:
         if missing:
             most = 3
             names = ", ".join(missing[:most]) + (" …" if len(missing) > most else "")
-            verb = "is" if len(missing) == 1 else "are"
-            message = f"{len(missing)} of {len(expected)} parameters {verb} missing: {names}"
-            self.warn(None, None, message)
+            code = "parameter_missing" if len(missing) == 1 else "parameters_missing"
+            self.warn(None, None, code, count=len(missing), total=len(expected), names=names)
+
+
+def _finding(
+    line: int | None, key: str | None, code: str, severity: Severity, **fields: object
+) -> Finding:
+    return Finding(line, key, READER_MESSAGES[code].format(**fields), severity, code)
 
 
 def _integer(node: Node) -> int | None:

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.rule_texts import MESSAGES, joined, proposal_text
+from trex_gui.devices.trex.settings.finding_texts import LINT_MESSAGES, joined, proposal_text
 
 _MOTORS = (1, 2)
 _MOTOR_CHANNELS = (1, 2, 3)
@@ -66,7 +66,7 @@ class LintFinding:
     @property
     def message(self) -> str:
         """Return the finding as a sentence."""
-        return MESSAGES[self.rule + self.variant].format(**self.fields)
+        return LINT_MESSAGES[self.rule + self.variant].format(**self.fields)
 
     @property
     def proposal(self) -> str:

@@ -1,8 +1,35 @@
-"""The sentences of the settings check: one for each rule, filled with the fields of a finding."""
+"""The sentences of findings about settings files and settings, filled with their fields."""
 
 from collections.abc import Mapping, Sequence
 
-MESSAGES: Mapping[str, str] = {
+READER_MESSAGES: Mapping[str, str] = {
+    "unterminated": "the last line has no end; was the file cut short?",
+    "more_errors": "{count} more errors are not listed",
+    "key_is_no_name": "a name belongs before the colon, not a list or a group",
+    "repeated": "was given in line {first} already",
+    "repeated_in_group": "{name} was given in line {first} already",
+    "product_missing": "the first setting is {wanted}; this file has none",
+    "product_not_first": "must be the first setting of the file",
+    "product_misspelt": "{models}, not {given}; did you mean {model}?",
+    "product_unknown": "{models}, not {given}; these are not settings of a TReX",
+    "firmware_invalid": "a version such as {newest}, not {given}",
+    "firmware_unknown": "versions {oldest} to {newest} are known, {given} is not",
+    "not_a_setting": "is a command to the board, not a setting",
+    "value_invalid": "{allowed}, not {given}{hint}",
+    "needs_firmware": "a {product} has it from firmware {since} on, these are for {firmware}",
+    "key_unknown": "there is no such setting{guess}",
+    "calibration_layout": "is written {layout}, not {given}",
+    "field_unknown": "a calibration has no {field!r}{guess}",
+    "field_invalid": "{field} is 0 to {highest}, not {given}",
+    "field_missing": "{fields} is missing",
+    "fields_missing": "{fields} are missing",
+    "calibration_invalid": "{problem}",
+    "parameter_missing": "1 of {total} parameters is missing: {names}",
+    "parameters_missing": "{count} of {total} parameters are missing: {names}",
+}
+"""By the code of a finding."""
+
+LINT_MESSAGES: Mapping[str, str] = {
     "no_serial_timeout": (
         "{name} is off while a computer drives the motors: if the cable or the computer fails, "
         "the motors keep running at their last setpoint."
