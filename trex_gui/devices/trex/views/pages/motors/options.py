@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QRadioButton,
     QSizePolicy,
     QSlider,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -116,6 +115,15 @@ class Options(QGroupBox):
         self._joint = False
         self._store = QSettings(self)
 
+        self._create_choices()
+        self._ceiling, self._brake = self._levels()
+        self._create_lock()
+        self._lay_out()
+        self._restore()
+        self._connect()
+        self._on_options_changed()
+
+    def _create_choices(self) -> None:
         self._accelerate = ui.named(
             QRadioButton(self.tr("&Accelerate along the board's ramp"), self),
             "accelerateButton",
@@ -128,8 +136,8 @@ class Options(QGroupBox):
                 "Bypasses ramp and brake duration, and for a moment also the current limit"
             ),
         )
-        self._accelerate.setChecked(motors.accelerate)
-        self._set.setChecked(not motors.accelerate)
+        self._accelerate.setChecked(self._motors.accelerate)
+        self._set.setChecked(not self._motors.accelerate)
         self._return = ui.check_box(
             self,
             "returnToZero",
@@ -147,19 +155,23 @@ class Options(QGroupBox):
                 "they always do."
             ),
         )
-        self._ceiling = Level(self.tr("&Speed ceiling"), "ceiling", 1, self)
-        self._ceiling.explain(
+
+    def _levels(self) -> tuple[Level, Level]:
+        ceiling = Level(self.tr("&Speed ceiling"), "ceiling", 1, self)
+        ceiling.explain(
             self.tr("Highest speed sent; full deflection of pad or keys gives this speed")
         )
-        self._brake = Level(self.tr("&Brake strength"), "brake", 0, self)
-        self._brake.name_lowest(self.tr("coast (0 %)"))
-        self._brake.explain(
+        brake = Level(self.tr("&Brake strength"), "brake", 0, self)
+        brake.name_lowest(self.tr("coast (0 %)"))
+        brake.explain(
             self.tr(
                 "How hard Brake and letting go of pad, keys and held sliders brake; Stop always "
                 "brakes fully"
             )
         )
-        lock_name = QLabel(self.tr("L&ock after Stop"), self)
+        return ceiling, brake
+
+    def _create_lock(self) -> None:
         self._lock = ui.named(
             SpeedEntry(self),
             "lockoutEntry",
@@ -169,25 +181,21 @@ class Options(QGroupBox):
         self._lock.setSuffix(self.tr(" s"))
         self._lock.setSpecialValueText(self.tr("none (0 s)"))
         self._lock.setMinimumWidth(self._lock.sizeHint().width())  # as wide with any text
-        lock_name.setBuddy(self._lock)
-        for part in (lock_name, self._lock):
-            part.setToolTip(
-                self.tr(
-                    "How long Run motor stays locked after Stop or Esc, so that a slider or key "
-                    "still held cannot restart a motor (0 to {0:g} s)"
-                ).format(LONGEST)
-            )
+        tip = self.tr(
+            "How long Run motor stays locked after Stop or Esc, so that a slider or key still held "
+            "cannot restart a motor (0 to {0:g} s)"
+        ).format(LONGEST)
+        self._lock.setToolTip(tip)
+        self._lock_name = ui.label(self, "", self.tr("L&ock after Stop"), tip=tip, buddy=self._lock)
 
-        how = QVBoxLayout()
-        how.setSpacing(_SPACING)  # else it would take that of its row
-        for widget in (self._accelerate, self._set, self._keys):
-            how.addWidget(widget)
-        how.addStretch(1)
+    def _lay_out(self) -> None:
+        # Without a spacing of its own it would take that of its row.
+        how = ui.column(self._accelerate, self._set, self._keys, 1, spacing=_SPACING)
         hold = ui.grid(spacing=(2 * _SPACING, _SPACING))
         self._ceiling.add_to(hold, 0)
         self._brake.add_to(hold, 1)
         checks = ui.row(self._return, self._link, 1, spacing=3 * _SPACING)
-        hold.addWidget(lock_name, 2, 0)
+        hold.addWidget(self._lock_name, 2, 0)
         hold.addWidget(self._lock, 2, 2)
         hold.addLayout(checks, 3, 0, 1, 3)
         hold.setColumnStretch(1, 1)
@@ -195,17 +203,16 @@ class Options(QGroupBox):
 
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
-        self._restore()
+    def _connect(self) -> None:
         self._accelerate.toggled.connect(self._on_accelerate_toggled)
         self._return.toggled.connect(self._on_return_toggled)
-        self._link.toggled.connect(motors.set_linked)
+        self._link.toggled.connect(self._motors.set_linked)
         self._keys.toggled.connect(self.keys_toggled)
         self._lock.chosen.connect(self._on_lock_chosen)
         self._ceiling.changed.connect(self._on_ceiling_changed)
         self._brake.changed.connect(self._on_brake_changed)
-        motors.options_changed.connect(self._on_options_changed)
-        motors.setpoints_changed.connect(self._show_link)
-        self._on_options_changed()
+        self._motors.options_changed.connect(self._on_options_changed)
+        self._motors.setpoints_changed.connect(self._show_link)
 
     @property
     def returns_to_zero(self) -> bool:
