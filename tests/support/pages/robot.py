@@ -115,13 +115,13 @@ class RobotWindow(WindowDriver):
 
     def wait_for_motion(self, before: int) -> None:
         """Wait until more than so many motions were sent, and the last one is over."""
-        self.wait(lambda: len(self.goals) > before and self.robot.known.moving is None)
+        self.wait(lambda: len(self.goals) > before and self.robot.state.moving is None)
 
     def move(self) -> None:
         """Press Move and wait for the robot's answer."""
-        before = self.robot.known.moved
+        before = self.robot.state.moved
         self.click("aracnaMoveButton")
-        self.wait(lambda: self.robot.known.moved not in (None, before))
+        self.wait(lambda: self.robot.state.moved not in (None, before))
 
     def block_and_lose_motor(self, motor: int) -> None:
         """Let a motor die on its way; one that is dead before does not take its speed."""
@@ -129,10 +129,10 @@ class RobotWindow(WindowDriver):
         slider = self.find(QSlider, f"aracnaSlider{motor}")
         self.drag(slider.objectName(), slider.value() - 32)
         self.click("aracnaMoveButton")
-        self.wait(lambda: self.robot.known.moving is not None)
+        self.wait(lambda: self.robot.state.moving is not None)
         self.control(f"servo {motor} dead")
         self.control(f"servo {motor} free")
-        self.wait(lambda: self.robot.known.stuck is not None)
+        self.wait(lambda: self.robot.state.stuck is not None)
 
     def goal_box(self, motor: int) -> QSpinBox:
         return self.find(QSpinBox, f"aracnaGoal{motor}")

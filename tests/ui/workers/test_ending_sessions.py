@@ -11,7 +11,6 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.session.messages import Close, Closed
 from trex_gui.core.session.request_queue import RequestQueue
-from trex_gui.devices.aracna.model.connection import RobotConnection
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Halt
 from trex_gui.devices.trex.model.controller import TrexController
@@ -208,15 +207,15 @@ def test_request_is_accepted_while_the_session_ends() -> None:
 def test_halt_from_another_thread_also_closes_the_session(
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def end_meanwhile(line: RobotConnection, request: object) -> bool:
+    def end_meanwhile(line: Robot, request: object) -> bool:
         line._worker = None
         return False
 
     robot, session = Robot(), RecordingSession(Closed(None))
-    robot._line.start(session.make, may_move=False)
-    worker = robot._line._worker
+    robot.start(session.make, may_move=False)
+    worker = robot._worker
     assert worker is not None
-    monkeypatch.setattr(RobotConnection, "moves", end_meanwhile)
+    monkeypatch.setattr(Robot, "moves", end_meanwhile)
     thread = threading.Thread(target=robot.halt_now, kwargs={"ending": True})
     thread.start()
     thread.join(15)

@@ -75,8 +75,8 @@ class DemoRobotPanel(WidgetDriver):
 
     def begin_to_move(self, goal: int = 100, speed: int = 40) -> None:
         """Send all motors far away and slowly: 4.5 s at this speed."""
-        self.robot.set_speeds((speed,) * self.robot.motors)
-        self.robot.move((goal,) * self.robot.motors)
+        self.robot.set_speeds((speed,) * self.robot.state.motors)
+        self.robot.move((goal,) * self.robot.state.motors)
         self.wait(lambda: self.snapshot.state is FirmwareState.MOVING and self.snapshot.is_moving)
 
     def wait_for_report(self, part: str) -> None:
@@ -105,10 +105,10 @@ def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotP
     assert "Moving" in panel.text("aracnaDemoState")
     gauge = panel.gauge(7)
     panel.wait(lambda: 110 < gauge.position < 500)
-    assert panel.robot.known.moving is not None
+    assert panel.robot.state.moving is not None
     assert "moving to 100" in gauge.toolTip()
-    panel.wait(lambda: panel.robot.known.moved is not None)
-    panel.wait(lambda: panel.text("aracnaDemoWhere7") == str(panel.robot.present[7]))
+    panel.wait(lambda: panel.robot.state.moved is not None)
+    panel.wait(lambda: panel.text("aracnaDemoWhere7") == str(panel.robot.state.present[7]))
     panel.wait(lambda: "holds" in gauge.toolTip())
     panel.wait_for_text("aracnaDemoState", "Idle")
 
@@ -136,7 +136,7 @@ def test_faulty_servos_delay_robot_and_are_named(panel: DemoRobotPanel) -> None:
     assert panel.window.text("aracnaState3") == "stuck here"
     assert "dead" in panel.gauge(3).toolTip()
     panel.click("aracnaDemoDead3")
-    panel.wait(lambda: panel.robot.known.stuck is None and panel.robot.known.moving is None)
+    panel.wait(lambda: panel.robot.state.stuck is None and panel.robot.state.moving is None)
     panel.wait(lambda: not panel.snapshot.servos[3].dead)
 
     panel.begin_to_move(500)
@@ -144,7 +144,7 @@ def test_faulty_servos_delay_robot_and_are_named(panel: DemoRobotPanel) -> None:
     panel.wait_for_report("waits for motor 5")
     assert "cannot reach 500" in panel.gauge(5).toolTip()
     panel.click("aracnaDemoBlocked5")
-    panel.wait_for_report("where it was sent")
+    panel.wait_for_report("has reached its goal")
 
     panel.slide("aracnaDemoLoad0", 0.9)
     panel.wait(lambda: panel.snapshot.servos[0].load == pytest.approx(0.9))
@@ -154,7 +154,7 @@ def test_faulty_servos_delay_robot_and_are_named(panel: DemoRobotPanel) -> None:
     servos = panel.snapshot.servos
     assert servos[7].position < servos[0].position - 100
     panel.slide("aracnaDemoLoad0", 0)
-    panel.wait_for_report("where it was sent")
+    panel.wait_for_report("has reached its goal")
 
 
 # --- Power ------------------------------------------------------------------------------
@@ -171,7 +171,7 @@ def test_board_can_be_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
 
     panel.click("aracnaDemoPower")
     panel.wait(lambda: robot.link is ConnectionState.NOT_RESPONDING)
-    assert "stopped answering" in window.text("statusLabel")
+    assert "not responding" in window.text("statusLabel")
     panel.wait_for_text("aracnaDemoState", "power is off")
     assert not panel.is_enabled("aracnaDemoRestart")
     panel.click("aracnaDemoPower")
@@ -187,13 +187,13 @@ def test_servo_power_cut_stops_motion(panel: DemoRobotPanel) -> None:
     panel.click("aracnaDemoServoPower")
     panel.wait(lambda: not panel.snapshot.servo_power)
     stopped = [servo.position for servo in panel.snapshot.servos]
-    panel.wait_for_report("listens to nothing")
+    panel.wait_for_report("reads nothing")
     assert "servo power" in window.text("aracnaReport")
     assert [servo.position for servo in panel.snapshot.servos] == stopped
     assert min(stopped) > 100
     assert "no power" in panel.text("aracnaDemoState")
     panel.click("aracnaDemoServoPower")
-    panel.wait(lambda: panel.robot.known.stuck is None)
+    panel.wait(lambda: panel.robot.state.stuck is None)
 
 
 # --- The cable --------------------------------------------------------------------------
@@ -206,7 +206,7 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
     panel.wait(lambda: panel.robot.link is ConnectionState.DISCONNECTED)
     panel.wait(lambda: not panel.snapshot.line.plugged)
     assert window.has("banner")
-    assert "goes on" in window.text("aracnaMotionLabel")
+    assert "continues" in window.text("aracnaMotionLabel")
     assert panel.dock.isVisible()
     assert "The cable is unplugged" in panel.text("aracnaDemoState")
     assert not panel.is_enabled("aracnaDemoNoise")
@@ -250,12 +250,12 @@ def test_robot_moves_again_after_lost_bytes(panel: DemoRobotPanel) -> None:
     panel.begin_to_move()
     panel.choose("aracnaDemoLoss", "REPLY_END")
     panel.click("aracnaDemoLose")
-    panel.wait(lambda: robot.known.moving is None)
-    assert None in robot.present
+    panel.wait(lambda: robot.state.moving is None)
+    assert None in robot.state.present
     assert "positions are not known" in window.text("aracnaReport")
     window.wait_until_up()
     window.move()
-    assert None not in robot.present
+    assert None not in robot.state.present
 
 
 def test_all_faults_are_cleared_at_once(panel: DemoRobotPanel) -> None:
@@ -321,12 +321,12 @@ def test_closed_panel_stays_closed_until_menu_shows_it(panel: DemoRobotPanel) ->
 
     window.simulated()  # what was under way has been answered before
     panel.robot.move((400,) * 8)
-    panel.wait(lambda: panel.robot.known.moved is not None)
+    panel.wait(lambda: panel.robot.state.moved is not None)
     assert panel.snapshot.servos[0].position == 512, "a hidden panel asks for nothing"
     action.trigger()
     panel.wait(panel.dock.isVisible)
     assert action.isChecked()
-    panel.wait(lambda: panel.snapshot.servos[0].position == panel.robot.present[0])
+    panel.wait(lambda: panel.snapshot.servos[0].position == panel.robot.state.present[0])
 
 
 # --- Accessibility ----------------------------------------------------------------------

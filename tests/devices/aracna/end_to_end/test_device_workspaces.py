@@ -112,10 +112,10 @@ def test_newest_device_choice_wins(
     )
 
     robot = PortSettings(start_simulator("--aracna", "--unpaced").url)
-    window.robot.connect_to(robot)
+    window.robot.open(robot)
     window.wait_until_up()
-    window.robot.connect_to(robot)
-    window.robot.disconnect_line()
+    window.robot.open(robot)
+    window.robot.close()
     window.wait(lambda: window.robot.link is ConnectionState.DISCONNECTED)
     virtual_time.advance(0.5)
     assert window.robot.link is ConnectionState.DISCONNECTED, (

@@ -39,7 +39,7 @@ def test_automatic_halt_at_rest_reports_that_nothing_is_sent(
 ) -> None:
     window = connected_window
     causes.lock_the_screen()
-    goes_on = "Nothing more is sent; a motion that runs goes on to its goal."
+    goes_on = "Nothing more is sent; a running motion continues to its goal."
     window.wait(lambda: causes.banner == f"{LOCKED}. {goes_on}")  # before any answer
 
     window.move()
@@ -69,13 +69,13 @@ def test_automatic_halt_reports_remaining_motion_time(
         cause()
         window.wait(lambda: causes.banner.startswith(reason))  # noqa: B023
         message = re.fullmatch(
-            rf"{re.escape(reason)}\. Nothing more is sent; the motion that runs goes on to its "
+            rf"{re.escape(reason)}\. Nothing more is sent; the running motion continues to its "
             r"goal \(about (\d+) s\)\.",
             causes.banner,
         )
         assert message is not None, causes.banner
         assert robot.remaining() - 1 <= int(message[1]) <= longest + 1
-        assert robot.known.moving is not None, "it goes on, and the bar says the same"
+        assert robot.state.moving is not None, "it goes on, and the bar says the same"
         assert "ends by itself in about" in window.text("aracnaMotionLabel")
         assert f"{reason}." in [event.text for event in robot.events.all]
     assert len(causes.told) == 2
@@ -88,7 +88,7 @@ def test_automatic_halt_reports_remaining_motion_time(
     causes.make_a_mistake()
     window.wait(lambda: len(causes.told) == 3)
     assert re.fullmatch(
-        rf"{re.escape(MISTAKE)}\. No robot is connected; the motion goes on to its goal "
+        rf"{re.escape(MISTAKE)}\. No robot is connected; the motion continues "
         r"\(about \d+ s\)\.",
         causes.told[2],
     )

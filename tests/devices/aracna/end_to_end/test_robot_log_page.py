@@ -8,17 +8,19 @@ def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindo
     window = connected_window
     window.show_page(LOG_PAGE)
     window.wait(lambda: window.text("aracnaTrafficValue").endswith("answered (100.00 %)"))
-    assert window.text("aracnaQualityValue").startswith("0 silent, 0 damaged, 0 strange lines")
+    assert window.text("aracnaQualityValue").startswith(
+        "0 timeouts, 0 corrupted, 0 unrecognized lines"
+    )
     assert window.is_enabled("aracnaTrafficValue")
-    assert window.robot.counters.replies > 0
+    assert window.robot.state.stats.replies > 0
 
     window.control("line mute on")
     window.wait(lambda: window.robot.link is ConnectionState.NOT_RESPONDING)
-    window.wait(lambda: not window.text("aracnaQualityValue").startswith("0 silent"))
+    window.wait(lambda: not window.text("aracnaQualityValue").startswith("0 timeouts"))
     window.control("line mute off")
     window.wait_until_up()
 
     window.press_disconnect()
     assert window.text("aracnaTrafficValue") == "N/A"
     assert not window.is_enabled("aracnaTrafficValue")
-    assert window.robot.counters.replies == 0, "the next line counts anew"
+    assert window.robot.state.stats.replies == 0, "the next line counts anew"

@@ -22,7 +22,7 @@ def is_dragging(window: RobotWindow) -> bool:
 
 def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     window = connected_window
-    assert "not known before the first move" in window.text("aracnaReport")
+    assert "unknown before the first move" in window.text("aracnaReport")
     assert "speed 100 (67 °/s)" in window.text("aracnaReport")
     assert window.text("aracnaPresent0") == "–"
     window.drag("aracnaSlider0", 300)
@@ -31,7 +31,7 @@ def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     assert window.goals == [(window.goal_box(0).value(), *(512,) * 7)]
     assert abs(window.goals[0][0] - 300) < 8, "a pixel is some units"
     assert window.text("aracnaPresent0").endswith("°")
-    assert "where it was sent" in window.text("aracnaReport")
+    assert "has reached its goal" in window.text("aracnaReport")
 
     spin_box(window, "aracnaSpeedAll").setValue(300)
     one = spin_box(window, "aracnaSpeed7")
@@ -39,7 +39,7 @@ def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     one.setValue(0)
     assert one.text() == "0 = fastest"
     window.move()
-    speeds = window.robot.known.speeds
+    speeds = window.robot.state.speeds
     assert speeds is not None
     assert speeds.held == (*(300,) * 7, 0)
 
@@ -71,11 +71,11 @@ def test_different_speeds_are_shown_as_differ(connected_window: RobotWindow) -> 
     everyone, one = spin_box(window, "aracnaSpeedAll"), spin_box(window, "aracnaSpeed7")
     one.setValue(0)
     assert everyone.text() == "differ"
-    assert set(speeds.wanted) == {0, 100}, "to show it chooses nothing"
+    assert set(speeds.values) == {0, 100}, "to show it chooses nothing"
     QTest.keyClick(everyone, Qt.Key.Key_Down)
     assert everyone.text() == "differ"
     QTest.keyClick(everyone, Qt.Key.Key_Up)
-    assert speeds.wanted == (10,) * 8
+    assert speeds.values == (10,) * 8
     assert everyone.text() == "10 = 7 °/s"
     one.setValue(20)
     window.window.activateWindow()
@@ -83,7 +83,7 @@ def test_different_speeds_are_shown_as_differ(connected_window: RobotWindow) -> 
     window.wait(lambda: everyone.lineEdit().selectedText() == "differ")
     QTest.keyClicks(everyone, "300")
     QTest.keyClick(everyone, Qt.Key.Key_Return)
-    assert speeds.wanted == (300,) * 8
+    assert speeds.values == (300,) * 8
     assert everyone.text() == "300 = 201 °/s"
     everyone.setValue(-1)
     assert everyone.value() == 0, "that they differ cannot be chosen"
@@ -122,9 +122,9 @@ def test_live_goals_are_sent_until_release_or_stop(connected_window: RobotWindow
         window.move_handle(slider, goal)
         window.move_handle(slider, goal + 20)
         window.wait_for_motion(count)
-        if "commands a second" in window.text("aracnaRateLabel"):
+        if "commands/s" in window.text("aracnaRateLabel"):
             break
-    assert "commands a second" in window.text("aracnaRateLabel")
+    assert "commands/s" in window.text("aracnaRateLabel")
     window.release_handle(slider)
     assert not is_dragging(window)
 
@@ -132,7 +132,7 @@ def test_live_goals_are_sent_until_release_or_stop(connected_window: RobotWindow
     window.wait(lambda: window.goals[-1][6] == slider.value())
     assert is_dragging(window)
     window.press_escape()
-    window.wait(lambda: robot.known.moving is None)
+    window.wait(lambda: robot.state.moving is None)
     count = len(window.goals)
     window.move_handle(slider, 200)
     assert not is_dragging(window)
@@ -154,7 +154,7 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     assert not window.is_enabled("aracnaMoveButton")
     stop = window.button("aracnaStopButton")
     QTest.mousePress(stop, LEFT)  # at the press, not at its end
-    window.wait(lambda: robot.playing is None and robot.known.moving is None)
+    window.wait(lambda: robot.state.playing is None and robot.state.moving is None)
     QTest.mouseRelease(stop, LEFT)
     assert window.text("aracnaMotionLabel") == "At rest: nothing is sent."
     assert window.is_enabled("aracnaMoveButton")
@@ -163,5 +163,5 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     robot.play(Play(0, steps, rounds=0))
     window.wait_for_text("aracnaMotionLabel", "step 1")
     window.click("aracnaEndButton")
-    window.wait(lambda: robot.playing is None)
+    window.wait(lambda: robot.state.playing is None)
     assert robot.link is ConnectionState.CONNECTED

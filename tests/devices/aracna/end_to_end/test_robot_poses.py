@@ -29,7 +29,7 @@ def test_pose_is_captured_renamed_and_moved_to(window: RobotWindow, tmp_path: Pa
     window.show_page(ROBOT_PAGE)
     window.drag("aracnaSlider0", 300)
     window.move()
-    there = robot.present
+    there = robot.state.present
 
     window.trigger("aracna_capture")
     window.type_into_row("aracnaPoses", "wave")
@@ -41,17 +41,17 @@ def test_pose_is_captured_renamed_and_moved_to(window: RobotWindow, tmp_path: Pa
     window.show_page(ROBOT_PAGE)
     window.click("aracnaCentreButton")
     window.move()
-    assert robot.present != there
+    assert robot.state.present != there
     window.show_page(POSES_PAGE)
     window.choose_row("aracnaPoses", "wave")
     window.click("aracnaGoTo")
-    window.wait(lambda: robot.known.moved is not None and robot.known.goals == there)
+    window.wait(lambda: robot.state.moved is not None and robot.state.goals == there)
     library.save(tmp_path / "mine.ppr")
     assert "Pose=wave:" in (tmp_path / "mine.ppr").read_text(encoding="utf-8")
 
     window.choose_row("aracnaPoses", "stand")
     window.click("aracnaGoTo")
-    window.wait(lambda: robot.known.goals == (512, 550) * 4)
+    window.wait(lambda: robot.state.goals == (512, 550) * 4)
     assert "instead of 680" in window.text("bannerText"), "it goes as far as the limits allow"
 
 
@@ -71,21 +71,21 @@ def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot
     window.choose_row("aracnaMotions", "push-ups")
     window.click("aracnaLoop")
     window.trigger("aracna_play")
-    window.wait(lambda: robot.playing is not None and robot.playing.step == 1)
+    window.wait(lambda: robot.state.playing is not None and robot.state.playing.step == 1)
     assert "Playing" in window.text("aracnaMotionLabel")
     assert not window.is_enabled("aracnaPlay")
     reports: list[object] = []
     robot.reported.connect(reports.append)
     window.press_escape()
     stopped = now()  # what was sent before may be reported later
-    window.wait(lambda: robot.playing is None and robot.known.moving is None)
+    window.wait(lambda: robot.state.playing is None and robot.state.moving is None)
     motions = [report for report in reports if isinstance(report, Moving)]
     assert len([motion for motion in motions if motion.time > stopped]) <= 1
     assert window.is_enabled("aracnaPlay")
 
     with watched(window.program, qtbot, qapp) as causes:
         window.click("aracnaPlay")
-        window.wait(lambda: robot.playing is not None and robot.playing.step == 1)
+        window.wait(lambda: robot.state.playing is not None and robot.state.playing.step == 1)
         causes.lock_the_screen()
-        window.wait(lambda: robot.playing is None)
+        window.wait(lambda: robot.state.playing is None)
         window.wait_for_text("bannerText", "The screen was locked.")

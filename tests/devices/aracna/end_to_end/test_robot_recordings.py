@@ -48,7 +48,7 @@ def test_session_is_recorded_and_opened_from_menu(
     assert "Stop" in window.action("aracna_record").text()
     window.drag("aracnaSlider0", 400)
     window.move()
-    present = window.robot.present
+    present = window.robot.state.present
     window.trigger("aracna_record")
     window.wait_for_text("bannerText", "Recorded in")
     window.wait_for_text("bannerText", "Aracna, Open recording shows it.")

@@ -3,23 +3,23 @@
 from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
 from trex_gui.ui.devices.connection_state import ConnectionState
 
-UNSURE = "Not known: what was sent last goes on to its goal."
+UNSURE = "Unknown: the last motion may still be running."
 AT_REST = "At rest: nothing is sent."
-UNSEEN = "Nothing is sent. Whether it moves is known after its first move."
+UNSEEN = "Nothing is sent. Whether it moves is unknown until its first move."
 
 
 def begin_long_motion(window: RobotWindow, goal: int = 200) -> None:
     """Let every motor go far and slowly: for about 90 s."""
     window.robot.set_speeds((5,) * 8)
     window.robot.move((goal,) * 8)
-    window.wait(lambda: window.robot.known.moving is not None and window.servos_turn())
+    window.wait(lambda: window.robot.state.moving is not None and window.servos_turn())
 
 
 def test_positions_are_unknown_after_reset_or_silence(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
     assert window.text("aracnaMotionLabel") == UNSEEN
     robot.set_speeds((300,) * 8)
-    window.wait(lambda: robot.known.speeds is not None)
+    window.wait(lambda: robot.state.speeds is not None)
     assert window.text("aracnaMotionLabel") == UNSEEN, "speeds say nothing of positions"
     window.move()
 
@@ -37,10 +37,10 @@ def test_positions_are_unknown_after_reset_or_silence(connected_window: RobotWin
             window.control(end)
         window.wait_until_up()
         robot.changed.disconnect(note)
-        assert robot.present == (None,) * 8, cause
+        assert robot.state.present == (None,) * 8, cause
         assert window.text("aracnaPresent0") == "–", cause
         assert window.text("aracnaMotionLabel") == UNSURE, cause
-        assert "not known any more" in window.text("aracnaReport"), cause
+        assert "positions are unknown" in window.text("aracnaReport"), cause
         assert not window.is_enabled("aracnaCapture"), cause
         assert not window.action("aracna_capture").isEnabled(), cause
         assert "Connected to Aracna" in window.text("statusLabel"), cause
@@ -74,7 +74,7 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     window.control("servo 3 alive")
     window.wait(lambda: window.is_enabled("aracnaMoveButton"))
     assert "limits" in window.button("aracnaMoveButton").toolTip()
-    window.wait_for_text("aracnaReport", "where it was sent")
+    window.wait_for_text("aracnaReport", "has reached its goal")
 
     window.block_and_lose_motor(3)
     window.press_disconnect()
@@ -93,7 +93,7 @@ def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotW
     window.click("aracnaMoveButton")
     window.wait(lambda: robot.remaining() > 1)
     window.press_disconnect()
-    assert "The motion goes on for about" in window.text("aracnaMotionLabel")
+    assert "The motion continues by itself for about" in window.text("aracnaMotionLabel")
     assert "by itself" in window.text("aracnaMotionLabel")
     window.wait(lambda: window.text("aracnaMotionLabel") == "No robot is connected.")
 
@@ -104,7 +104,7 @@ def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotW
     window.control("reset")  # as boards do when their port is opened; their servos go on
     window.wait_until_up()
     assert window.servos_turn()
-    left_running = "Not known: what was left running may go on"
+    left_running = "Unknown: an earlier motion may continue"
     assert window.text("aracnaMotionLabel").startswith(left_running)
 
 
@@ -121,11 +121,11 @@ def test_motion_is_shown_as_continuing_after_reset(connected_window: RobotWindow
     window.wait_until_up()
     robot.changed.disconnect(note)
     *_, last = [text for link, text in texts if link is ConnectionState.NOT_RESPONDING]
-    assert last.startswith("Not known: what was sent last may go on")
+    assert last.startswith("Unknown: the last motion may continue")
     assert window.servos_turn()
-    assert window.text("aracnaMotionLabel").startswith("Not known: what was sent last may go on")
+    assert window.text("aracnaMotionLabel").startswith("Unknown: the last motion may continue")
     window.press_disconnect()
-    assert "The motion goes on for about" in window.text("aracnaMotionLabel")
+    assert "The motion continues by itself for about" in window.text("aracnaMotionLabel")
     assert robot.remaining() > 5
 
 
@@ -133,24 +133,24 @@ def test_log_has_one_line_for_each_event(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
     window.drag("aracnaSlider0", 400)
     window.move()
-    goals = robot.known.goals
+    goals = robot.state.goals
     assert goals is not None
     line = f"Move to {', '.join(map(str, goals))}."
     assert window.logged().count(line) == 1
     count = len(window.logged())
     window.click("aracnaLiveBox")
     window.drag("aracnaSlider0", 420)
-    window.wait(lambda: robot.known.goals != goals and robot.known.moving is None)
+    window.wait(lambda: robot.state.goals != goals and robot.state.moving is None)
     assert len(window.logged()) == count, "none of a drag"
     window.click("aracnaLiveBox")
 
     window.drag("aracnaSlider0", 500)
     window.click("aracnaMoveButton")
-    window.wait(lambda: robot.known.moving is not None)
+    window.wait(lambda: robot.state.moving is not None)
     window.control("line mute on")
-    window.wait(lambda: any("answer was lost" in text for text in window.logged()))
-    lost = [text for text in window.logged() if "−1" in text or "answer was lost" in text]
-    assert lost == ["The answer was lost (or no motor answers): positions are not known."]
+    window.wait(lambda: any("reply was lost" in text for text in window.logged()))
+    lost = [text for text in window.logged() if "−1" in text or "reply was lost" in text]
+    assert lost == ["The reply was lost (or no motor answers): positions are not known."]
     window.control("line mute off")
     window.wait_until_up()
 
@@ -159,7 +159,7 @@ def test_unpowered_servos_are_reported(connected_window: RobotWindow) -> None:
     window = connected_window
     window.control("servo power off")
     window.robot.set_speeds((300,) * 8)
-    window.wait(lambda: window.robot.known.no_servo_answers)
+    window.wait(lambda: window.robot.state.no_servo_answers)
     message = "No motor answers (−1): is the servo power on?"
     assert window.text("aracnaReport") == message
     assert window.logged()[0] == message
@@ -170,10 +170,10 @@ def test_stop_at_rest_keeps_goals(connected_window: RobotWindow) -> None:
     window.move()
     window.drag("aracnaSlider0", 300)
     goals = robot.targets.goals
-    assert goals[0] != robot.present[0]
+    assert goals[0] != robot.state.present[0]
     window.press_escape()
     assert robot.targets.goals == goals
     window.click("aracnaStopButton")
     assert robot.targets.goals == goals
     window.move()
-    assert robot.known.goals == goals
+    assert robot.state.goals == goals

@@ -28,17 +28,17 @@ def known(*reports: object) -> RobotState:
 
 def test_new_robot_may_be_moving_for_unknown_time() -> None:
     found = known(CONNECTED)
-    assert found.may_move_unseen
-    assert found.goes_on_until is None
-    assert not found.unsure, "nothing was sent"
+    assert found.may_be_moving
+    assert found.moving_until is None
+    assert not found.uncertain, "nothing was sent"
 
 
 def test_watched_motion_has_end_time_until_it_is_answered() -> None:
-    assert not known(CONNECTED, BEGUN).may_move_unseen
-    assert known(CONNECTED, BEGUN).goes_on_until == 14.0
+    assert not known(CONNECTED, BEGUN).may_be_moving
+    assert known(CONNECTED, BEGUN).moving_until == 14.0
     found = known(CONNECTED, BEGUN, THERE)
-    assert not found.may_move_unseen
-    assert found.goes_on_until is None
+    assert not found.may_be_moving
+    assert found.moving_until is None
 
 
 @pytest.mark.parametrize(
@@ -57,15 +57,15 @@ def test_interrupted_motion_keeps_its_expected_end(end: tuple[object, ...]) -> N
     found = known(CONNECTED, BEGUN, *end)
     assert found.moving is None
     assert found.stuck is None
-    assert found.goes_on_until == 14.0
-    assert found.may_move_unseen
-    assert found.unsure
+    assert found.moving_until == 14.0
+    assert found.may_be_moving
+    assert found.uncertain
 
 
 def test_next_motion_replaces_interrupted_one() -> None:
     left = (CONNECTED, BEGUN, Restarted(11.0, voided=True), CONNECTED)
     following = Moving(12.0, GOALS, (None, None), 7.0)
-    assert known(*left, following).goes_on_until == 19.0
+    assert known(*left, following).moving_until == 19.0
     found = known(*left, following, THERE)
-    assert found.goes_on_until is None
-    assert not found.may_move_unseen
+    assert found.moving_until is None
+    assert not found.may_be_moving

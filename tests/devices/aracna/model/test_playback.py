@@ -72,7 +72,7 @@ def test_seek_does_not_change_earlier_snapshot(long: RobotPlayback) -> None:
     kept = list(before.known.present)
     long.set_position(long.end)
     long.state()
-    assert before.known.present == kept
+    assert before.known.present == tuple(kept)
 
 
 def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot) -> None:
@@ -113,8 +113,8 @@ def test_curve_has_gap_while_position_is_unknown(
     assert math.isnan(value_at("motor_0", T0 + 4))
     playback.set_position(T0 + 4)
     known = playback.state().known
-    assert known.present == [None] * 8
-    assert known.unsure
+    assert known.present == (None,) * 8
+    assert known.uncertain
     assert value_at("motor_7", T0 + 6) == degrees(200)
     playback.close()
 
@@ -131,11 +131,11 @@ def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> 
     playback.set_position(T0 + 6)
     known = playback.state().known
     assert known.stuck is not None
-    assert known.stuck.motor == known.waited_for == 3
+    assert known.stuck.motor == known.awaited_motor == 3
     playback.set_position(T0 + 9)
     known = playback.state().known
     assert known.stuck is None
-    assert [each.motor for each in known.missed] == [3, 4, 5, 6, 7]
+    assert [each.motor for each in known.missed_goals] == [3, 4, 5, 6, 7]
     playback.close()
 
 
@@ -157,7 +157,7 @@ def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
     playback = loaded(tmp_path / "a.trexrec", qtbot)
     assert playback.position == playback.end == T0
     assert playback.header == HEADER
-    assert playback.state().known.present == [None] * MOTORS
+    assert playback.state().known.present == (None,) * MOTORS
     playback.close()
 
 

@@ -51,7 +51,7 @@ class Session:
         self.links: list[ConnectionState] = []
         self.robot.link_changed.connect(lambda: self.links.append(self.robot.link))
         self.robot.reported.connect(self._on_reported)
-        self.robot.connect_to(PortSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
+        self.robot.open(PortSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
         self.wait_for(ConnectionState.CONNECTED)
 
     def _on_reported(self, report: object) -> None:
@@ -62,9 +62,9 @@ class Session:
         self.qtbot.waitUntil(lambda: self.robot.link is link, timeout=PATIENCE)
 
     def move(self, *goals: int) -> None:
-        before = self.robot.known.moved
+        before = self.robot.state.moved
         assert self.robot.move(goals)
-        self.qtbot.waitUntil(lambda: self.robot.known.moved not in {None, before}, timeout=PATIENCE)
+        self.qtbot.waitUntil(lambda: self.robot.state.moved not in {None, before}, timeout=PATIENCE)
 
     def stop(self) -> list[Record]:
         """End the recording and return its records."""
@@ -76,7 +76,7 @@ class Session:
 
     def end(self) -> None:
         assert self.recorder.shut_down()
-        self.robot.disconnect_line()
+        self.robot.close()
         self.wait_for(ConnectionState.DISCONNECTED)
         assert self.robot.shut_down()
 
@@ -120,13 +120,13 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     session.move(*(500,) * 8)
     session.simulator.do("servo 3 block")  # dead before it is on its way, it would take no speed
     assert session.robot.move((400,) * 8)
-    session.qtbot.waitUntil(lambda: session.robot.known.moving is not None, timeout=PATIENCE)
+    session.qtbot.waitUntil(lambda: session.robot.state.moving is not None, timeout=PATIENCE)
     session.simulator.do("servo 3 dead")
     session.simulator.do("servo 3 free")
-    session.qtbot.waitUntil(lambda: session.robot.known.stuck is not None, timeout=PATIENCE)
+    session.qtbot.waitUntil(lambda: session.robot.state.stuck is not None, timeout=PATIENCE)
     assert not session.robot.move((300,) * 8)
     session.simulator.do("servo 3 alive")
-    session.qtbot.waitUntil(lambda: session.robot.known.moving is None, timeout=PATIENCE)
+    session.qtbot.waitUntil(lambda: session.robot.state.moving is None, timeout=PATIENCE)
     session.links.clear()
     session.simulator.do("reset")
     session.qtbot.waitUntil(
@@ -155,13 +155,13 @@ def test_late_recording_starts_with_known_state(session: Session) -> None:
     session.move(*(500,) * 8)
     session.robot.set_speeds((40,) * 8)
     assert session.robot.move((100,) * 8)  # 4.4 s, in which the recording has to begin
-    session.qtbot.waitUntil(lambda: session.robot.known.moving is not None, timeout=PATIENCE)
-    moving, speeds = session.robot.known.moving, session.robot.known.speeds
+    session.qtbot.waitUntil(lambda: session.robot.state.moving is not None, timeout=PATIENCE)
+    moving, speeds = session.robot.state.moving, session.robot.state.speeds
     assert moving is not None
     assert speeds is not None
     session.recorder.start(session.path)
-    session.qtbot.waitUntil(lambda: session.robot.known.moved is not None, timeout=PATIENCE)
-    known = session.robot.known
+    session.qtbot.waitUntil(lambda: session.robot.state.moved is not None, timeout=PATIENCE)
+    known = session.robot.state
     first, second, third, *rest = without_markers(session.stop())
     assert isinstance(first, Passed)
     assert isinstance(second, SpeedsHeld)
@@ -170,7 +170,7 @@ def test_late_recording_starts_with_known_state(session: Session) -> None:
     assert replace(third, time=0, expected=0) == replace(moving, time=0, expected=0)
     assert third.expected <= moving.expected
     assert isinstance(rest[-1], Moved)
-    assert list(rest[-1].present) == known.present
+    assert rest[-1].present == known.present
 
 
 def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: QtBot) -> None:
@@ -185,12 +185,12 @@ def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: Q
     last = playback.traces.samples(playback.start, playback.end)[0][-1]
     assert playback.end == last == ending.time
     playback.set_position(playback.end)
-    known, now = playback.state().known, session.robot.known
+    known, now = playback.state().known, session.robot.state
     assert known.present == now.present
     assert known.goals == now.goals
     assert known.speeds is not None
     assert now.speeds is not None
     assert known.speeds.held == now.speeds.held
     assert known.moving is None
-    assert known.missed == now.missed
+    assert known.missed_goals == now.missed_goals
     playback.close()

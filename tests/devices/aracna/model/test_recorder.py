@@ -32,10 +32,10 @@ def rows(path: Path) -> list[dict[str, str]]:
 def robot(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[Robot]:
     simulator = start_simulator("--aracna", "--unpaced")
     robot = Robot()
-    robot.connect_to(PortSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
+    robot.open(PortSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
     qtbot.waitUntil(lambda: robot.link is ConnectionState.CONNECTED, timeout=15_000)
     yield robot
-    robot.disconnect_line()
+    robot.close()
     qtbot.waitUntil(lambda: robot.link is ConnectionState.DISCONNECTED, timeout=15_000)
     assert robot.shut_down()
 
@@ -55,7 +55,7 @@ def test_move_is_recorded_with_goals_positions_and_speeds(
     assert recorder.recording
     assert not recorder.can_record
     assert robot.move((500,) * 8)
-    qtbot.waitUntil(lambda: robot.known.moved is not None, timeout=15_000)
+    qtbot.waitUntil(lambda: robot.state.moved is not None, timeout=15_000)
     with qtbot.waitSignal(recorder.ended, timeout=15_000) as ended:
         recorder.stop()
     assert ended.args == [path]
@@ -75,7 +75,7 @@ def test_recording_starts_with_known_state(
     robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
     robot.move((500,) * 8)
-    qtbot.waitUntil(lambda: robot.known.moved is not None, timeout=15_000)
+    qtbot.waitUntil(lambda: robot.state.moved is not None, timeout=15_000)
     recorder.start(tmp_path / "later.trexrec")
     with qtbot.waitSignal(recorder.ended, timeout=15_000):
         recorder.stop()
@@ -89,7 +89,7 @@ def test_disconnect_ends_recording_with_message(
 ) -> None:
     recorder.start(tmp_path / "cut.trexrec")
     with qtbot.waitSignals([recorder.ended_early, recorder.ended], timeout=15_000):
-        robot.disconnect_line()
+        robot.close()
     assert not recorder.recording
     assert rows(tmp_path / "cut.trexrec")[0]["sample"] == "header"
 

@@ -12,7 +12,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.model.speeds import FIRST_SPEED
+from trex_gui.devices.aracna.model.setpoints import FIRST_SPEED
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Play, SpeedsHeld, Step
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now
@@ -40,7 +40,7 @@ class RobotHarness:
         self.links.append((self.robot.link, self.robot.status))
 
     def connect(self) -> None:
-        self.robot.connect_to(PortSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
+        self.robot.open(PortSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
         self.wait(lambda: self.robot.link is ConnectionState.CONNECTED)
 
     def wait(self, condition: Callable[[], bool]) -> None:
@@ -48,7 +48,7 @@ class RobotHarness:
 
     def rest(self) -> None:
         """Wait until an answer is complete and nothing is on its way."""
-        known = self.robot.known
+        known = self.robot.state
         self.wait(lambda: known.moved is not None and known.play is None)
 
     def move(self, goals: tuple[int, ...]) -> None:
@@ -60,7 +60,7 @@ class RobotHarness:
         """Let a motor die on its way: one that is dead before does not even take its speed."""
         self.simulator.do("servo 3 block")  # it is on its way for as long as that
         assert self.robot.move(goals)
-        self.wait(lambda: self.robot.known.moving is not None)
+        self.wait(lambda: self.robot.state.moving is not None)
         self.simulator.do("servo 3 dead")
         self.simulator.do("servo 3 free")
 
@@ -75,7 +75,7 @@ class RobotHarness:
 
     def end(self) -> None:
         """Give the line back, which may take longer than a program waits that ends."""
-        self.robot.disconnect_line()
+        self.robot.close()
         self.wait(lambda: self.robot.link is ConnectionState.DISCONNECTED)
         assert self.robot.shut_down()
 
@@ -111,12 +111,12 @@ def robot(harness: RobotHarness) -> Robot:
 
 
 def test_positions_are_unknown_before_first_move(robot: Robot, harness: RobotHarness) -> None:
-    assert robot.version == 1
-    assert robot.motors == 8
-    assert robot.present == (None,) * 8
+    assert robot.state.version == 1
+    assert robot.state.motors == 8
+    assert robot.state.present == (None,) * 8
     assert not harness.sent
     harness.move((512,) * 8)
-    assert all(position is not None for position in robot.present)
+    assert all(position is not None for position in robot.state.present)
 
 
 def test_first_move_is_slow(robot: Robot, harness: RobotHarness) -> None:
@@ -137,7 +137,7 @@ def test_invalid_speeds_are_rejected(robot: Robot) -> None:
         robot.set_speeds((1024,) * 8)
     with pytest.raises(BadRequest, match="8 speeds"):
         robot.set_speeds((100,) * 7)
-    assert robot.speeds.wanted == (FIRST_SPEED,) * 8
+    assert robot.speeds.values == (FIRST_SPEED,) * 8
 
 
 def test_goals_are_clamped_to_limits_with_message(robot: Robot, harness: RobotHarness) -> None:
@@ -168,7 +168,7 @@ def test_drag_sends_newest_goal_and_measures_rate(robot: Robot, harness: RobotHa
     robot.begin_drag()
     for goal in range(300, 360):
         robot.drag((goal,) * 8)
-    harness.wait(lambda: (359,) * 8 in harness.sent and robot.known.moving is None)
+    harness.wait(lambda: (359,) * 8 in harness.sent and robot.state.moving is None)
     assert len(harness.sent) < 30, "the newest goal replaces those that wait"
     for goal in (330, 340) * 25:  # after a pause of a second the rate is reckoned anew
         harness.drag((goal,) * 8)
@@ -188,48 +188,48 @@ def test_unreadable_position_is_reported_as_missed_goal(
     robot: Robot, harness: RobotHarness
 ) -> None:
     harness.move((512,) * 8)
-    assert not list(robot.known.missed)
+    assert not list(robot.state.missed_goals)
     harness.simulator.do("servo 2 lose position")
     harness.move((480,) * 8)
-    assert [(each.motor, each.unreadable) for each in robot.known.missed] == [(2, True)]
-    assert robot.present[2] is None
-    assert "Motor 2 did not say where it is (−1)." in [event.text for event in robot.events.all]
+    assert [(each.motor, each.unreadable) for each in robot.state.missed_goals] == [(2, True)]
+    assert robot.state.present[2] is None
+    assert "Motor 2 did not report its position (−1)." in [event.text for event in robot.events.all]
 
 
 def test_rejected_servo_speed_is_reported(robot: Robot, harness: RobotHarness) -> None:
     harness.simulator.do("servo 5 dead")
     robot.set_speeds((200,) * 8)
     harness.wait(lambda: bool(harness.of(SpeedsHeld)))
-    assert [(each.motor, each.held) for each in robot.known.speeds_refused] == [(5, -1)]
+    assert [(each.motor, each.held) for each in robot.state.rejected_speeds] == [(5, -1)]
 
 
 def test_stuck_motor_is_named_until_it_answers(robot: Robot, harness: RobotHarness) -> None:
     harness.move((512,) * 8)
     harness.lose_motor_3((500,) * 8)
-    harness.wait(lambda: robot.known.stuck is not None)
-    stuck = robot.known.stuck
+    harness.wait(lambda: robot.state.stuck is not None)
+    stuck = robot.state.stuck
     assert stuck is not None
     assert stuck.motor == 3
     assert any("waits for motor 3" in event.text for event in robot.events.all)
     harness.simulator.do("servo 3 alive")
-    harness.wait(lambda: robot.known.moved is not None)
-    assert robot.known.stuck is None
+    harness.wait(lambda: robot.state.moved is not None)
+    assert robot.state.stuck is None
 
 
 def test_remaining_motion_time_counts_down(robot: Robot, harness: RobotHarness) -> None:
     harness.move((512,) * 8)
     robot.set_speeds((25,) * 8)
     robot.move((284,) * 8)
-    harness.wait(lambda: robot.known.moving is not None)
-    ends_at = robot.known.ends_at
+    harness.wait(lambda: robot.state.moving is not None)
+    ends_at = robot.state.ends_at
     assert ends_at is not None
     before, left, after = now(), robot.remaining(), now()
     assert ends_at - after <= left <= ends_at - before
-    moving = robot.known.moving
+    moving = robot.state.moving
     assert moving is not None
     assert ends_at == moving.time + moving.expected
     assert moving.expected == pytest.approx(4, abs=0.05), "228 units at a speed of 25: 4 s"
-    harness.wait(lambda: robot.known.moving is None)
+    harness.wait(lambda: robot.state.moving is None)
     assert robot.remaining() == 0
 
 
@@ -239,10 +239,10 @@ def steps(*goals: tuple[int, ...]) -> tuple[Step, ...]:
 
 def test_playback_begins_slowly_from_unknown_positions(robot: Robot, harness: RobotHarness) -> None:
     assert robot.play(Play(0, steps((500,) * 8, (520,) * 8)))
-    assert robot.playing is not None
+    assert robot.state.playing is not None
     harness.wait(lambda: bool(harness.of(SpeedsHeld)))
     assert max(harness.speeds) <= FIRST_SPEED
-    harness.wait(lambda: robot.playing is None)
+    harness.wait(lambda: robot.state.playing is None)
     assert harness.sent == [(500,) * 8, (500,) * 8, (520,) * 8]
 
 
@@ -251,23 +251,23 @@ def test_halt_ends_playback_and_holds_reported_positions(
 ) -> None:
     harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
-    harness.wait(lambda: robot.playing is not None and robot.playing.round >= 1)
+    harness.wait(lambda: robot.state.playing is not None and robot.state.playing.round >= 1)
     robot.halt()
     halted = now()
-    harness.wait(lambda: robot.playing is None and robot.known.moving is None)
+    harness.wait(lambda: robot.state.playing is None and robot.state.moving is None)
     assert harness.sent_after(halted) <= 1  # one may have been on its way
-    assert robot.targets.goals == robot.present
+    assert robot.targets.goals == robot.state.present
     assert harness.messages == []
 
 
 def test_halt_now_ends_playback_from_other_thread(robot: Robot, harness: RobotHarness) -> None:
     harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
-    harness.wait(lambda: robot.playing is not None and robot.playing.round >= 1)
+    harness.wait(lambda: robot.state.playing is not None and robot.state.playing.round >= 1)
     thread = threading.Thread(target=robot.halt_now)
     thread.start()
     thread.join()
-    harness.wait(lambda: robot.playing is None)
+    harness.wait(lambda: robot.state.playing is None)
     assert robot.link is ConnectionState.CONNECTED
 
 
@@ -277,7 +277,7 @@ def test_move_during_sequence_is_rejected(robot: Robot, harness: RobotHarness) -
     assert not robot.move((500,) * 8)
     assert harness.messages == ["A sequence is playing. Stop it first."]
     robot.end_play()
-    harness.wait(lambda: robot.playing is None)
+    harness.wait(lambda: robot.state.playing is None)
     assert (500,) * 8 not in harness.sent
 
 
@@ -285,7 +285,7 @@ def test_chosen_speeds_apply_again_after_sequence(robot: Robot, harness: RobotHa
     robot.set_speeds((150,) * 8)
     harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW)))
-    harness.wait(lambda: robot.playing is None)
+    harness.wait(lambda: robot.state.playing is None)
     harness.move((310,) * 8)
     assert harness.speeds == [150] * 8
 
@@ -311,7 +311,7 @@ def test_unplugged_line_is_reported(robot: Robot, harness: RobotHarness) -> None
     harness.simulator.do("line unplug")
     harness.wait(lambda: robot.link is ConnectionState.DISCONNECTED)
     assert len(harness.messages) == 1
-    assert robot.present == (None,) * 8
+    assert robot.state.present == (None,) * 8
     assert not robot.move(LOW)
     assert "No robot is connected" in harness.messages[-1]
 
@@ -323,7 +323,7 @@ def test_two_motor_robot_has_two_goals_and_speeds(
     harness = RobotHarness(simulator, qtbot)
     harness.connect()
     robot = harness.robot
-    assert robot.motors == len(robot.targets.goals) == len(robot.speeds.wanted) == 2
+    assert robot.state.motors == len(robot.targets.goals) == len(robot.speeds.values) == 2
     harness.move((500, 500))
-    assert robot.present == (500, 500) or not robot.known.missed
+    assert robot.state.present == (500, 500) or not robot.state.missed_goals
     harness.end()

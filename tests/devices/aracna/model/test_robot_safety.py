@@ -43,19 +43,19 @@ def test_move_needs_servo_power_and_keeps_chosen_speed(
     harness.simulator.do("servo power on")
     harness.move((440,) * 8)
     assert harness.speeds == [30] * 8
-    assert robot.known.moved is not None
-    assert robot.known.moved.seconds > 0.9, "72 units at 30 are 1.05 s"
+    assert robot.state.moved is not None
+    assert robot.state.moved.seconds > 0.9, "72 units at 30 are 1.05 s"
 
 
 def test_latest_speed_applies_to_next_motion(robot: Robot, harness: RobotHarness) -> None:
     harness.move((512,) * 8)
     robot.set_speeds((40,) * 8)
     robot.move((200,) * 8)  # 3.4 s, in which all of this has to be asked for
-    harness.wait(lambda: robot.known.moving is not None)
+    harness.wait(lambda: robot.state.moving is not None)
     robot.set_speeds((700,) * 8)
     robot.set_speeds((20,) * 8)
     robot.move((210,) * 8)
-    harness.wait(lambda: (210,) * 8 in harness.sent and robot.known.moving is None)
+    harness.wait(lambda: (210,) * 8 in harness.sent and robot.state.moving is None)
     assert harness.speeds == [20] * 8
     held = [report.held for report in harness.reports if isinstance(report, SpeedsHeld)]
     assert held[-1] == (20,) * 8
@@ -67,26 +67,26 @@ def test_changed_limits_apply_to_next_steps_of_playback(
 ) -> None:
     harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
-    harness.wait(lambda: robot.playing is not None and robot.playing.round >= 1)
-    for motor in range(robot.motors):
+    harness.wait(lambda: robot.state.playing is not None and robot.state.playing.round >= 1)
+    for motor in range(robot.state.motors):
         robot.limits.set(motor, 340, 360)
     harness.wait(lambda: (360,) * 8 in harness.sent and (340,) * 8 in harness.sent)
     first = min(harness.sent.index((goal,) * 8) for goal in (340, 360))
     assert set(harness.sent[first:]) == {(340,) * 8, (360,) * 8}
     robot.halt()
-    harness.wait(lambda: robot.playing is None and robot.known.moving is None)
+    harness.wait(lambda: robot.state.playing is None and robot.state.moving is None)
 
 
 def test_commands_while_motor_is_stuck_are_never_sent(robot: Robot, harness: RobotHarness) -> None:
     harness.move((512,) * 8)
     harness.lose_motor_3((500,) * 8)
     robot.move((300,) * 8)  # waits, and is dropped
-    harness.wait(lambda: robot.known.stuck is not None)
+    harness.wait(lambda: robot.state.stuck is not None)
     assert not robot.move((350,) * 8)
     assert not robot.play(Play(0, steps(HIGH, LOW)))
     assert "stuck" in harness.messages[-1]
     harness.simulator.do("servo 3 alive")
-    harness.wait(lambda: robot.known.moving is None)
+    harness.wait(lambda: robot.state.moving is None)
     harness.move((490,) * 8)
     assert harness.sent == [(512,) * 8, (500,) * 8, (490,) * 8]
 

@@ -1,6 +1,6 @@
 """Servo power is cut and given back, which is how people stop this robot: it stays as it was.
 
-A servo that was without power is as fast as it can be; nothing on the link tells of it.
+A servo that was without power is unlimited be; nothing on the link tells of it.
 """
 
 import pytest

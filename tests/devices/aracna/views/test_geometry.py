@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.devices.aracna.protocol.joints import Side
-from trex_gui.devices.aracna.views.robot.geometry import legs
+from trex_gui.devices.aracna.views.robot.drawing import legs
 
 POSITIONS = st.tuples(st.integers(0, 1023), st.integers(0, 1023))
 

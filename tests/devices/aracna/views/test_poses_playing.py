@@ -217,7 +217,7 @@ def test_menu_capture_adds_pose_and_edits_its_name(driver: PosesPanelDriver) -> 
     before = driver.pose_names()
     driver.panel.capture()
     assert driver.pose_names() == before
-    assert "the position is not known" in driver.messages[-1]
+    assert "the position is unknown" in driver.messages[-1]
     driver.panel.show_present(EIGHT)
     driver.panel.capture()
     driver.type_name("aracnaPoses", "here")

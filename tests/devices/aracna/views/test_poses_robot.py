@@ -33,8 +33,8 @@ class ConnectedPanelDriver(PosesPanelDriver):
 
     def follow(self) -> None:
         self.panel.show_link(self.robot.link is ConnectionState.CONNECTED)
-        self.panel.show_present(self.robot.present)
-        self.panel.show_playing(self.robot.playing)
+        self.panel.show_present(self.robot.state.present)
+        self.panel.show_playing(self.robot.state.playing)
 
     @property
     def endings(self) -> list[Ending]:
@@ -50,14 +50,14 @@ def driver(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[ConnectedP
     simulator = start_simulator("--aracna", "--unpaced")
     robot = Robot()
     driver = ConnectedPanelDriver(qtbot, robot)
-    robot.connect_to(PortSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
+    robot.open(PortSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
     qtbot.waitUntil(lambda: robot.link is ConnectionState.CONNECTED, timeout=15_000)
     robot.set_speeds((800,) * 8)
     yield driver
     robot.changed.disconnect(driver.follow)
     robot.link_changed.disconnect(driver.follow)
     driver.close()
-    robot.disconnect_line()
+    robot.close()
     qtbot.waitUntil(lambda: robot.link is ConnectionState.DISCONNECTED, timeout=15_000)
     assert robot.shut_down()
     simulator.end()
@@ -68,12 +68,12 @@ def test_go_to_capture_and_play_work_with_simulated_robot(
 ) -> None:
     driver.choose_row("aracnaPoses", "half-stand")
     driver.click("aracnaGoTo")
-    qtbot.waitUntil(lambda: driver.robot.known.moved is not None, timeout=15_000)
+    qtbot.waitUntil(lambda: driver.robot.state.moved is not None, timeout=15_000)
     driver.click("aracnaCapture")
     driver.type_name("aracnaPoses", "here")
     here = driver.library.project.pose("here")
     assert here is not None
-    assert here.positions == driver.robot.present
+    assert here.positions == driver.robot.state.present
 
     driver.library.add_sequence("bob", [SequenceStep("stand", 300), SequenceStep("here", 300)])
     driver.choose_row("aracnaMotions", "bob")
@@ -91,7 +91,7 @@ def test_go_to_capture_and_play_work_with_simulated_robot(
 def test_end_play_ends_loop_after_current_step(driver: ConnectedPanelDriver, qtbot: QtBot) -> None:
     driver.choose_row("aracnaPoses", "half-stand")
     driver.click("aracnaGoTo")
-    qtbot.waitUntil(lambda: driver.robot.known.moved is not None, timeout=15_000)
+    qtbot.waitUntil(lambda: driver.robot.state.moved is not None, timeout=15_000)
     driver.choose_row("aracnaMotions", "push-ups (built in)")
     driver.check("aracnaLoop", True)
     driver.check("aracnaBlendIn", False)
@@ -102,4 +102,4 @@ def test_end_play_ends_loop_after_current_step(driver: ConnectedPanelDriver, qtb
     assert sum(mark.startswith("▶") for mark in marked) == 1
     driver.robot.end_play()
     qtbot.waitUntil(lambda: driver.endings == [Ending.ENDED], timeout=15_000)
-    assert driver.robot.playing is None
+    assert driver.robot.state.playing is None

@@ -3,7 +3,6 @@
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.model.automatic_stop import halt_because
 from trex_gui.devices.aracna.model.demo import DemoRobot
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.client import LINE
@@ -33,7 +32,7 @@ class AracnaController(DeviceController[PortSettings]):
         self.robot.halt()
 
     def stop_because(self, reason: str) -> str:
-        return halt_because(self.robot, reason)
+        return self.robot.stop_because(reason)
 
     def stop_now(self, *, ending: bool = False) -> None:
         self.robot.halt_now(ending=ending)

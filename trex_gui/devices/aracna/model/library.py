@@ -191,7 +191,7 @@ class Library(QObject):
         if len(known) < len(present) or not present:
             unknown = [motor for motor, each in enumerate(present) if each is None or each < 0]
             of = f" of motor {', '.join(map(str, unknown))}" if known else ""
-            raise BadRequest(f"the position{of} is not known until the robot has moved")
+            raise BadRequest(f"the position{of} is unknown until the robot has moved")
         return self.add_pose(known, name)
 
     def set_positions(self, name: str, positions: Many[int], *, run: object = None) -> None:

@@ -48,9 +48,7 @@ class Moment:
     step: StepBegun | None = None
 
     def __copy__(self) -> "Moment":
-        known = copy(self.known)
-        known.present = list(self.known.present)
-        return Moment(known, self.step)
+        return Moment(copy(self.known), self.step)
 
     def take(self, record: Record) -> None:
         """Take a record as the newest."""

@@ -41,8 +41,8 @@ class AracnaRecorder(RecordThread[Record]):
     def start(self, path: Path) -> bool:
         if not self.can_record:
             return False
-        self._motors = self._robot.motors
-        header = Header(datetime.now(UTC), now(), self._robot.version or 0, self._motors)
+        self._motors = self._robot.state.motors
+        header = Header(datetime.now(UTC), now(), self._robot.state.version or 0, self._motors)
         self.begin(path, FORMAT, header, self._known_at(header.clock))
         return True
 
@@ -57,7 +57,7 @@ class AracnaRecorder(RecordThread[Record]):
 
     def _known_at(self, time: float) -> Sequence[Record]:
         """Return the known positions and speeds and the current motion."""
-        known, records = self._robot.known, list[Record]()
+        known, records = self._robot.state, list[Record]()
         if known.moved is not None:
             records.append(replace(known.moved, time=time))
         elif any(place is not None for place in known.present):
@@ -87,7 +87,7 @@ class AracnaRecorder(RecordThread[Record]):
     def _on_link_changed(self) -> None:
         if self.recording and self._robot.link is ConnectionState.DISCONNECTED:
             self.end_because(self.tr("Recording {0} ended with the connection."))
-        elif self.recording and self._robot.motors != self._motors:
+        elif self.recording and self._robot.state.motors != self._motors:
             self.end_because(self.tr("Recording {0} ended: the number of motors has changed."))
         else:
             self.changed.emit()

@@ -1,158 +1,410 @@
-"""The robot as the window sees it: what may be asked of it."""
+"""The robot of a window: its connection, what it has reported, and what the user requests."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from trex_gui.core.errors import sentence
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.errors import StudioError
 from trex_gui.core.session.messages import Close, Outcome
-from trex_gui.devices.aracna.model.cropping import cropped_goals_text, slowly_first, within_limits
-from trex_gui.devices.aracna.model.observed import ObservedRobot
-from trex_gui.devices.aracna.model.robot_state import PlayState
-from trex_gui.devices.aracna.session.messages import Drag, EndPlay, Halt, Move, Play, SetTimeScale
+from trex_gui.core.transport.settings import PortSettings
+from trex_gui.devices.aracna.model.robot_state import PlayState, Rate, RobotState
+from trex_gui.devices.aracna.model.setpoints import (
+    FIRST_SPEED,
+    JointLimits,
+    SpeedSettings,
+    Targets,
+)
+from trex_gui.devices.aracna.model.texts import cropped_goals_text, error_text, event_of
+from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS, travel_seconds
+from trex_gui.devices.aracna.session.errors import suggests_scan
+from trex_gui.devices.aracna.session.messages import (
+    Connected,
+    Drag,
+    DragDropped,
+    EndPlay,
+    Halt,
+    Move,
+    Moved,
+    Moving,
+    NotResponding,
+    Play,
+    Restarted,
+    SetLimits,
+    SetSpeeds,
+    SetTimeScale,
+    Step,
+)
+from trex_gui.devices.aracna.session.session import AracnaSession
+from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
+from trex_gui.ui.devices.connection import DeviceConnection
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.event_log import EventKind
+from trex_gui.ui.event_log import EventKind, EventLog
+from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.runtime import now
+from trex_gui.ui.workers.line_worker import MakeSession
 
 
-class Robot(ObservedRobot):
-    """One robot, or none; nothing is sent that nobody asked for but what the session needs."""
+class Robot(DeviceConnection[PortSettings]):
+    """One robot, or none. Sends nothing unprompted but what the session needs.
 
-    # --- What a person does -------------------------------------------------------------
+    Positions and speeds are tuples with one value for each motor, motor 0 first, in the servo's
+    units. `reported` reaches its listeners after the report was taken into `state`.
+
+    Signals:
+        link_changed: `link` and `status`; `changed` has been emitted before.
+        halted: the user has stopped everything; pressed controls must be released.
+        rejected: why a command was not carried out; also sent to the notifier.
+
+    Attributes:
+        state: what the robot has reported; read-only.
+        dragging: whether goals are sent while the user drags.
+    """
+
+    link_changed = Signal()
+    halted = Signal()
+    rejected = Signal(str)
+
+    def __init__(
+        self,
+        notifier: Notifier | None = None,
+        parent: QObject | None = None,
+        *,
+        clock: Callable[[], float] = now,
+    ) -> None:
+        """Start without a connection; `clock` is the session's."""
+        super().__init__(AracnaDecoder(), parent)
+        self.notifier = notifier or Notifier(self)
+        self._clock = clock
+        self.state = RobotState(MOTORS)
+        self.dragging = False
+        self.limits = JointLimits(self)
+        self.targets = Targets(self.limits, self)
+        self.speeds = SpeedSettings(self)
+        self.events = EventLog(self, clock=clock)
+        self._rate = Rate()
+        self._pending_moves = 0
+        self._pending_speeds = 0
+        self._is_holding = False  # targets follow the present positions after a halt
+
+        self.line_closed.connect(self._on_line_closed)
+        self.failed.connect(self._on_failed)
+        self.limits.changed.connect(self._send_limits)
+        self.speeds.changed.connect(self.changed)
+        self.rejected.connect(self.notifier.error)
+
+    @property
+    def rate(self) -> float | None:
+        """Commands per second that were answered lately, while dragging."""
+        return self._rate.per_second
+
+    def remaining(self) -> float:
+        """Return the seconds until the running motion should end, observed or not; 0 for none."""
+        until = self.state.moving_until
+        return 0.0 if until is None else max(until - self._clock(), 0.0)
+
+    # --- Connection ---------------------------------------------------------------------
+
+    def connect_to(self, settings: PortSettings) -> None:
+        """Connect; an open line is closed first."""
+        self.open(settings)
+
+    def disconnect_line(self) -> None:
+        """Send nothing more and close the line; does not wait."""
+        self.close()
+
+    def new_session(self, settings: PortSettings, *, may_move: bool) -> MakeSession:
+        del may_move  # a motion ends by itself
+        return lambda inbox, report: AracnaSession(settings, inbox, report, self.open_logged)
+
+    def prepare_to_close(self) -> None:
+        self.submit(Halt())
+
+    def _set_state(self, link: ConnectionState, status: str) -> None:
+        super()._set_state(link, status)
+        self.events.add(EventKind.LINK, status)
+        self.link_changed.emit()
+
+    def _reset(self, motors: int) -> None:
+        """Forget the robot, except for when a motion that may be running should end."""
+        self.state = RobotState(motors, unobserved_until=self.state.moving_until)
+        self._rate.reset()
+        self.dragging = self._is_holding = False
+        self.speeds.reset(motors)
+        self.targets.set_count(motors)
+        self.changed.emit()
+
+    @Slot()
+    def _on_line_closed(self) -> None:
+        self._pending_moves = self._pending_speeds = 0
+        self._reset(self.state.motors)
+
+    @Slot(object)
+    def _on_failed(self, error: StudioError) -> None:
+        text = error_text(error)
+        self.events.add(EventKind.LINK, text)
+        if suggests_scan(error):
+            text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
+        self.notifier.error.emit(text)
+
+    # --- Reports ------------------------------------------------------------------------
+
+    def take(self, report: object) -> None:
+        if isinstance(report, Connected) and report.motors != self.state.motors:
+            self._reset(report.motors)
+        self.state.take(report)
+        match report:
+            case Connected():
+                self._send_limits()
+            case Restarted() | NotResponding():
+                self.dragging = False
+            case Moving(goals=goals) if self.state.play is not None:
+                self.targets.set_all(goals)
+            case Moved(time=moment):
+                if self.dragging:
+                    self._rate.add(moment)
+                if self._is_holding:
+                    self._hold()
+            case DragDropped(error=error):
+                self.dragging = False  # reported once, not for every goal
+                self._reject_because(self.tr("Not moved: {0}"), error)
+            case _:
+                pass
+        if self.link is not ConnectionState.DISCONNECTING:
+            self._update_link(report)
+        if (event := event_of(report, self.state)) is not None:
+            self.events.add(*event)
+        self.changed.emit()
+
+    def _update_link(self, report: object) -> None:
+        match report:
+            case Connected(version=version, motors=motors):
+                text = self.tr("Connected to Aracna: firmware {0}, {1} motors.")
+                self._set_state(ConnectionState.CONNECTED, text.format(version, motors))
+            case Restarted():
+                text = self.tr("The board has restarted; it is ready again in a second …")
+                self._set_state(ConnectionState.NOT_RESPONDING, text)
+            case NotResponding():
+                text = self.tr("The robot is not responding. Is its power on? Waiting for it …")
+                self._set_state(ConnectionState.NOT_RESPONDING, text)
+            case _:
+                pass
+
+    @Slot()
+    def _send_limits(self) -> None:
+        """Let the session enforce the newest limits, also on the playing sequence."""
+        pairs = tuple((each.low, each.high) for each in self.limits.first(self.state.motors))
+        self.submit(SetLimits(pairs))
+
+    # --- Commands -----------------------------------------------------------------------
 
     def move(self, goals: Sequence[int]) -> bool:
-        """Send every motor to a goal, within its limits; return whether it will be.
+        """Move every motor to a goal, cropped to its limits; return whether it is sent.
 
         While a motion runs, the newest goals wait for its end.
         """
-        if not self._may_move():
+        if not self._can_move():
             return False
         cropped = self.limits.crop(goals)
         if cropped != tuple(goals):
-            self._tell(cropped_goals_text(goals, cropped))
+            self._inform(cropped_goals_text(goals, cropped))
         self.targets.set_all(cropped)
-        self._holding = False
-        speeds = self.speeds.wanted
-        self._story.move_begins(cropped)
-        if self._known.moving is not None or self._moves_waiting:
-            return self._line.submit(Drag(cropped, speeds))
-        if self._line.ask(lambda number: Move(number, cropped, speeds), self._on_move_over):
-            self._moves_waiting += 1
+        self._is_holding = False
+        speeds = self.speeds.values
+        self.events.add(
+            EventKind.NOTE, self.tr("Move to {0}.").format(", ".join(map(str, cropped)))
+        )
+        if self.state.moving is not None or self._pending_moves:
+            return self.submit(Drag(cropped, speeds))
+        if self.ask(lambda number: Move(number, cropped, speeds), self._on_move_done):
+            self._pending_moves += 1
         return True
 
     def begin_drag(self) -> None:
-        """Somebody takes hold of a goal: `drag` sends until `end_drag`, or `halt`."""
-        if self._may_move():
-            self._dragging = True
-            self._rate.forget()
+        """Let `drag` send goals until `end_drag` or `halt`."""
+        if self._can_move():
+            self.dragging = True
+            self._rate.reset()
             self.changed.emit()
 
     def drag(self, goals: Sequence[int]) -> None:
-        """Send every motor to a goal as soon as the robot listens; the newest goals count."""
-        if self._dragging and self.link is ConnectionState.CONNECTED:
-            self._holding = False
-            self._line.submit(Drag(self.limits.crop(goals), self.speeds.wanted))
+        """Send goals as soon as the robot is ready; only the newest ones count."""
+        if self.dragging and self.link is ConnectionState.CONNECTED:
+            self._is_holding = False
+            self.submit(Drag(self.limits.crop(goals), self.speeds.values))
 
     def end_drag(self) -> None:
-        """The goal was let go; what was asked last is still sent."""
-        if self._dragging:
-            self._dragging = False
+        """End dragging; the newest goals are still sent."""
+        if self.dragging:
+            self.dragging = False
             self.changed.emit()
 
     def set_speeds(self, speeds: Sequence[int]) -> None:
-        """Choose a speed for each motor, 0-1023; 0 is as fast as it can.
+        """Choose a speed for each motor, 0-1023 (0: unlimited).
 
-        They are sent at once, or before the motion that follows what is played now; the newest
-        count for every motion that is sent after them.
+        They are sent now, or after the playing sequence, and apply to every later motion.
 
         Raises:
-            BadRequest: too few, too many, or one out of range.
+            BadRequest: wrong number of speeds, or one out of range.
         """
         self.speeds.choose(speeds)
-        if self.link is ConnectionState.CONNECTED and self._known.play is None:
-            self.speeds.give()
+        values = self.speeds.values
+        if (
+            self.link is ConnectionState.CONNECTED
+            and self.state.play is None
+            and self.ask(lambda number: SetSpeeds(number, values), self._on_speeds_done)
+        ):
+            self._pending_speeds += 1
 
     def play(self, play: Play) -> bool:
-        """Run steps, each within the limits; return whether they will be.
+        """Play steps, cropped to the limits; return whether they are sent.
 
-        Where it is not known where the motors are, they first go slowly to where it begins.
+        From unknown positions the robot first goes slowly to the start.
         """
-        if not self._may_move():
+        if not self._can_move():
             return False
         if not play.steps:
-            self._reject(self.tr("There is nothing to play: the sequence has no steps."))
+            self.rejected.emit(self.tr("There is nothing to play: the sequence has no steps."))
             return False
-        play, others = within_limits(play, self.limits)
-        if others:
-            text = self.tr("Kept within the limits of the joints: {0} steps of what is played.")
-            self._tell(text.format(others))
-        if None in self._known.present:
-            play = slowly_first(play)
-        self._holding = False
-        asked = self._line.ask(lambda number: replace(play, id=number), self._on_play_over)
-        if asked:
-            self._known.play, self._known.playing = play, PlayState(len(play.steps), play.rounds)
-            self._story.play_begins(len(play.steps), play.rounds)
-            self.changed.emit()
-        return asked
+        play, cropped = self._cropped(play)
+        if cropped:
+            text = self.tr("Cropped to the limits of the joints: {0} steps of the sequence.")
+            self._inform(text.format(cropped))
+        if None in self.state.present:
+            play = self._with_slow_start(play)
+        self._is_holding = False
+        if not self.ask(lambda number: replace(play, id=number), self._on_play_done):
+            return False
+        steps, rounds = len(play.steps), play.rounds
+        self.state.play, self.state.playing = play, PlayState(steps, rounds)
+        often = self.tr("{0} times").format(rounds) if rounds else self.tr("repeating")
+        self.events.add(EventKind.NOTE, self.tr("Playing {0} steps, {1}.").format(steps, often))
+        self.changed.emit()
+        return True
+
+    def _cropped(self, play: Play) -> tuple[Play, int]:
+        """Return a sequence within the limits, and the number of changed steps."""
+        parts = (play.blend_in, play.steps, play.blend_out)
+        kept = [
+            tuple(replace(step, goals=self.limits.crop(step.goals)) for step in part)
+            for part in parts
+        ]
+        changed = sum(
+            old.goals != new.goals
+            for part, kept_part in zip(parts, kept, strict=True)
+            for old, new in zip(part, kept_part, strict=True)
+        )
+        blend_in, steps, blend_out = kept
+        return replace(play, blend_in=blend_in, steps=steps, blend_out=blend_out), changed
+
+    def _with_slow_start(self, play: Play) -> Play:
+        """Prepend a step to the start: the whole travel at the first speed, at any time scale."""
+        first = (*play.blend_in, *play.steps)[0]
+        seconds = travel_seconds(HIGHEST, FIRST_SPEED) / play.time_scale
+        slow = Step(first.goals, seconds, self.tr("slowly to the start"))
+        return replace(play, blend_in=(slow, *play.blend_in))
 
     def end_play(self) -> None:
-        """Let what is played end after the current step, with its blend-out."""
-        if self._known.play is not None:
-            self._line.submit(EndPlay())
+        """End the playing sequence after the current step, with its blend-out."""
+        if self.state.play is not None:
+            self.submit(EndPlay())
 
     def set_time_scale(self, factor: float) -> None:
-        """Run what is played so much slower (above 1) or faster from its next step on."""
-        if self._known.play is not None:
-            self._line.submit(SetTimeScale(factor))
+        """Change the time scale of the playing sequence from its next step on."""
+        if self.state.play is not None:
+            self.submit(SetTimeScale(factor))
 
     def halt(self) -> None:
-        """Send nothing more. What moves goes on to its goal: nothing on this link stops it."""
-        if not self._line.is_open or self.link is ConnectionState.DISCONNECTING:
+        """Send nothing more. A running motion continues: nothing on this link stops it."""
+        if not self.is_open or self.link is ConnectionState.DISCONNECTING:
             return
-        known = self._known
-        goes_on = known.moving is not None or known.play is not None
-        self._line.submit(Halt())
-        self._holding = goes_on or self._dragging or self._moves_waiting > 0
-        self._dragging = False
-        self._story.halted(self.remaining())
+        is_active = self.state.moving is not None or self.state.play is not None
+        self.submit(Halt())
+        self._is_holding = is_active or self.dragging or self._pending_moves > 0
+        self.dragging = False
+        text = self.tr("Stopped: nothing more is sent.")
+        if (left := self.remaining()) > 0:
+            more = self.tr("The running motion ends by itself in about {0:.1f} s.").format(left)
+            text = f"{text} {more}"
+        self.events.add(EventKind.STOP, text)
         self.halted.emit()
-        if self._holding:
+        if self._is_holding:
             self._hold()
         self.changed.emit()
 
     def halt_now(self, *, ending: bool = False) -> None:
-        """Send nothing more, and give the port back where the program is `ending`.
+        """Send nothing more, and close the port if the program is `ending`.
 
-        For emergencies, from any thread: it waits for nobody. `halt` is to follow in the GUI
-        thread, where there still is one.
+        For emergencies, from any thread; does not wait. `halt` should follow in the GUI thread.
         """
-        self._line.submit_now(*((Halt(), Close()) if ending else (Halt(),)))
+        self.submit_now(*((Halt(), Close()) if ending else (Halt(),)))
 
-    def _may_move(self) -> bool:
+    def stop_because(self, reason: str) -> str:
+        """Halt for a `reason`, a clause without a full stop; return what that means.
+
+        Empty if no robot is connected and no motion of an earlier connection runs.
+        """
+        left = self.remaining()
+        if self.link is ConnectionState.DISCONNECTED:
+            text = self.tr("{0}. No robot is connected; the motion continues (about {1:.0f} s).")
+            return text.format(reason, max(left, 1)) if left > 0 else ""
+        state = self.state
+        is_busy = state.moving is not None or state.play is not None or self.dragging
+        is_stopped = (
+            self.link is ConnectionState.CONNECTED and not is_busy and not state.may_be_moving
+        )
+        self.events.add(EventKind.NOTE, f"{reason}.")
+        self.halt()
+        if left > 0:
+            text = self.tr(
+                "{0}. Nothing more is sent; the running motion continues to its goal (about "
+                "{1:.0f} s)."
+            )
+            return text.format(reason, max(left, 1))
+        if is_stopped:
+            return self.tr("{0}. Nothing more is sent to the robot.").format(reason)
+        text = self.tr("{0}. Nothing more is sent; a running motion continues to its goal.")
+        return text.format(reason)
+
+    def _hold(self) -> None:
+        """Set the targets to the present positions, so that the next move starts there."""
+        pairs = zip(self.state.present, self.targets.goals, strict=False)
+        self.targets.set_all([goal if present is None else present for present, goal in pairs])
+
+    def _can_move(self) -> bool:
+        reason = ""
         if self.link is not ConnectionState.CONNECTED:
-            self._reject(self.tr("No robot is connected that could move."))
-            return False
-        if self._known.play is not None:
-            self._reject(self.tr("A sequence is playing. Stop it first."))
-            return False
-        if self._known.stuck is not None:
-            self._reject(self.tr("The robot is stuck. Nothing is sent until it has answered."))
-            return False
-        return True
+            reason = self.tr("No robot is connected.")
+        elif self.state.play is not None:
+            reason = self.tr("A sequence is playing. Stop it first.")
+        elif self.state.stuck is not None:
+            reason = self.tr("The robot is stuck. Nothing is sent until it has answered.")
+        if reason:
+            self.rejected.emit(reason)
+        return not reason
 
-    def _tell(self, text: str) -> None:
+    def _inform(self, text: str) -> None:
         self.events.add(EventKind.NOTE, text)
         self.notifier.info.emit(text)
 
-    # --- How it went ---------------------------------------------------------------------
+    def _reject_because(self, text: str, error: StudioError) -> None:
+        self.rejected.emit(text.format(f"{error_text(error).rstrip('. ')}."))
 
-    def _on_move_over(self, outcome: Outcome) -> None:
-        self._moves_waiting -= 1
-        if outcome.error is not None and not self._holding:
-            self._reject(self.tr("Not moved: {0}").format(sentence(outcome.error)))
+    # --- Outcomes -----------------------------------------------------------------------
+
+    def _on_speeds_done(self, outcome: Outcome) -> None:
+        self._pending_speeds = max(self._pending_speeds - 1, 0)
+        if outcome.error is not None and not self._pending_speeds:  # else newer ones replaced it
+            self._reject_because(self.tr("Speeds not set: {0}"), outcome.error)
+
+    def _on_move_done(self, outcome: Outcome) -> None:
+        self._pending_moves -= 1
+        if outcome.error is not None and not self._is_holding:
+            self._reject_because(self.tr("Not moved: {0}"), outcome.error)
         self.changed.emit()
 
-    def _on_play_over(self, outcome: Outcome) -> None:
-        self._known.play = self._known.playing = None
-        if outcome.error is not None and not self._holding:
-            self._reject(self.tr("Broken off: {0}").format(sentence(outcome.error)))
+    def _on_play_done(self, outcome: Outcome) -> None:
+        self.state.play = self.state.playing = None
+        if outcome.error is not None and not self._is_holding:
+            self._reject_because(self.tr("Aborted: {0}"), outcome.error)
         self.changed.emit()

@@ -1,10 +1,13 @@
-"""What is known of the robot from what its session reports; no Qt, no clock of its own."""
+"""The state of the robot as its session reports it; no Qt, no clock of its own."""
 
 from collections import deque
 from dataclasses import dataclass, field
 
+from trex_gui.devices.aracna.protocol.replies import UNREADABLE
 from trex_gui.devices.aracna.session.messages import (
     Connected,
+    LineStats,
+    LineStatsChanged,
     Moved,
     Moving,
     NotResponding,
@@ -18,23 +21,16 @@ from trex_gui.devices.aracna.session.messages import (
 )
 
 TOLERANCE = 12
-"""Position units between goal and reply that are no difference: 3.5 degrees.
+"""Position units between goal and reply that count as none: 3.5 degrees.
 
-A servo stops within its compliance margin, some units off; how many is not documented for this
-robot. Its own self-test took 50 for a failure.
+A servo stops within its compliance margin, which is not documented for this robot. Its own
+self-test took 50 for a failure.
 """
-
-UNREADABLE = -1
-"""What the firmware reports of a servo that did not answer."""
 
 
 @dataclass(frozen=True, slots=True)
-class Missed:
-    """A motor that is not where it was sent.
-
-    Attributes:
-        present: where it is; `UNREADABLE` where it did not answer.
-    """
+class MissedGoal:
+    """A motor that is not where it was sent; `present` may be `UNREADABLE`."""
 
     motor: int
     goal: int
@@ -47,24 +43,19 @@ class Missed:
 
 
 @dataclass(frozen=True, slots=True)
-class SpeedRefused:
-    """A speed that a servo did not take; `held` is `UNREADABLE` where it did not answer."""
+class RejectedSpeed:
+    """A speed that a servo did not take; `held` may be `UNREADABLE`."""
 
     motor: int
-    wanted: int
+    requested: int
     held: int
-
-    @property
-    def unreadable(self) -> bool:
-        """Whether the servo did not answer."""
-        return self.held == UNREADABLE
 
 
 @dataclass(frozen=True, slots=True)
 class PlayState:
-    """What is being played: `step` of `steps` (from 0) in `part` and `round`; `name` of the step.
+    """The running step of a sequence: `step` (from 0) of `steps` in `part` and `round`.
 
-    `step` is `None` before the first one has begun; `rounds` is 0 for ever.
+    `step` is `None` before the first one; `rounds` 0 is endless; `name` is that of the step.
     """
 
     steps: int
@@ -77,19 +68,19 @@ class PlayState:
 
 
 class Rate:
-    """How many commands a second were answered lately: at most the last ten count."""
+    """Replies per second, over the last ten."""
 
     def __init__(self) -> None:
         self._times: deque[float] = deque(maxlen=10)
 
-    def note(self, time: float) -> None:
-        """Count a reply; a pause of a second begins anew."""
+    def add(self, time: float) -> None:
+        """Count a reply; a pause of a second starts again."""
         if self._times and time > self._times[-1] + 1:
             self._times.clear()
         self._times.append(time)
 
-    def forget(self) -> None:
-        """Begin anew."""
+    def reset(self) -> None:
+        """Start again."""
         self._times.clear()
 
     @property
@@ -103,155 +94,157 @@ class Rate:
 
 @dataclass(slots=True)
 class RobotState:
-    """The newest of everything; nothing is known at first.
+    """The newest of everything.
 
     Attributes:
-        present: where each motor was last reported; `None` where that is not known.
-        goals: what was sent last.
+        version: of the firmware; `None` before it has answered.
+        present: position of each motor; `None` where unknown.
+        goals: sent last.
         moving: the `.c` that is not answered yet.
-        moved: the last complete answer.
-        waited_for: the motor whose turn it is in the answer that is coming.
-        unsure: whether what was sent last may still go on, unseen.
-        left_until: when a motion that nobody watches any more should end, on the session's clock;
-            `None` where there is none. It stays when it is over: only its time tells that.
-        speeds: the last `.v` and what the servos hold; `None` where neither is known.
+        moved: the last complete reply to a `.c`.
+        awaited_motor: whose position arrives next.
+        uncertain: whether a motion that is no longer observed may still be running.
+        unobserved_until: when such a motion should end, on the session's clock; kept when it is
+            over.
+        speeds: the last reply to a `.v`.
+        play: the playing sequence.
+        playing: its running step.
     """
 
     motors: int
-    present: list[int | None] = field(default_factory=list)
+    version: int | None = None
+    present: tuple[int | None, ...] = ()
     goals: tuple[int, ...] | None = None
     moving: Moving | None = None
     moved: Moved | None = None
-    waited_for: int = 0
+    awaited_motor: int = 0
     stuck: Stuck | None = None
-    unsure: bool = False
-    left_until: float | None = None
+    uncertain: bool = False
+    unobserved_until: float | None = None
     speeds: SpeedsHeld | None = None
     play: Play | None = None
     playing: PlayState | None = None
+    stats: LineStats = field(default_factory=LineStats)
 
     def __post_init__(self) -> None:
-        """Know of no position."""
-        self.present = [None] * self.motors
+        """Start without positions."""
+        self.present = (None,) * self.motors
 
     def take(self, report: object) -> None:
-        """Follow a report of the session."""
+        """Take a report of the session."""
         match report:
             case Moving(goals=goals):
                 self.moving, self.goals = report, goals
-                self.waited_for, self.stuck, self.moved = 0, None, None
-                self.unsure, self.left_until = False, None  # every motor has a new goal
+                self.awaited_motor, self.stuck, self.moved = 0, None, None
+                self.uncertain, self.unobserved_until = False, None  # every motor has a new goal
             case Passed(present=present):
-                self._note(present)
-                self.waited_for = min(len(present), self.motors - 1)
-                if self.stuck is not None and self.stuck.motor != self.waited_for:
-                    self.stuck = None  # it was late, and came after all
+                self._set_present(present)
+                self.awaited_motor = min(len(present), self.motors - 1)
+                if self.stuck is not None and self.stuck.motor != self.awaited_motor:
+                    self.stuck = None  # it has arrived after all
             case Moved():
-                self._arrive(report)
+                self._take_moved(report)
             case Stuck():
                 self.stuck = report
             case SpeedsHeld():
                 self.speeds = report
             case Restarted() | NotResponding():
-                self._lose_sight()
-            case Connected():
-                # What answers `.q` waits for no motor. Servos may move all the same: opening the
-                # port may have reset the board, which they do not notice.
-                self._leave_running()
+                self.present = (None,) * self.motors
+                self._stop_observing()
+                self.moved, self.speeds = None, None
+                self.uncertain = self.goals is not None
+            case Connected(version=version):
+                self.version = version
+                # A robot that answers `.q` waits for no motor. Servos may move all the same:
+                # opening the port may have reset the board, which does not stop them.
+                self._stop_observing()
             case StepBegun() if self.play is not None:
-                self.playing = _place(self.play, report)
+                self.playing = _play_state(self.play, report)
             case PlayEnded():
                 self.play, self.playing = None, None
+            case LineStatsChanged(stats=stats):
+                self.stats = stats
             case _:
                 pass
 
-    def _lose_sight(self) -> None:
-        """Know no position: nobody saw what the servos did meanwhile, nor who turned them."""
-        self.present = [None] * self.motors
-        self._leave_running()
-        self.moved, self.speeds = None, None
-        self.unsure = self.goals is not None
-
-    def _leave_running(self) -> None:
-        """Watch the motion no longer; that it was begun counts until its time is over."""
+    def _stop_observing(self) -> None:
         if self.moving is not None:
-            self.left_until, self.unsure = self.ends_at, True
+            self.unobserved_until, self.uncertain = self.ends_at, True
         self.moving, self.stuck = None, None
 
-    def _arrive(self, moved: Moved) -> None:
-        self._note(moved.present)
+    def _take_moved(self, moved: Moved) -> None:
+        self._set_present(moved.present)
         self.moved, self.goals = moved, moved.goals
-        if self.is_lost:  # the answer, or all servos: none of them says that it stands
-            self._leave_running()
+        if self.reply_lost:
+            self._stop_observing()
         else:
             self.moving, self.stuck = None, None
-            self.unsure, self.left_until = False, None
+            self.uncertain, self.unobserved_until = False, None
 
-    def _note(self, present: tuple[int, ...]) -> None:
-        for motor, position in enumerate(present[: self.motors]):
-            self.present[motor] = None if position == UNREADABLE else position
+    def _set_present(self, present: tuple[int, ...]) -> None:
+        known = tuple(None if each == UNREADABLE else each for each in present[: self.motors])
+        self.present = known + self.present[len(known) :]
 
     @property
-    def is_lost(self) -> bool:
-        """Whether the last answer says of no motor where it is: it was lost, or none answers."""
+    def reply_lost(self) -> bool:
+        """Whether the last reply to a `.c` has no position: it was lost, or no servo answers."""
         return self.moved is not None and set(self.moved.present) == {UNREADABLE}
 
     @property
     def no_servo_answers(self) -> bool:
-        """Whether the last `.v` was answered by no servo."""
+        """Whether the last reply to a `.v` has no speed."""
         return self.speeds is not None and set(self.speeds.held) == {UNREADABLE}
 
     @property
-    def missed(self) -> tuple[Missed, ...]:
-        """The motors that the last complete answer shows elsewhere than they were sent."""
+    def missed_goals(self) -> tuple[MissedGoal, ...]:
+        """The motors that the last complete reply shows away from their goals."""
         if self.moved is None:
             return ()
         pairs = enumerate(zip(self.moved.goals, self.moved.present, strict=False))
         return tuple(
-            Missed(motor, goal, present)
+            MissedGoal(motor, goal, present)
             for motor, (goal, present) in pairs
             if present == UNREADABLE or abs(goal - present) > TOLERANCE
         )
 
     @property
-    def speeds_refused(self) -> tuple[SpeedRefused, ...]:
-        """The speeds of the last `.v` that a servo did not take."""
+    def rejected_speeds(self) -> tuple[RejectedSpeed, ...]:
+        """The speeds in the last reply to a `.v` that differ from the requested ones."""
         if self.speeds is None:
             return ()
         pairs = enumerate(zip(self.speeds.requested, self.speeds.held, strict=False))
         return tuple(
-            SpeedRefused(motor, wanted, held) for motor, (wanted, held) in pairs if wanted != held
+            RejectedSpeed(motor, requested, held)
+            for motor, (requested, held) in pairs
+            if requested != held
         )
 
-    def held(self, motor: int) -> int | None:
-        """Return the speed that a servo reported last, `UNREADABLE` from none; `None`: unknown."""
+    def held_speed(self, motor: int) -> int | None:
+        """Return the speed that a servo reported last, or `UNREADABLE`; `None` if unknown."""
         if self.speeds is None or motor >= len(self.speeds.held):
             return None
         return self.speeds.held[motor]
 
     @property
     def ends_at(self) -> float | None:
-        """When the running motion should end, on the session's clock; `None`: none runs."""
+        """When the observed motion should end, on the session's clock; `None` if there is none."""
         return None if self.moving is None else self.moving.time + self.moving.expected
 
     @property
-    def goes_on_until(self) -> float | None:
-        """When what moves should end, watched or not, on the session's clock.
-
-        `None`: nothing that was sent moves any more.
-        """
-        return self.left_until if self.moving is None else self.ends_at
+    def moving_until(self) -> float | None:
+        """When any motion should end, observed or not, on the session's clock."""
+        return self.unobserved_until if self.moving is None else self.ends_at
 
     @property
-    def may_move_unseen(self) -> bool:
-        """Whether no motion runs that is watched, and no answer has said that all motors stand.
+    def may_be_moving(self) -> bool:
+        """Whether no motion is observed and no reply has shown that all motors have stopped.
 
-        So it is before the first answer: whoever drove the robot before may have left it moving.
+        This includes the time before the first reply: another host may have moved the robot.
         """
-        return self.moving is None and (self.moved is None or self.is_lost)
+        return self.moving is None and (self.moved is None or self.reply_lost)
 
 
-def _place(play: Play, begun: StepBegun) -> PlayState:
+def _play_state(play: Play, begun: StepBegun) -> PlayState:
     steps = {"in": play.blend_in, "out": play.blend_out}.get(begun.part, play.steps)
     name = steps[begun.index].name if begun.index < len(steps) else ""
     return PlayState(

@@ -1,112 +1,85 @@
-"""What happened to the robot, newest first, and how its line does."""
+"""The log page: events, newest first, and the statistics of the line."""
 
 import time
 
-from PySide6.QtCore import Qt, Slot
+from PySide6.QtCore import Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import (
-    QFormLayout,
-    QGroupBox,
-    QLabel,
-    QListWidget,
-    QSizePolicy,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFormLayout, QGroupBox, QListWidget, QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.behaviour import only_when_visible
 
-_MOST = 500
+_MAX_EVENTS = 500
 
 
 class LogPage(QWidget):
-    """A list of sentences with the times at which they were true, and the line's counts."""
+    """Shows the events and the line statistics of a robot."""
 
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaLogPage")
         self._robot = robot
-        self._list = QListWidget(self)
-        self._list.setObjectName("aracnaLog")
-        self._list.setAccessibleName(self.tr("What happened"))
+        self._list = builders.named(QListWidget(self), "aracnaLog", accessible=self.tr("Events"))
         self._list.setWordWrap(True)
         self._list.setAlternatingRowColors(True)
         line = QGroupBox(self.tr("Line"), self)
-        self._traffic = _value("aracnaTrafficValue", line)
-        self._quality = _value("aracnaQualityValue", line)
-
+        self._traffic, self._failures = (
+            builders.label(line, name, wrap=True, expand=True, selectable=True)
+            for name in ("aracnaTrafficValue", "aracnaQualityValue")
+        )
         form = QFormLayout(line)
         form.addRow(self.tr("Requests:"), self._traffic)
-        form.addRow(self.tr("Failures:"), self._quality)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._list, 1)
-        layout.addWidget(line)
+        form.addRow(self.tr("Failures:"), self._failures)
+        builders.column((self._list, 1), line, into=self)
 
         robot.events.happened.connect(self._on_happened)
         robot.changed.connect(self._on_changed)
-        robot.link_changed.connect(self._on_changed)
-        for event in robot.events.all[-_MOST:]:
+        for event in robot.events.all[-_MAX_EVENTS:]:
             self._on_happened(event)
 
     @Slot(object)
     def _on_happened(self, event: Event) -> None:
-        wall = time.time() - (now() - event.time)
-        moment = time.strftime("%H:%M:%S", time.localtime(wall))
+        wall_clock = time.time() - (now() - event.time)
+        moment = time.strftime("%H:%M:%S", time.localtime(wall_clock))
         self._list.insertItem(0, f"{moment}  {event.text}")
-        item = self._list.item(0)
         if event.kind is EventKind.FAULT:
-            item.setIcon(icon("warning", "warning"))
-        while self._list.count() > _MOST:
+            self._list.item(0).setIcon(icon("warning", "warning"))
+        while self._list.count() > _MAX_EVENTS:
             self._list.takeItem(self._list.count() - 1)
 
     @Slot()
     @only_when_visible
     def _on_changed(self) -> None:
-        """Show the counts; they are told once a second."""
-        counters = self._robot.counters
-        known = (
-            self._robot.link in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}
-            and counters.requests > 0
-        )
-        for label in (self._traffic, self._quality):
-            label.setEnabled(known)
-        if not known:
-            self._traffic.setText(self.tr("N/A"))
-            self._quality.setText(self.tr("N/A"))
-            return
-        over = counters.replies + counters.timeouts + counters.corrupted
-        self._traffic.setText(
-            self.tr("{0} of {1} answered ({2:.2f} %)").format(
-                counters.replies, over, 100 * counters.replies / max(over, 1)
+        stats = self._robot.state.stats
+        is_valid = stats.requests > 0 and self._robot.link in {
+            ConnectionState.CONNECTED,
+            ConnectionState.NOT_RESPONDING,
+        }
+        traffic = failures = self.tr("N/A")
+        if is_valid:
+            finished = stats.replies + stats.timeouts + stats.corrupted
+            traffic = self.tr("{0} of {1} answered ({2:.2f} %)").format(
+                stats.replies, finished, 100 * stats.replies / max(finished, 1)
             )
-        )
-        self._quality.setText(
-            self.tr(
-                "{0} silent, {1} damaged, {2} strange lines, {3} restarts; slowest answer "
-                "{4:.0f}\u00a0ms (motions left out)"
+            failures = self.tr(
+                "{0} timeouts, {1} corrupted, {2} unrecognized lines, {3} restarts; slowest reply "
+                "{4:.0f}\u00a0ms (without motions)"
             ).format(
-                counters.timeouts,
-                counters.corrupted,
-                counters.unrecognized,
-                counters.restarts,
-                1000 * counters.slowest,
+                stats.timeouts,
+                stats.corrupted,
+                stats.unrecognized,
+                stats.restarts,
+                1000 * stats.slowest,
             )
-        )
+        for label, text in ((self._traffic, traffic), (self._failures, failures)):
+            label.setEnabled(is_valid)
+            label.setText(text)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._on_changed()
-
-
-def _value(name: str, parent: QWidget) -> QLabel:
-    label = QLabel(parent)
-    label.setObjectName(name)
-    label.setWordWrap(True)
-    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-    label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-    return label

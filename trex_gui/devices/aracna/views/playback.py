@@ -1,17 +1,18 @@
 """Window of a recording of a robot."""
 
-from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QIcon, QPixmap
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QWidget
 
 from trex_gui.devices.aracna.model.playback import COLORS, Moment, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.model.robot_state import UNREADABLE, RobotState
-from trex_gui.devices.aracna.model.targets import CENTRE
-from trex_gui.devices.aracna.protocol.units import MOTORS
+from trex_gui.devices.aracna.model.robot_state import RobotState
+from trex_gui.devices.aracna.protocol.replies import UNREADABLE
+from trex_gui.devices.aracna.protocol.units import CENTRE, MOTORS
 from trex_gui.devices.aracna.session.messages import StepBegun
+from trex_gui.devices.aracna.views.action_bar import StopSequenceButton
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
-from trex_gui.devices.aracna.views.robot.words import (
+from trex_gui.devices.aracna.views.robot.texts import (
     assumed_text,
     joint_text,
     position_text,
@@ -19,7 +20,6 @@ from trex_gui.devices.aracna.views.robot.words import (
     speed_text,
     spoken_joint,
 )
-from trex_gui.devices.aracna.views.stop_button import StopSequenceButton
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders
@@ -42,12 +42,12 @@ class RobotPlaybackWindow(RecordingWindow):
         )
         super().__init__(playback, "aracnaPlayback", plot_name, parent)
         self.playback = playback
-        self._recorded = RecordedRobot(playback, self)
+        state = playback.state().known
 
         self._activity = builders.named(
             Note(3, self), "aracnaRecordedDoing", accessible=self.tr("Activity of the robot")
         )
-        self._drawing = RobotDrawing(self._recorded, self)
+        self._drawing = RobotDrawing(state, self)
         caption = builders.label(
             self,
             "aracnaRecordedCaption",
@@ -57,12 +57,13 @@ class RobotPlaybackWindow(RecordingWindow):
         caption.setForegroundRole(caption.palette().ColorRole.PlaceholderText)
         caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         caption.setMinimumHeight(caption.heightForWidth(self._drawing.minimumSizeHint().width()))
-        self._joints = JointValues(self._recorded, self)
+        self._joints = JointValues(state.motors, self)
         scrolls = playback.header.motors > MOTORS  # as many as the published robot fit
         beside = QWidget(self)
         builders.column(self._activity, (self._drawing, 1), caption, into=beside, margins=0)
 
-        self._recorded.changed.connect(self._on_recorded_changed)
+        playback.moved.connect(self._show_moment)
+        playback.loaded.connect(self._show_moment)
         self._drawing.pointed.connect(self._on_pointed)
         self._drawing.chosen.connect(self._joints.focus)
         self._joints.toggled.connect(self._on_toggled)
@@ -72,7 +73,7 @@ class RobotPlaybackWindow(RecordingWindow):
             below_plot=ScrollBox(self._joints, self) if scrolls else self._joints,
             above_events=beside,
         )
-        self._on_recorded_changed()
+        self._show_moment()
 
     def device_text(self) -> str:
         header = self.playback.header
@@ -86,8 +87,15 @@ class RobotPlaybackWindow(RecordingWindow):
             self.plot.set_shown(name, shown=False)
 
     @Slot()
-    def _on_recorded_changed(self) -> None:
-        text, alarming = activity_text(self._recorded.moment, self.playback.position)
+    def _show_moment(self) -> None:
+        moment = self.playback.state()
+        state = moment.known
+        goals = state.goals  # before the first one the positions
+        if goals is None:
+            goals = tuple(CENTRE if place is None else place for place in state.present)
+        self._drawing.show_robot(state, goals)
+        self._joints.show_state(state)
+        text, alarming = activity_text(moment, self.playback.position)
         self._activity.show_note(text, alarming=alarming)
 
     @Slot(int)
@@ -101,54 +109,6 @@ class RobotPlaybackWindow(RecordingWindow):
         self.plot.set_shown(self.playback.traces.traces[motor].name, shown=on)
 
 
-class RecordedRobot(QObject):
-    """The robot at the position of a recording, as the drawing takes one.
-
-    Signals:
-        changed: the position, or the recording was loaded.
-    """
-
-    changed = Signal()
-
-    def __init__(self, playback: RobotPlayback, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._playback = playback
-        self.moment: Moment = playback.state()
-
-        playback.moved.connect(self._on_moved)
-        playback.loaded.connect(self._on_moved)
-
-    @property
-    def known(self) -> RobotState:
-        """Everything reported up to the position."""
-        return self.moment.known
-
-    @property
-    def present(self) -> tuple[int | None, ...]:
-        """Last reported positions; `None` if unknown."""
-        return tuple(self.known.present)
-
-    @property
-    def targets(self) -> "RecordedRobot":
-        return self
-
-    @property
-    def goals(self) -> tuple[int, ...]:
-        """Last goal of each joint; before the first one its position."""
-        if self.known.goals is not None:
-            return self.known.goals
-        return tuple(CENTRE if place is None else place for place in self.present)
-
-    @property
-    def motors(self) -> int:
-        return self._playback.header.motors
-
-    @Slot()
-    def _on_moved(self) -> None:
-        self.moment = self._playback.state()
-        self.changed.emit()
-
-
 class JointValues(QWidget):
     """A row for each motor; a dash where nothing was known.
 
@@ -158,10 +118,9 @@ class JointValues(QWidget):
 
     toggled = Signal(int, bool)
 
-    def __init__(self, robot: RecordedRobot, parent: QWidget | None = None) -> None:
+    def __init__(self, motors: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaRecordedJoints")
-        self._robot = robot
         self._boxes: list[QCheckBox] = []
         self._cells: dict[tuple[int, str], QLabel] = {}
         # Part of the object name: heading, name for screen readers, widest text.
@@ -178,13 +137,11 @@ class JointValues(QWidget):
             label = QLabel(text, self)
             label.setAlignment(_LEFT if column == 0 else _RIGHT)
             grid.addWidget(label, 0, column)
-        for motor in range(robot.motors):
+        for motor in range(motors):
             self._add_row(grid, motor)
 
-        robot.changed.connect(self._on_changed)
         theme().changed.connect(self._on_theme_changed)
         self._on_theme_changed()
-        self._on_changed()
 
     def _add_row(self, grid: QGridLayout, motor: int) -> None:
         box = builders.check_box(
@@ -215,11 +172,10 @@ class JointValues(QWidget):
         for number, box in enumerate(self._boxes):
             builders.set_bold(box, number == motor)
 
-    @Slot()
-    def _on_changed(self) -> None:
-        known = self._robot.known
-        missed = {each.motor: each for each in known.missed}
-        for motor in range(self._robot.motors):
+    def show_state(self, known: RobotState) -> None:
+        """Show what was known at a moment."""
+        missed = {each.motor: each for each in known.missed_goals}
+        for motor in range(len(self._boxes)):
             present = known.present[motor]
             goal = known.goals[motor] if known.goals is not None else None
             self._set(motor, "Present", position_text(present))
@@ -229,13 +185,13 @@ class JointValues(QWidget):
                 text = self.tr("no answer (−1)")
             elif known.moving is not None:
                 alarming = known.stuck is not None and known.stuck.motor == motor
-                text = self.tr("waited for") if motor == known.waited_for else _NONE
+                text = self.tr("waited for") if motor == known.awaited_motor else _NONE
             elif present is None or goal is None:
                 text = _NONE
             else:
                 text = signed(present - goal)
             self._set(motor, "Difference", text, bold=alarming)
-            held = known.held(motor)
+            held = known.held_speed(motor)
             self._set(motor, "Speed", self._speed(held), bold=held == UNREADABLE)
 
     def _speed(self, held: int | None) -> str:
@@ -280,12 +236,12 @@ def activity_text(moment: Moment, time: float) -> tuple[str, bool]:
     if known.moving is not None:
         begun, expected = known.moving.time, known.moving.expected
         text = _tr("Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.").format(
-            max(time - begun, 0.0), expected, known.waited_for
+            max(time - begun, 0.0), expected, known.awaited_motor
         )
         return _with_step(text, moment.step), False
-    if known.unsure:
+    if known.uncertain:
         return _tr("Positions are unknown; the last motion may still be running."), True
-    if known.is_lost:
+    if known.reply_lost:
         return _tr("The answer was lost, or no motor answered: positions are unknown."), True
     if all(place is None for place in known.present):
         return _tr("Positions are not known yet."), False

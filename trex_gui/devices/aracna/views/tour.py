@@ -14,17 +14,17 @@ _DEAD_SERVO = 3
 def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
     """Look at the pages; the panel of the simulated robot shows what the robot does not report."""
     robot, demo = controller.robot, controller.demo_robot
-    pairs = robot.motors // 2
+    pairs = robot.state.motors // 2
     steps = tuple(
         Step(goals * pairs, _STEP_S, name)
         for name, goals in (("down", (300, 400)), ("up", (550, 150)))
     )
     yield partial(robot.move, steps[0].goals)
-    yield lambda: robot.known.moved is not None
+    yield lambda: robot.state.moved is not None
     yield from tour.look_at_pages()
     yield partial(robot.play, Play(0, steps, rounds=0))
-    yield lambda: robot.known.moving is not None
+    yield lambda: robot.state.moving is not None
     yield from tour.look_at_pages("-moving")
     yield partial(demo.set_dead, _DEAD_SERVO, True)
-    yield lambda: robot.known.stuck is not None
+    yield lambda: robot.state.stuck is not None
     yield from tour.look_at_pages("-stuck", first_only=True)

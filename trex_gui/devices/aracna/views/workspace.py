@@ -1,4 +1,4 @@
-"""The desk of an Aracna: its pages, the bar below them, and what its menus do."""
+"""The workspace of an Aracna: its pages, the bar below them, and its menu actions."""
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -10,12 +10,12 @@ from PySide6.QtWidgets import QDockWidget, QVBoxLayout
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
-from trex_gui.devices.aracna.views.action_bar import RobotBar
+from trex_gui.devices.aracna.views.action_bar import ActionBar
 from trex_gui.devices.aracna.views.demo.panel import RobotPanel
 from trex_gui.devices.aracna.views.help import help_text
 from trex_gui.devices.aracna.views.log_page import LogPage
 from trex_gui.devices.aracna.views.menu import menus
-from trex_gui.devices.aracna.views.poses_page import PosesPage
+from trex_gui.devices.aracna.views.poses.panel import PosesPage
 from trex_gui.devices.aracna.views.recordings import AracnaRecordings
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -28,7 +28,7 @@ _PAGE = "aracna/page"
 
 
 class AracnaWorkspace(Workspace):
-    """Everything of the window that is about an Aracna; it holds no state of the robot."""
+    """Everything in the window that is specific to an Aracna; has no state of the robot."""
 
     def __init__(self, controller: AracnaController, frame: MainWindow) -> None:
         robot = controller.robot
@@ -38,7 +38,7 @@ class AracnaWorkspace(Workspace):
         self._store = QSettings(self)
         self._was_up = False
         self._actions: Mapping[str, QAction] = {}
-        self._told_possible: Mapping[str, bool] = {}
+        self._shown_actions: Mapping[str, bool] = {}
 
         tabs = self.pages
         tabs.setObjectName("aracnaTabs")
@@ -58,7 +58,7 @@ class AracnaWorkspace(Workspace):
         )
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
-        bar = RobotBar(robot, self)
+        bar = ActionBar(robot, self)
         self._controller = controller
         self._demo = RobotPanel(controller, frame)
 
@@ -84,26 +84,26 @@ class AracnaWorkspace(Workspace):
 
     @property
     def stop_text(self) -> str:
-        """Name what there is: this robot has no stop."""
+        """This robot has no stop."""
         return self.tr("&Stop sequence")
 
     @property
     def help_title(self) -> str:
-        """Nothing of it is published where it could be linked to."""
+        """There is no published documentation to link to."""
         return self.tr("&Help on the Aracna…")
 
     @property
     def help_text(self) -> str:
-        """What its pages and keys do, and what the robot cannot do."""
+        """Help on its pages and keys, and on what the robot cannot do."""
         return help_text(self.menus())
 
     @property
     def file_kinds(self) -> Sequence[FileKind]:
-        """Pose files; recordings open in windows of their own."""
+        """Pose files; recordings open in their own windows."""
         return (FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), self._open_poses),)
 
     def _open_poses(self, path: Path) -> None:
-        """Open a pose file, after the question that is due, and show what is in it."""
+        """Open a pose file and show it."""
         if self._poses.panel.files.open_file(path):
             self.show_page("poses")
 
@@ -112,7 +112,7 @@ class AracnaWorkspace(Workspace):
         """The panel of the simulated robot."""
         return (self._demo,)
 
-    # --- What its menus do --------------------------------------------------------------
+    # --- Menus --------------------------------------------------------------------------
 
     def menus(self) -> Menus:
         return menus(self.page_actions())
@@ -142,7 +142,7 @@ class AracnaWorkspace(Workspace):
         }
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        """Take the actions that stand for its slots, and show the page of the last time."""
+        """Take the actions of its slots, and show the last page."""
         self._actions = actions
         page = str(self._store.value(_PAGE, 0))
         self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
@@ -151,10 +151,10 @@ class AracnaWorkspace(Workspace):
         self._on_changed()
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        """Return which of its actions can be done now."""
+        """Return which of its actions are available now."""
         robot, recorder = self._robot, self.recordings.recorder
-        idle, undo = robot.playing is None, self._library.undo
-        known = any(position is not None for position in robot.present)
+        idle, undo = robot.state.playing is None, self._library.undo
+        known = any(position is not None for position in robot.state.present)
         return {
             "aracna_move": self._page.controls.can_move,
             "aracna_present": idle and known,
@@ -164,23 +164,23 @@ class AracnaWorkspace(Workspace):
             "aracna_end": not idle and robot.link is ConnectionState.CONNECTED,
             "aracna_record": recorder.recording or recorder.can_record,
             "aracna_limits": not robot.limits.are_factory,
-            "aracna_capture": None not in robot.present,
+            "aracna_capture": None not in robot.state.present,
             "aracna_undo": undo.canUndo(),
             "aracna_redo": undo.canRedo(),
             "aracna_demo": self._controller.demo_in_use,
         }
 
     def _play(self) -> None:
-        """Play what is chosen, and show which step runs."""
+        """Play the current sequence or gait on its page."""
         self.show_page("poses")
         self._poses.panel.play()
 
     def _capture(self) -> None:
-        """Keep the present position, and let its name be typed."""
+        """Save the present position as a pose."""
         self.show_page("poses")
         self._poses.panel.capture()
 
-    # --- What has changed ---------------------------------------------------------------
+    # --- Updates ------------------------------------------------------------------------
 
     @Slot()
     def _on_link_changed(self) -> None:
@@ -192,14 +192,14 @@ class AracnaWorkspace(Workspace):
 
     @Slot()
     def _on_changed(self) -> None:
-        """A drag tells of replies thirty times a second; the menus seldom depend on them."""
+        """Update the menus only if needed: while dragging, replies arrive 30 times a second."""
         if not self._actions:
             return
         recording = self.recordings.recorder.recording
         text = self.tr("Stop &recording") if recording else self.tr("&Record…")
         self._actions["aracna_record"].setText(text)
-        if (enabled_actions := self.enabled_actions()) != self._told_possible:
-            self._told_possible = enabled_actions
+        if (enabled_actions := self.enabled_actions()) != self._shown_actions:
+            self._shown_actions = enabled_actions
             self.actions_changed.emit()
 
     @Slot()
@@ -210,13 +210,13 @@ class AracnaWorkspace(Workspace):
     # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Ask before poses that were not saved are lost."""
+        """Ask before unsaved poses are lost."""
         del leave
         return self._poses.panel.files.may_close()
 
     def prepare_to_close(self) -> None:
-        """Remember the page that is shown."""
-        QObject.disconnect(self._undo_watch)  # the stack tells of its own end, too
+        """Save the current page."""
+        QObject.disconnect(self._undo_watch)  # the stack emits at its end, too
         self._demo.leave()
         self._store.setValue(_PAGE, self.pages.currentIndex())
 

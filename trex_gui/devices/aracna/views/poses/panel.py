@@ -4,14 +4,18 @@ from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from trex_gui.devices.aracna.model.library import ItemKey, Library
+from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import PlayState
 from trex_gui.devices.aracna.poses.playing import Present
 from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
+from trex_gui.devices.aracna.protocol.units import CENTRE
 from trex_gui.devices.aracna.views.poses.files import PoseFiles
 from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
 from trex_gui.devices.aracna.views.poses.name_list import small_button
 from trex_gui.devices.aracna.views.poses.play_bar import PlayBar, Preview, preview
 from trex_gui.devices.aracna.views.poses.pose_box import PoseBox
+from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
+from trex_gui.devices.aracna.views.robot.texts import assumed_text, move_blocker
 from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import builders
@@ -191,3 +195,43 @@ class PosesPanel(QWidget):
         if self._preview.play is not None and self._can_move and self._playing is None:
             self._played = self._motions.current
             self.play_requested.emit(self._preview.play)
+
+
+class PosesPage(QWidget):
+    """The panel beside a drawing, connected to the robot."""
+
+    def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("aracnaPosesPage")
+        self._robot = robot
+        self.panel = PosesPanel(library, robot.notifier, self)
+        self._drawing = builders.named(RobotDrawing(robot.state, self), "aracnaPosesDrawing")
+        footnote = builders.label(self, "aracnaPosesFootnote", f"* {assumed_text()}", wrap=True)
+        footnote.setForegroundRole(footnote.palette().ColorRole.PlaceholderText)
+        left = builders.column((self._drawing, 1), footnote, 0)
+        builders.row((left, 1), (self.panel, 4), into=self, spacing=16)
+
+        self._drawing.pointed.connect(self._drawing.mark)
+        self.panel.go_to_requested.connect(self._on_go_to_requested)
+        self.panel.play_requested.connect(robot.play)
+        self.panel.scale_changed.connect(robot.set_time_scale)
+        robot.changed.connect(self._on_changed)
+        robot.limits.changed.connect(self._on_changed)
+        robot.targets.changed.connect(self._on_changed)
+        self._on_changed()
+
+    @Slot(object)
+    def _on_go_to_requested(self, positions: tuple[int, ...]) -> None:
+        """Move to a pose; motors without a position go to the centre."""
+        motors = self._robot.state.motors
+        self._robot.move((*positions, *(CENTRE,) * motors)[:motors])
+
+    @Slot()
+    def _on_changed(self) -> None:
+        robot, state = self._robot, self._robot.state
+        why_not = move_blocker(robot)
+        self.panel.show_link(not why_not, why_not)
+        self.panel.show_present(state.present)
+        self.panel.show_limits(robot.limits.first(state.motors))
+        self.panel.show_playing(state.playing)
+        self._drawing.show_robot(state, robot.targets.goals)

@@ -1,90 +1,108 @@
-"""The robot seen from above: where it is in full lines, where it is to go in dashes."""
+"""The robot from above: reported positions in full lines, goals dashed.
 
-from typing import Protocol
+Nothing published says how a servo's angle turns a leg of this robot. So this is a sketch without
+kinematics: every angle is drawn flat, reduced so that legs do not overlap, and mirrored so that
+equal numbers look alike.
+"""
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, SignalInstance
+import math
+from dataclasses import dataclass
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from trex_gui.devices.aracna.model.robot_state import RobotState
-from trex_gui.devices.aracna.protocol.joints import JOINTS
-from trex_gui.devices.aracna.views.robot.geometry import BODY, Leg, legs
-from trex_gui.devices.aracna.views.robot.words import position_text, spoken_joint
+from trex_gui.devices.aracna.protocol.joints import JOINTS, Side
+from trex_gui.devices.aracna.protocol.units import degrees
+from trex_gui.devices.aracna.views.robot.texts import position_text, spoken_joint
 from trex_gui.ui.theme.theme import theme
 
+_OUTWARD = {
+    Side.RIGHT_FRONT: 45.0,
+    Side.LEFT_FRONT: 135.0,
+    Side.LEFT_BACK: 225.0,
+    Side.RIGHT_BACK: 315.0,
+}
+"""Degrees anticlockwise from the right, the front up."""
+
+_MIRROR = {Side.RIGHT_FRONT: 1, Side.LEFT_FRONT: -1, Side.LEFT_BACK: 1, Side.RIGHT_BACK: -1}
+
+_CENTRE = 150.0
+_REDUCTION = 0.35
+"""Drawn part of a servo's angle."""
+
+_BODY = 0.24
+"""Half the edge of the body; the picture goes from -1 to 1 both ways."""
+
+_HIP = 0.26
+_UPPER = 0.33
+_LOWER = 0.34
 _RADIUS = 0.075
 _REACH = 0.13
-"""How near the mouse has to be to a joint."""
+"""Distance within which the mouse points at a joint."""
+
+Point = tuple[float, float]
 
 
-class Wanted(Protocol):
-    """Where each joint is wanted."""
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """Places of inner joint, outer joint and foot: x to the right and y down, -1 to 1."""
 
-    @property
-    def changed(self) -> SignalInstance:
-        """Told when one of the goals is another."""
-        ...
-
-    @property
-    def goals(self) -> tuple[int, ...]:
-        """All of them in units, motor 0 first."""
-        ...
+    side: Side
+    inner: Point
+    outer: Point
+    foot: Point
 
 
-class Posed(Protocol):
-    """A robot as far as it is drawn: one that is connected, or one that was recorded."""
+def legs(positions: tuple[float, ...]) -> tuple[Leg, ...]:
+    """Return the legs of which both motors have a position (units), in the order of motors."""
+    return tuple(
+        _leg(JOINTS[motor].side, positions[motor], positions[motor + 1])
+        for motor in range(0, min(len(positions), len(JOINTS)) - 1, 2)
+    )
 
-    @property
-    def changed(self) -> SignalInstance:
-        """Told when anything is other than it was, but for what is wanted."""
-        ...
 
-    @property
-    def known(self) -> RobotState:
-        """Everything that it has reported."""
-        ...
+def _leg(side: Side, inner: float, outer: float) -> Leg:
+    outward, mirror = _OUTWARD[side], _MIRROR[side]
+    hip = _along((0.0, 0.0), outward, _HIP * math.sqrt(2))
+    first = outward + mirror * _REDUCTION * (degrees(inner) - _CENTRE)
+    knee = _along(hip, first, _UPPER)
+    second = first + mirror * _REDUCTION * (degrees(outer) - _CENTRE)
+    return Leg(side, hip, knee, _along(knee, second, _LOWER))
 
-    @property
-    def present(self) -> tuple[int | None, ...]:
-        """Where each motor was last reported; `None` where that is not known."""
-        ...
 
-    @property
-    def motors(self) -> int:
-        """How many motors it has."""
-        ...
-
-    @property
-    def targets(self) -> Wanted:
-        """Where each joint is wanted."""
-        ...
+def _along(start: Point, angle: float, length: float) -> Point:
+    turn = math.radians(angle)
+    return start[0] + length * math.cos(turn), start[1] - length * math.sin(turn)
 
 
 class RobotDrawing(QWidget):
-    """A sketch: it shows which joint is meant and which way it goes, and measures nothing.
-
-    The rows beside it do everything by keyboard; it takes no focus.
+    """Shows which joint is which and how it turns; takes no focus.
 
     Signals:
-        pointed: the motor whose joint the mouse is on; -1 for none.
-        chosen: a joint was clicked: its motor.
+        pointed: the motor whose joint the mouse points at; -1 for none.
+        chosen: the motor whose joint was clicked.
     """
 
     pointed = Signal(int)
     chosen = Signal(int)
 
-    def __init__(self, robot: Posed, parent: QWidget | None = None) -> None:
+    def __init__(self, state: RobotState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaDrawing")
         self.setAccessibleName(self.tr("The robot from above"))
-        self._robot = robot
+        self._state = state
+        self._goals: tuple[int, ...] = ()
         self._marked: int | None = None
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-
-        robot.changed.connect(self.update)
-        robot.targets.changed.connect(self.update)
         theme().changed.connect(self.update)
+
+    def show_robot(self, state: RobotState, goals: tuple[int, ...]) -> None:
+        """Draw the reported state and one goal for each motor."""
+        self._state, self._goals = state, goals
+        self.update()
 
     def sizeHint(self) -> QSize:
         return QSize(330, 330)
@@ -93,31 +111,28 @@ class RobotDrawing(QWidget):
         return QSize(190, 190)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Be no higher than wide: what stands below follows at once."""
+        """Stay no higher than wide, so that the text below is close."""
         super().resizeEvent(event)
         self.setMaximumHeight(max(self.width(), self.minimumSizeHint().height()))
 
     def mark(self, motor: int | None) -> None:
-        """Let the joint of a motor stand out."""
+        """Highlight a joint."""
         if motor != self._marked:
             self._marked = motor
             self.update()
 
     def joint_place(self, motor: int) -> QPointF:
-        """Return where the joint of a motor is drawn, in pixels of this widget."""
+        """Return where a joint is drawn, in pixels of this widget."""
         leg = self._solid()[motor // 2]
         return self._place(leg.outer if motor % 2 else leg.inner)
 
-    # --- The mouse ----------------------------------------------------------------------
-
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         motor = self._joint_at(event.position())
-        self.setCursor(
-            Qt.CursorShape.ArrowCursor if motor < 0 else Qt.CursorShape.PointingHandCursor
-        )
+        hand = Qt.CursorShape.PointingHandCursor
+        self.setCursor(Qt.CursorShape.ArrowCursor if motor < 0 else hand)
         tip = ""
         if motor >= 0:
-            present = position_text(self._robot.present[motor])
+            present = position_text(self._state.present[motor])
             tip = self.tr("{0}: {1}").format(spoken_joint(motor), present)
         self.setToolTip(tip)
         self.pointed.emit(motor)
@@ -132,49 +147,46 @@ class RobotDrawing(QWidget):
         self.pointed.emit(-1)
 
     def _joint_at(self, point: QPointF) -> int:
-        """Return the motor of the joint that a point is on; -1: none."""
+        """Return the motor of the joint at a point; -1 for none."""
         found, nearest = -1, _REACH * self._scale()
-        for motor in range(min(self._robot.motors, len(JOINTS))):
+        for motor in range(2 * len(self._solid())):
             away = point - self.joint_place(motor)
-            distance = (away.x() ** 2 + away.y() ** 2) ** 0.5
+            distance = math.hypot(away.x(), away.y())
             if distance < nearest:
                 found, nearest = motor, distance
         return found
 
-    # --- Looks --------------------------------------------------------------------------
-
     def _solid(self) -> tuple[Leg, ...]:
-        """Return the legs as reported; of a motor that was never, where it is wanted."""
-        pairs = zip(self._robot.present, self._robot.targets.goals, strict=False)
+        """Return the legs at reported positions, or at goals where these are unknown."""
+        pairs = zip(self._state.present, self._goals, strict=False)
         return legs(tuple(goal if present is None else present for present, goal in pairs))
 
     def _scale(self) -> float:
         return min(self.width(), self.height()) / 2.06
 
-    def _place(self, point: tuple[float, float]) -> QPointF:
+    def _place(self, point: Point) -> QPointF:
         scale = self._scale()
         return QPointF(self.width() / 2 + point[0] * scale, (1.03 + point[1]) * scale)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        solid = self._solid()
-        self._paint_body(painter)
-        for index, leg in enumerate(solid):
-            known = None not in self._robot.present[2 * index : 2 * index + 2]
-            self._paint_leg(painter, leg, theme().color("neutral"), dashed=not known)
-        for wanted, leg in zip(legs(self._robot.targets.goals), solid, strict=False):
-            if _is_elsewhere(wanted, leg):
-                self._paint_leg(painter, wanted, theme().color("info"), dashed=True, width=0.018)
-        for motor in range(2 * len(solid)):
-            self._paint_joint(painter, motor)
-        painter.end()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            solid = self._solid()
+            self._paint_body(painter)
+            for index, leg in enumerate(solid):
+                is_known = None not in self._state.present[2 * index : 2 * index + 2]
+                self._paint_leg(painter, leg, theme().color("neutral"), dashed=not is_known)
+            for goal, leg in zip(legs(self._goals), solid, strict=False):
+                if _differ(goal, leg):
+                    self._paint_leg(painter, goal, theme().color("info"), dashed=True)
+            for motor in range(2 * len(solid)):
+                self._paint_joint(painter, motor)
 
     def _paint_body(self, painter: QPainter) -> None:
         scale = self._scale()
-        corner = self._place((-BODY, -BODY))
-        body = QRectF(corner.x(), corner.y(), 2 * BODY * scale, 2 * BODY * scale)
+        corner = self._place((-_BODY, -_BODY))
+        body = QRectF(corner.x(), corner.y(), 2 * _BODY * scale, 2 * _BODY * scale)
         painter.setPen(QPen(theme().color("neutral"), max(0.012 * scale, 1)))
         painter.setBrush(theme().color("track_off"))
         painter.drawRoundedRect(body, 0.06 * scale, 0.06 * scale)
@@ -182,13 +194,10 @@ class RobotDrawing(QWidget):
         above = QRectF(0, 0, self.width(), 1.4 * painter.fontMetrics().height())
         painter.drawText(above, Qt.AlignmentFlag.AlignCenter, self.tr("▲ front*"))
 
-    def _paint_leg(
-        self, painter: QPainter, leg: Leg, color: QColor, *, dashed: bool, width: float = 0.05
-    ) -> None:
-        pen = QPen(color, max(width * self._scale(), 1.5))
+    def _paint_leg(self, painter: QPainter, leg: Leg, color: QColor, *, dashed: bool) -> None:
+        pen = QPen(color, max((0.018 if dashed else 0.05) * self._scale(), 1.5))
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         if dashed:
-            pen.setWidthF(max(0.018 * self._scale(), 1.5))
             pen.setStyle(Qt.PenStyle.DashLine)
         painter.setPen(pen)
         places = [self._place(point) for point in (leg.inner, leg.outer, leg.foot)]
@@ -199,24 +208,25 @@ class RobotDrawing(QWidget):
         painter.drawEllipse(places[2], radius, radius)
 
     def _paint_joint(self, painter: QPainter, motor: int) -> None:
-        known = self._robot.known
+        state = self._state
         place, radius = self.joint_place(motor), max(_RADIUS * self._scale(), 10.0)
         marked = motor == self._marked
-        bad = any(each.motor == motor for each in known.missed)
-        bad = bad or (known.stuck is not None and known.stuck.motor == motor)
-        bad = bad or (known.held(motor) or 0) < 0
-        waited = known.moving is not None and known.waited_for == motor
-        edge = "danger" if bad else "info" if waited else "mark"
-        painter.setPen(QPen(theme().color(edge), 3.5 if bad or waited else 1.5))
+        is_bad = (
+            any(each.motor == motor for each in state.missed_goals)
+            or (state.stuck is not None and state.stuck.motor == motor)
+            or (state.held_speed(motor) or 0) < 0
+        )
+        is_awaited = state.moving is not None and state.awaited_motor == motor
+        edge = "danger" if is_bad else "info" if is_awaited else "mark"
+        painter.setPen(QPen(theme().color(edge), 3.5 if is_bad or is_awaited else 1.5))
         painter.setBrush(theme().color("highlight" if marked else "track"))
         painter.drawEllipse(place, radius, radius)
         painter.setPen(theme().color("highlighted_text" if marked else "text"))
         box = QRectF(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius)
-        text = f"{motor}!" if bad else str(motor)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{motor}!" if is_bad else str(motor))
 
 
-def _is_elsewhere(one: Leg, other: Leg) -> bool:
-    """Whether two pictures of a leg differ by more than a hair."""
+def _differ(one: Leg, other: Leg) -> bool:
+    """Whether two pictures of a leg differ visibly."""
     pairs = zip((*one.outer, *one.foot), (*other.outer, *other.foot), strict=True)
     return any(abs(a - b) > 0.01 for a, b in pairs)

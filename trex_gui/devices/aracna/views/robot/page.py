@@ -1,70 +1,81 @@
-"""The robot: seen from above, and its joints in rows."""
+"""The robot page: a drawing, the joints in rows, and controls for all joints."""
 
-from PySide6.QtCore import Qt, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.views.robot.controls import Controls
+from trex_gui.devices.aracna.model.setpoints import FIRST_SPEED
+from trex_gui.devices.aracna.model.texts import joined, missed_texts, speed_texts, stuck_text
+from trex_gui.devices.aracna.poses.gaits import STAND
+from trex_gui.devices.aracna.protocol.units import CENTRE
+from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.devices.aracna.views.robot.joint_table import JointTable
-from trex_gui.devices.aracna.views.robot.reports import Reports
-from trex_gui.devices.aracna.views.robot.sketch import Sketch
+from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
+from trex_gui.devices.aracna.views.robot.texts import assumed_text, move_blocker, speed_text
 from trex_gui.devices.aracna.views.typed import take_typed
+from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.theme import tint
+from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets.labels import Note
 
 _GAP = 16
+_WIDEST_RATE = 888.8
+_CAPTION_LINES = 6
+_MIN_SKETCH_WIDTH = 130
+"""Pixels; in a narrower drawing the joints overlap."""
 
 
 class RobotPage(QWidget):
-    """Sliders are what a person wants; the robot goes there on Move, or while they are dragged."""
+    """Sliders set the goals; the robot moves on Move, or while they are dragged."""
 
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaRobotPage")
         self._robot = robot
-
         self._sketch = Sketch(robot, self)
-        self._drawing = self._sketch.drawing
         self._table = JointTable(robot, self)
-        self._reports = Reports(robot, self)
+        self._report = builders.named(
+            Note(2, self), "aracnaReport", accessible=self.tr("Report of the robot")
+        )
         self.controls = Controls(robot, self)
+        self._right = builders.column(self._table, self.controls, self._report, 1, spacing=10)
+        self._sides = builders.row(
+            (self._sketch, 2),
+            (self._right, 7, Qt.AlignmentFlag.AlignTop),
+            into=self,
+            spacing=_GAP,
+        )
 
-        self._right = right = QVBoxLayout()
-        right.setSpacing(10)
-        right.addWidget(self._table)
-        right.addWidget(self.controls)
-        right.addWidget(self._reports)
-        right.addStretch(1)
-        self._sides = layout = QHBoxLayout(self)
-        layout.setSpacing(_GAP)
-        layout.addWidget(self._sketch, 2)
-        layout.addLayout(right, 7)
-        layout.setAlignment(right, Qt.AlignmentFlag.AlignTop)
-
-        self._drawing.pointed.connect(self._on_pointed)
-        self._drawing.chosen.connect(self._table.focus)
+        self._sketch.drawing.pointed.connect(self._on_pointed)
+        self._sketch.drawing.chosen.connect(self._table.focus)
         self._table.pointed.connect(self._on_pointed)
-        self._table.wanted.connect(self._on_wanted)
+        self._table.goal_changed.connect(self._on_goal_changed)
         self._table.grabbed.connect(self._on_grabbed)
-        self._table.released.connect(self._on_released)
-        self.controls.move_wanted.connect(self.move_now)
-        self.controls.limits_toggled.connect(self._on_limits_toggled)
+        self._table.released.connect(robot.end_drag)
+        self.controls.move_clicked.connect(self.move_now)
+        self.controls.limits_toggled.connect(lambda shown: self._table.show_limits(shown=shown))
+        robot.changed.connect(self._on_changed)
+        self._on_changed()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Hide the sketch where it has no room."""
         super().resizeEvent(event)
         margins = self._sides.contentsMargins()
         taken = margins.left() + margins.right() + self._right.minimumSize().width() + _GAP
-        self._sketch.fit(self.width() - taken)
+        self._sketch.setVisible(self.width() - taken >= _MIN_SKETCH_WIDTH)
 
     @Slot()
     def move_now(self) -> None:
-        """Send every motor to its goal."""
+        """Move every motor to its goal."""
         take_typed()
         self._robot.move(self._robot.targets.goals)
 
     @Slot(int)
     def _on_pointed(self, motor: int) -> None:
         marked = motor if motor >= 0 else None
-        self._drawing.mark(marked)
+        self._sketch.drawing.mark(marked)
         self._table.mark(marked)
 
     @Slot()
@@ -73,22 +84,229 @@ class RobotPage(QWidget):
             self._robot.begin_drag()
 
     @Slot()
-    def _on_released(self) -> None:
-        self._robot.end_drag()
-
-    @Slot(int)
-    def _on_wanted(self, motor: int) -> None:
-        """Send at once where that is wished; a key or a spin box is a drag of one step."""
-        del motor
+    def _on_goal_changed(self) -> None:
+        """Send the goals in live mode; a key or a spin box is a drag of one step."""
         if not self.controls.is_live or not self.controls.can_move:
             return
         if self._robot.dragging:
             self._robot.drag(self._robot.targets.goals)
-        elif not self._table.held:
+        elif not self._table.is_held:
             self._robot.begin_drag()
             self._robot.drag(self._robot.targets.goals)
             self._robot.end_drag()
 
+    @Slot()
+    def _on_changed(self) -> None:
+        text, alarming = self._report_text()
+        self._report.show_note(text, alarming=alarming)
+
+    def _report_text(self) -> tuple[str, bool]:
+        """Return what the robot did not do as commanded, or what is unknown; and if it alarms."""
+        state = self._robot.state
+        if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
+            text = self.tr(
+                "No robot is connected. Choose its port above, or Demo Aracna to try without one; "
+                "limits and goals can be set already."
+            )
+            return text, False
+        if state.stuck is not None:
+            return stuck_text(state.stuck.motor), True
+        if faults := missed_texts(state) + speed_texts(state):
+            return joined(faults), True
+        if state.uncertain:
+            text = self.tr(
+                "Motor positions are unknown; the last motion may still be running. The next move "
+                "will report them."
+            )
+            return text, True
+        if all(position is None for position in state.present):
+            return self._before_first_move_text(), False
+        if state.moved is not None:
+            return self.tr("Every motor has reached its goal within a few units."), False
+        return "", False
+
+    def _before_first_move_text(self) -> str:
+        text = self.tr(
+            "Motor positions are unknown before the first move: this robot reports them only in "
+            "its reply to one."
+        )
+        if self._robot.speeds.are_chosen:
+            return text
+        more = self.tr("That move runs at speed {0} ({1}), unless you choose others.")
+        return f"{text} {more.format(FIRST_SPEED, speed_text(FIRST_SPEED))}"
+
+
+class Sketch(QWidget):
+    """The drawing and its caption, as wide as the page has room for.
+
+    It never determines the height of the page: otherwise it would come and go with a scroll bar.
+    """
+
+    def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._robot = robot
+        self.drawing = RobotDrawing(robot.state, self)
+        text = self.tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
+        caption = f"{text}\n* {assumed_text()}"
+        self._caption = builders.label(self, "aracnaCaption", caption, wrap=True)
+        self._caption.setForegroundRole(self._caption.palette().ColorRole.PlaceholderText)
+        self._caption.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+        self._caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        builders.column((self.drawing, 1), self._caption, 0, into=self, margins=0)
+
+        robot.changed.connect(self._show_robot)
+        robot.targets.changed.connect(self._show_robot)
+        self._show_robot()
+
+    @Slot()
+    def _show_robot(self) -> None:
+        self.drawing.show_robot(self._robot.state, self._robot.targets.goals)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Make room for the whole caption, however often it wraps."""
+        super().resizeEvent(event)
+        lines = _CAPTION_LINES * self._caption.fontMetrics().lineSpacing()
+        self._caption.setMinimumHeight(max(lines, self._caption.heightForWidth(self.width())))
+
+
+class Controls(QWidget):
+    """Controls for all joints: move, live mode, sliders, speed, limits.
+
+    Signals:
+        move_clicked: send the sliders' goals now.
+        limits_toggled: whether limits are shown.
+    """
+
+    move_clicked = Signal()
+    limits_toggled = Signal(bool)
+
+    def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._robot = robot
+
+        self._move = builders.button(
+            self, "aracnaMoveButton", self.tr("Move"), on_click=self.move_clicked
+        )
+        builders.set_bold(self._move)
+        tint(self._move, "run")
+        set_icon(self._move, "run", "run_text")
+        self._move.setMinimumWidth(8 * self.fontMetrics().averageCharWidth() + 60)
+        self._live = builders.check_box(
+            self,
+            "aracnaLiveBox",
+            self.tr("Send while &dragging"),
+            tip=self.tr("The newest goal is sent as soon as the robot has reached the last one"),
+        )
+        self._rate = builders.label(self, "aracnaRateLabel")
+        widest = self.fontMetrics().horizontalAdvance(self._rate_text(_WIDEST_RATE))
+        self._rate.setMinimumWidth(widest + 6)
+        self._present = self._button(
+            "Present", self.tr("Present"), self.tr("Present positions"), self.take_present
+        )
+        self._centre = self._button(
+            "Centre", self.tr("Centre"), self.tr("512 = 150°; nothing moves yet"), self.centre
+        )
+        self._stand = self._button(
+            "Stand",
+            self.tr("Stand"),
+            self.tr("Inner 512, outer 680, within the limits; nothing moves yet"),
+            self.stand,
+        )
+        self._speed = CommonSpeedBox("aracnaSpeedAll", self.tr("Speed of all motors"), self)
+        self._factory = self._button(
+            "FactoryLimits",
+            self.tr("Reset limits"),
+            self.tr("Inner 50–600, outer 0–550: tuned on the robot by its authors"),
+            robot.limits.reset,
+        )
+        limits = builders.check_box(
+            self,
+            "aracnaLimitsBox",
+            self.tr("&Limits instead of speeds"),
+            tip=self.tr("How far each joint may turn; goals are cropped before sending"),
+            on_toggle=self._on_limits_toggled,
+        )
+        speed_label = builders.label(self, "", self.tr("S&peed of all:"), buddy=self._speed)
+        sliders = builders.row(
+            builders.label(self, "", self.tr("Set sliders to:")),
+            self._present,
+            self._centre,
+            self._stand,
+        )
+        sliders.addSpacing(16)
+        for widget in (speed_label, self._speed):
+            sliders.addWidget(widget)
+        sliders.addStretch(1)
+        builders.column(
+            sliders,
+            builders.row(self._move, self._live, self._rate, 1, self._factory, limits),
+            into=self,
+            margins=0,
+        )
+
+        self._speed.valueChanged.connect(self._on_speed_changed)
+        robot.changed.connect(self._on_changed)
+        robot.limits.changed.connect(self._on_changed)
+        self._on_limits_toggled(shown=False)
+        self._on_changed()
+
+    @property
+    def is_live(self) -> bool:
+        """Whether goals are sent while the user drags."""
+        return self._live.isChecked()
+
+    @property
+    def can_move(self) -> bool:
+        """Whether the robot can be moved now."""
+        return not move_blocker(self._robot) and self._robot.state.playing is None
+
+    @Slot()
+    def take_present(self) -> None:
+        """Set the sliders to the present positions."""
+        take_typed()
+        pairs = zip(self._robot.state.present, self._robot.targets.goals, strict=False)
+        goals = [goal if present is None else present for present, goal in pairs]
+        self._robot.targets.set_all(goals)
+
+    @Slot()
+    def centre(self) -> None:
+        """Set the sliders to the middle of the servos' travel."""
+        take_typed()
+        self._robot.targets.set_all((CENTRE,) * self._robot.state.motors)
+
+    @Slot()
+    def stand(self) -> None:
+        """Set the sliders to the built-in standing pose."""
+        take_typed()
+        self._robot.targets.set_all(STAND.first(self._robot.state.motors))
+
+    def _button(self, name: str, text: str, tip: str, slot: builders.Handler) -> QPushButton:
+        return builders.button(self, f"aracna{name}Button", text, tip=tip, on_click=slot)
+
     @Slot(bool)
     def _on_limits_toggled(self, shown: bool) -> None:
-        self._table.show_limits(shown=shown)
+        self._factory.setVisible(shown)
+        self.limits_toggled.emit(shown)
+
+    @Slot(int)
+    def _on_speed_changed(self, speed: int) -> None:
+        self._robot.set_speeds((speed,) * self._robot.state.motors)
+
+    @Slot()
+    def _on_changed(self) -> None:
+        robot = self._robot
+        self._move.setEnabled(self.can_move)
+        tip = self.tr("Move every motor to its goal, within its limits (Ctrl+M)")
+        self._move.setToolTip(move_blocker(robot) or tip)
+        is_idle = robot.state.playing is None
+        is_known = any(each is not None for each in robot.state.present)
+        self._present.setEnabled(is_idle and is_known)
+        for button in (self._centre, self._stand):
+            button.setEnabled(is_idle)
+        self._factory.setEnabled(not robot.limits.are_factory)
+        self._speed.show_speeds(robot.speeds.values)
+        self._rate.setText("" if robot.rate is None else self._rate_text(robot.rate))
+
+    def _rate_text(self, rate: float) -> str:
+        return self.tr("{0:.1f} commands/s").format(rate)

@@ -1,4 +1,4 @@
-"""Words and figures of the robot's page, the same in drawing, rows and reports."""
+"""Texts and figures of the robot's joints."""
 
 from PySide6.QtCore import QCoreApplication
 
@@ -9,26 +9,25 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 def tr(text: str) -> str:
-    """Translate a text of this file."""
+    """Translate a text of this module."""
     return QCoreApplication.translate("AracnaWords", text)
 
 
 def joint_of(motor: int) -> Joint | None:
-    """Return the joint of a motor; `None` of one that the published robot does not have."""
+    """Return the joint of a motor; `None` if the published robot does not have it."""
     return JOINTS[motor] if motor < len(JOINTS) else None
 
 
 def joint_text(motor: int) -> str:
-    """Name a motor and its joint: `0 inner`."""
+    """Return motor and joint, such as `0 inner`."""
     joint = joint_of(motor)
     if joint is None:
         return str(motor)
-    kind = tr("inner") if joint.kind is JointKind.INNER else tr("outer")
-    return f"{motor} {kind}"
+    return f"{motor} {tr('inner') if joint.kind is JointKind.INNER else tr('outer')}"
 
 
 def side_text(side: Side) -> str:
-    """Name a leg."""
+    """Return the name of a leg."""
     return {
         Side.LEFT_FRONT: tr("Front left"),
         Side.RIGHT_FRONT: tr("Front right"),
@@ -38,7 +37,7 @@ def side_text(side: Side) -> str:
 
 
 def spoken_joint(motor: int) -> str:
-    """Name a motor, its joint and its leg for who does not see the table."""
+    """Return motor, joint and leg for screen readers."""
     joint = joint_of(motor)
     if joint is None:
         return tr("Motor {0}").format(motor)
@@ -46,33 +45,34 @@ def spoken_joint(motor: int) -> str:
 
 
 def position_text(position: int | None) -> str:
-    """Write a position in units and degrees: `512 = 150.1°`."""
+    """Return a position in units and degrees, such as `512 = 150.1°`."""
     return "–" if position is None else f"{position} = {degrees(position):.1f}°"
 
 
 def signed(number: int) -> str:
-    """Write a difference with its sign."""
+    """Return a difference with its sign."""
     return f"{number:+d}".replace("-", "−") if number else "0"
 
 
 def speed_text(speed: int) -> str:
-    """Write what a speed setting means."""
+    """Return what a speed setting means."""
     per_second = degrees_per_second(speed)
-    return tr("as fast as it can") if per_second is None else f"{per_second:.0f} °/s"
+    return tr("unlimited") if per_second is None else f"{per_second:.0f} °/s"
 
 
 def assumed_text() -> str:
-    """Say what the drawing takes for granted."""
+    """Return what the drawing assumes."""
     return tr("Which leg is which is assumed; even motors are inner joints, odd ones outer.")
 
 
-def why_not_move(robot: Robot) -> str:
-    """Say why a robot cannot be sent anywhere now; empty where it can."""
+def move_blocker(robot: Robot) -> str:
+    """Return why the robot cannot be moved now; empty if it can."""
     if robot.link is not ConnectionState.CONNECTED:
-        return tr("There is no robot that could move now.")
-    if (stuck := robot.known.stuck) is None:
+        return tr("No robot is connected.")
+    if (stuck := robot.state.stuck) is None:
         return ""
     if stuck.motor is None:
-        return tr("The robot does not answer; it listens to nothing until it does.")
-    text = tr("The robot waits for motor {0} and listens to nothing until it answers.")
-    return text.format(stuck.motor)
+        return tr("The robot does not answer.")
+    return tr("The robot waits for motor {0} and reads nothing until it answers.").format(
+        stuck.motor
+    )

@@ -1,0 +1,154 @@
+"""What the user sets for each motor: limits, goals and speeds."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QObject, QSettings, Signal, Slot
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
+from trex_gui.devices.aracna.protocol.units import CENTRE, HIGHEST, MOTORS
+
+FIRST_SPEED = 100
+"""Speed of every servo unless the user has chosen others: 67 degrees per second.
+
+Positions are unknown before the first motion, and a servo that was just switched on is unlimited.
+"""
+
+_KEY = "aracna/limits"
+
+
+class JointLimits(QObject):
+    """The limits of each joint, saved in the settings; the firmware enforces none.
+
+    Signals:
+        changed: a limit has changed.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._store = QSettings(self)
+        self._all = self._read()
+
+    def of(self, motor: int) -> Limits:
+        """Return the limits of a motor (0-); the default is that of its kind."""
+        if motor < len(self._all):
+            return self._all[motor]
+        return factory_limits(motor + 1)[motor]
+
+    def first(self, motors: int) -> tuple[Limits, ...]:
+        """Return the limits of motors 0 to `motors` - 1."""
+        return tuple(self.of(motor) for motor in range(motors))
+
+    @property
+    def are_factory(self) -> bool:
+        """Whether every joint has the limits tuned on the robot."""
+        return self._all == factory_limits(len(self._all))
+
+    def set(self, motor: int, low: int, high: int) -> None:
+        """Set the limits of a joint (0-1023).
+
+        Raises:
+            ValueError: they are not in order, or out of range.
+        """
+        limits = Limits(low, high)
+        if motor >= len(self._all):
+            self._all += factory_limits(motor + 1)[len(self._all) :]
+        if limits != self._all[motor]:
+            self._all = (*self._all[:motor], limits, *self._all[motor + 1 :])
+            self._save()
+
+    def reset(self) -> None:
+        """Restore the limits tuned on the robot."""
+        if not self.are_factory:
+            self._all = factory_limits(len(self._all))
+            self._save()
+
+    def crop(self, goals: Sequence[int]) -> tuple[int, ...]:
+        """Return the nearest allowed goals."""
+        return tuple(self.of(motor).crop(goal) for motor, goal in enumerate(goals))
+
+    def _save(self) -> None:
+        text = " ".join(f"{limits.low}-{limits.high}" for limits in self._all)
+        self._store.setValue(_KEY, text)
+        self.changed.emit()
+
+    def _read(self) -> tuple[Limits, ...]:
+        """Return the saved limits, or the default if they are invalid."""
+        pairs = [word.split("-") for word in str(self._store.value(_KEY, "")).split()]
+        try:
+            saved = tuple(Limits(int(low), int(high)) for low, high in pairs)
+        except ValueError:
+            saved = ()
+        return saved if len(saved) >= MOTORS else factory_limits()
+
+
+class Targets(QObject):
+    """The goal of each motor that the sliders show, sent or not; always within the limits.
+
+    Signals:
+        changed: `goals` have changed.
+    """
+
+    changed = Signal()
+
+    def __init__(self, limits: JointLimits, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._limits = limits
+        self.goals = limits.crop((CENTRE,) * MOTORS)
+        limits.changed.connect(self._on_limits_changed)
+
+    def set_count(self, motors: int) -> None:
+        """Set the number of motors; new ones are in the centre."""
+        missing = (CENTRE,) * (motors - len(self.goals))
+        self.set_all((*self.goals[:motors], *missing))
+
+    def set(self, motor: int, position: int) -> None:
+        """Set one goal, cropped to its limits."""
+        self.set_all((*self.goals[:motor], position, *self.goals[motor + 1 :]))
+
+    def set_all(self, goals: Sequence[int]) -> None:
+        """Set every goal, cropped to its limits."""
+        cropped = self._limits.crop(goals)
+        if cropped != self.goals:
+            self.goals = cropped
+            self.changed.emit()
+
+    @Slot()
+    def _on_limits_changed(self) -> None:
+        self.set_all(self.goals)
+
+
+class SpeedSettings(QObject):
+    """The speed of each motor for the next motion, 0-1023 (0: unlimited).
+
+    Signals:
+        changed: `values` or `are_chosen`.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.reset(MOTORS)
+
+    def reset(self, motors: int) -> None:
+        """Use the default for so many motors."""
+        self.values = (FIRST_SPEED,) * motors
+        self.are_chosen = False
+        self.changed.emit()
+
+    def choose(self, speeds: Sequence[int]) -> None:
+        """Set the speeds.
+
+        Raises:
+            BadRequest: wrong number of speeds, or one out of range.
+        """
+        motors = len(self.values)
+        if len(speeds) != motors or any(not 0 <= speed <= HIGHEST for speed in speeds):
+            given = ", ".join(map(str, speeds))
+            raise BadRequest(f"{motors} speeds of 0 to {HIGHEST}, not {given}")
+        self.values = tuple(speeds)
+        self.are_chosen = True
+        self.changed.emit()

@@ -1,0 +1,120 @@
+"""Sentences about the robot's state, for the event log, the pages and the notifier."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QCoreApplication
+
+from trex_gui.core.errors import StudioError
+from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
+from trex_gui.devices.aracna.session.errors import RobotError, describe
+from trex_gui.devices.aracna.session.messages import (
+    Ending,
+    Moved,
+    PlayEnded,
+    Restarted,
+    SpeedsHeld,
+    Stuck,
+)
+from trex_gui.ui.event_log import EventKind
+
+
+def tr(text: str) -> str:
+    """Translate a text of this module."""
+    return QCoreApplication.translate("AracnaTexts", text)
+
+
+def error_text(error: StudioError) -> str:
+    """Return the message of an error, translated."""
+    if isinstance(error, RobotError):
+        return describe(
+            error.code, error.fields, lambda text: QCoreApplication.translate("AracnaErrors", text)
+        )
+    return str(error)
+
+
+def missed_text(missed: MissedGoal) -> str:
+    """Describe where a motor is that missed its goal."""
+    if missed.unreadable:
+        return tr("motor {0} did not report its position (−1)").format(missed.motor)
+    text = tr("motor {0} is at {1}, {2} from its goal {3}")
+    away = f"{missed.present - missed.goal:+d}".replace("-", "−")
+    return text.format(missed.motor, missed.present, away, missed.goal)
+
+
+def missed_texts(state: RobotState) -> list[str]:
+    """Describe every motor that missed its goal; all in one if none has answered."""
+    if state.reply_lost:
+        return [tr("the reply was lost (or no motor answers): positions are not known")]
+    return [missed_text(each) for each in state.missed_goals]
+
+
+def speed_texts(state: RobotState) -> list[str]:
+    """Describe the speeds that servos did not take; all in one if none has answered."""
+    if state.no_servo_answers:
+        return [tr("no motor answers (−1): is the servo power on?")]
+    texts = []
+    for each in state.rejected_speeds:
+        if each.held < 0:
+            text = tr("motor {0} does not answer (−1): no servo power, or its cable")
+        else:
+            text = tr("motor {0} holds speed {1}, not {2}")
+        texts.append(text.format(each.motor, each.held, each.requested))
+    return texts
+
+
+def joined(texts: Sequence[str]) -> str:
+    """Join clauses to one sentence."""
+    text = "; ".join(texts)
+    end = "" if text.endswith("?") else "."
+    return f"{text[:1].upper()}{text[1:]}{end}"
+
+
+def stuck_text(motor: int | None) -> str:
+    """Describe what the robot waits for, and what to check."""
+    if motor is None:
+        return tr("The robot does not answer at all. Check its power and the cable.")
+    return tr(
+        "The robot waits for motor {0}, and reads nothing until it answers. Check the servo power, "
+        "the board's power, the cable of this servo, and whether it is blocked. A reset of the "
+        "board ends the wait; it does not stop the servos."
+    ).format(motor)
+
+
+def cropped_goals_text(goals: Sequence[int], cropped: Sequence[int]) -> str:
+    """Describe which goals were cropped to the limits."""
+    changes = [
+        tr("motor {0} to {1} instead of {2}").format(motor, sent, goal)
+        for motor, (goal, sent) in enumerate(zip(goals, cropped, strict=True))
+        if goal != sent
+    ]
+    return tr("Cropped to the limits of the joints: {0}.").format(", ".join(changes))
+
+
+def _ending_text(why: Ending) -> str:
+    return {
+        Ending.DONE: tr("Played to the end."),
+        Ending.ENDED: tr("The sequence has ended after its step."),
+        Ending.HALTED: tr("The sequence was stopped."),
+        Ending.RESTARTED: tr("The sequence was aborted: the board has restarted."),
+        Ending.STUCK: tr("The sequence was aborted: the robot waits for a motor."),
+        Ending.SPEEDS: tr("The sequence was aborted: a motor did not take its speed."),
+        Ending.MISSED: tr("The sequence was aborted: a motor was far from its goal."),
+        Ending.LOST: tr("The sequence was aborted: the robot does not answer."),
+    }[why]
+
+
+def event_of(report: object, state: RobotState) -> tuple[EventKind, str] | None:
+    """Return the event for a report that `state` has taken, if it is worth logging."""
+    match report:
+        case Restarted():
+            text = tr("The board has restarted. Its servos continue to their goals.")
+            return EventKind.FAULT, text
+        case Moved() if state.missed_goals:
+            return EventKind.FAULT, joined(missed_texts(state))
+        case SpeedsHeld() if state.rejected_speeds:
+            return EventKind.FAULT, joined(speed_texts(state))
+        case Stuck(motor=motor):
+            return EventKind.FAULT, stuck_text(motor)
+        case PlayEnded(why=why):
+            return EventKind.NOTE, _ending_text(why)
+    return None

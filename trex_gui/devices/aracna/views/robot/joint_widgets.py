@@ -1,0 +1,205 @@
+"""Widgets of one joint: the slider, and spin boxes for positions and speeds."""
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QPointF, QRect, QSignalBlocker, QSize, Qt, QTimer, Slot
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPen, QPolygonF, QWheelEvent
+from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QSpinBox, QWidget
+
+from trex_gui.devices.aracna.protocol.joints import Limits
+from trex_gui.devices.aracna.protocol.units import DEGREES_PER_UNIT, HIGHEST
+from trex_gui.devices.aracna.views.robot.texts import speed_text
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.sliders import PressSlider
+
+_WEDGE = 7
+
+
+def _wheel_with_focus(
+    widget: QWidget, event: QWheelEvent, handle: Callable[[QWheelEvent], None]
+) -> None:
+    """Use the wheel only with the focus: otherwise it scrolls the page."""
+    if widget.hasFocus():
+        handle(event)
+    else:
+        event.ignore()
+
+
+class JointSlider(PressSlider):
+    """A slider 0-1023: the handle is the goal, the wedge below is the present position.
+
+    The handle stays within the limits; beyond them the groove is thin and grey.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(0, HIGHEST, parent)
+        self._limits = Limits()
+        self._present: int | None = None
+        self.setSingleStep(4)
+        self.setPageStep(50)
+        self.valueChanged.connect(self._on_value_changed)
+
+    def set_limits(self, limits: Limits) -> None:
+        """Set the range of the handle."""
+        if limits != self._limits:
+            self._limits = limits
+            self.setValue(limits.crop(self.value()))
+            self.update()
+
+    def set_present(self, present: int | None) -> None:
+        """Set the present position; `None` if unknown."""
+        if present != self._present:
+            self._present = present
+            self.update()
+
+    @Slot(int)
+    def _on_value_changed(self, value: int) -> None:
+        if not self._limits.allow(value):
+            self.setValue(self._limits.crop(value))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Go to the limits with Home and End."""
+        match event.key():
+            case Qt.Key.Key_Home:
+                self.setValue(self._limits.low)
+            case Qt.Key.Key_End:
+                self.setValue(self._limits.high)
+            case _:
+                super().keyPressEvent(event)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        _wheel_with_focus(self, event, super().wheelEvent)
+
+    def sizeHint(self) -> QSize:
+        hint = super().sizeHint()
+        return QSize(max(hint.width(), 200), hint.height() + _WEDGE)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(90, self.sizeHint().height())
+
+    def room_below(self) -> int:
+        return _WEDGE
+
+    def paint_groove(self, painter: QPainter, handle: QRect) -> None:
+        """Paint the whole travel, and the part within the limits."""
+        middle = handle.center().y()
+        left, right = self.x_of(0, handle), self.x_of(HIGHEST, handle)
+        painter.setPen(QPen(theme().color("track_edge")))
+        painter.setBrush(theme().color("track_off"))
+        painter.drawRect(QRect(left, middle - 3, right - left, 7))
+        start, end = self.x_of(self._limits.low, handle), self.x_of(self._limits.high, handle)
+        painter.setBrush(theme().color("track" if self.isEnabled() else "track_off"))
+        painter.setPen(QPen(theme().color("neutral")))
+        painter.drawRect(QRect(start, middle - 4, max(end - start, 1), 9))
+
+    def paint_below(self, painter: QPainter, handle: QRect) -> None:
+        """Paint the wedge."""
+        if self._present is None:
+            return
+        x, bottom = self.x_of(self._present, handle) + 0.5, float(self.height())
+        top = handle.bottom() + 1.0
+        wedge = [QPointF(x, top), QPointF(x - 4.5, bottom), QPointF(x + 4.5, bottom)]
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(theme().color("bar"))
+        painter.drawPolygon(QPolygonF(wedge))
+
+
+def _set_up(box: QAbstractSpinBox, name: str, accessible: str) -> None:
+    box.setObjectName(name)
+    box.setAccessibleName(accessible)
+    box.setKeyboardTracking(False)
+
+
+class UnitsBox(QSpinBox):
+    """A position or a limit, 0-1023."""
+
+    def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        _set_up(self, name, accessible)
+        self.setRange(0, HIGHEST)
+        self.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)  # the slider is beside it
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        _wheel_with_focus(self, event, super().wheelEvent)
+
+
+class DegreesBox(QDoubleSpinBox):
+    """The same position in degrees, 0-300."""
+
+    def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        _set_up(self, name, accessible)
+        self.setRange(0, HIGHEST * DEGREES_PER_UNIT)
+        self.setDecimals(1)
+        self.setSuffix("°")
+        self.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        _wheel_with_focus(self, event, super().wheelEvent)
+
+
+class SpeedBox(QSpinBox):
+    """A speed setting, 0-1023, and its meaning; 0 is unlimited."""
+
+    def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        _set_up(self, name, accessible)
+        self.setRange(0, HIGHEST)
+        self.setSingleStep(10)
+        self.setToolTip(
+            self.tr(
+                "Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. "
+                "Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster."
+            )
+        )
+        self.valueChanged.connect(self.update_suffix)
+        self.update_suffix()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        _wheel_with_focus(self, event, super().wheelEvent)
+
+    @Slot()
+    def update_suffix(self) -> None:
+        """Show the meaning of a value that was set with signals blocked."""
+        value = self.value()
+        self.setSuffix(f" = {speed_text(value)}" if value else self.tr(" = fastest"))
+
+
+class CommonSpeedBox(SpeedBox):
+    """The speed that all motors share; if they differ, it says so until one is chosen."""
+
+    _DIFFER = -1
+
+    def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
+        super().__init__(name, accessible, parent)
+        self.setMinimumWidth(self.sizeHint().width())  # does not change when they differ
+
+    @property
+    def differ(self) -> bool:
+        """Whether the motors have different speeds."""
+        return self.value() == self._DIFFER
+
+    def show_speeds(self, speeds: Sequence[int]) -> None:
+        """Show the speeds of all motors without a signal; keep what the user is typing."""
+        value = speeds[0] if len(set(speeds)) == 1 else self._DIFFER
+        lowest = min(value, 0)
+        if (value, lowest) == (self.value(), self.minimum()):
+            return
+        with QSignalBlocker(self):
+            self.setMinimum(lowest)
+            self.setSpecialValueText(self.tr("differ") if value == self._DIFFER else "")
+            self.setValue(value)
+        self.update_suffix()
+
+    def stepBy(self, steps: int) -> None:
+        """Step from 0 if they differ."""
+        if not self.differ:
+            super().stepBy(steps)
+        elif steps > 0:
+            self.setValue(steps * self.singleStep())
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Let the user type a speed over the text, also after a click."""
+        super().focusInEvent(event)
+        if self.differ:
+            QTimer.singleShot(0, self, self.selectAll)
