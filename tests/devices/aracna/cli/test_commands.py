@@ -34,8 +34,8 @@ def positions(robot: SimulatedDevice) -> list[int]:
     return [servo["position"] for servo in robot.show()["servos"]]
 
 
-def near(robot: SimulatedDevice, wanted: list[int]) -> bool:
-    return all(abs(a - b) <= 2 for a, b in zip(positions(robot), wanted, strict=True))
+def near(robot: SimulatedDevice, goals: list[int]) -> bool:
+    return all(abs(a - b) <= 2 for a, b in zip(positions(robot), goals, strict=True))
 
 
 # --- query, speeds --------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""trexcmd find and list, where a port leads to a robot, to a board, or to nobody."""
+"""trexcmd find and list, for a port with a robot, a board, or nothing."""
 
 import json
 

@@ -44,10 +44,10 @@ def banner(window: RobotWindow) -> str:
 def test_dropped_files_open_in_their_workspace(
     window: RobotWindow, make: Make, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    asked: list[str] = []
+    questions: list[str] = []
 
     def cancel(*words: object) -> QMessageBox.StandardButton:
-        asked.append(str(words[2]))
+        questions.append(str(words[2]))
         return QMessageBox.StandardButton.Cancel
 
     for name in ("photo.png", "noname"):
@@ -64,14 +64,14 @@ def test_dropped_files_open_in_their_workspace(
     monkeypatch.setattr(QMessageBox, "question", cancel)
     aracna(window.program).library.add_pose([200] * 8, "mine")
     window.drop(make("walk.ppr", POSES))
-    window.wait(lambda: asked)
-    assert "changes that are not saved" in asked[0]
+    window.wait(lambda: questions)
+    assert "changes that are not saved" in questions[0]
     assert "mine" in poses(window)
     aracna(window.program).library.undo.undo()
 
     assert window.drop(make("walk.ppr", POSES))
     window.wait(lambda: poses(window) == ["low"])
-    assert len(asked) == 1
+    assert len(questions) == 1
     assert shows_robot(window)
     assert aracna(window.program).workspace.pages.currentIndex() == POSES_PAGE
     assert banner(window) == "walk.ppr was opened."

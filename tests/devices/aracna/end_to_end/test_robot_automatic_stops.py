@@ -75,7 +75,7 @@ def test_automatic_halt_reports_remaining_motion_time(
         )
         assert message is not None, causes.banner
         assert robot.remaining() - 1 <= int(message[1]) <= longest + 1
-        assert robot.state.moving is not None, "it goes on, and the bar says the same"
+        assert robot.state.moving is not None, "it continues, and the bar agrees"
         assert "ends by itself in about" in window.text("aracnaMotionLabel")
         assert f"{reason}." in [event.text for event in robot.events.all]
     assert len(causes.told) == 2

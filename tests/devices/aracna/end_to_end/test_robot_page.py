@@ -140,7 +140,7 @@ def test_live_goals_are_sent_until_release_or_stop(connected_window: RobotWindow
     window.move()
     assert len(window.goals) == count + 1
     expected = pytest.approx(window.goals[-2][6], abs=8)
-    assert window.goals[-1][6] == expected, "it begins where the robot stands"
+    assert window.goals[-1][6] == expected, "it begins at the present position"
 
 
 def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -> None:

@@ -1,4 +1,4 @@
-"""What stands in a box is used, whether it was confirmed or not."""
+"""The text in a box is used, whether it was confirmed or not."""
 
 from pathlib import Path
 

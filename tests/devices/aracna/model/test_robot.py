@@ -65,7 +65,7 @@ class RobotHarness:
         self.simulator.do("servo 3 free")
 
     def sent_after(self, moment: float) -> int:
-        """How many motions went out later; one that went out before may be told later."""
+        """How many motions were sent later; one sent before may be reported later."""
         return sum(isinstance(each, Moving) and each.time > moment for each in self.reports)
 
     def drag(self, goals: tuple[int, ...]) -> None:

@@ -1,4 +1,4 @@
-"""What keeps the robot from going as nobody wants: speeds, limits, motors that are waited for."""
+"""Speeds, limits and awaited motors keep the robot from moving unexpectedly."""
 
 from collections.abc import Iterator
 
@@ -50,7 +50,7 @@ def test_move_needs_servo_power_and_keeps_chosen_speed(
 def test_latest_speed_applies_to_next_motion(robot: Robot, harness: RobotHarness) -> None:
     harness.move((512,) * 8)
     robot.set_speeds((40,) * 8)
-    robot.move((200,) * 8)  # 3.4 s, in which all of this has to be asked for
+    robot.move((200,) * 8)  # 3.4 s, in which all of this is requested
     harness.wait(lambda: robot.state.moving is not None)
     robot.set_speeds((700,) * 8)
     robot.set_speeds((20,) * 8)

@@ -1,4 +1,4 @@
-"""What is played stays within the joints' limits, and it is told what cannot be made in time."""
+"""Played steps stay within the joints' limits, and late motors are reported."""
 
 import pytest
 from hypothesis import given

@@ -171,10 +171,10 @@ def test_pose_differing_only_in_blanks_is_renamed(
 ) -> None:
     project, findings = read_ppr(HEAD + "".join(lines) + "Seq=s: a|500\n")
     assert {pose.name: pose.positions[0] for pose in project.poses} == {"a": 1, "a 2": 2}
-    [told] = [finding for finding in findings if "blanks" in finding.message]
-    assert told.severity is Severity.WARNING
-    assert told.line == 2 + [" a " in line for line in lines].index(True)
-    assert "called a 2 now" in told.message
+    [finding] = [one for one in findings if "blanks" in one.message]
+    assert finding.severity is Severity.WARNING
+    assert finding.line == 2 + [" a " in line for line in lines].index(True)
+    assert "called a 2 now" in finding.message
     assert project.sequences[0].missing(project.pose_names) == ()
 
 

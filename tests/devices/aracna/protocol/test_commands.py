@@ -1,4 +1,4 @@
-"""Only whole, strict lines leave for the robot."""
+"""Only complete, strictly formed lines are sent."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""What the robot says, however it is cut on the way."""
+"""Replies of the robot, however they are split on the way."""
 
 import pytest
 from hypothesis import given
@@ -55,8 +55,8 @@ def test_chunk_boundaries_do_not_change_replies(
 ) -> None:
     stream = b"".join(written(reply) + end for reply, end in replies)
     reader = Reader()
-    heard = [reply for piece in pieces(stream, cuts) for reply in reader.feed(piece)]
-    assert heard == [reply for reply, _ in replies]
+    received = [reply for piece in pieces(stream, cuts) for reply in reader.feed(piece)]
+    assert received == [reply for reply, _ in replies]
 
 
 PIECES_OF_LINES = st.sampled_from(
@@ -104,7 +104,7 @@ def test_chunk_boundaries_do_not_change_reading_of_any_bytes(data: bytes, cuts: 
         b"\x80.q1,8",
     ],
 )
-def test_invalid_line_is_strange(line: bytes) -> None:
+def test_invalid_line_is_unrecognized(line: bytes) -> None:
     assert read_line(line) == Unrecognized(line)
 
 
@@ -129,13 +129,13 @@ def test_hello_is_read_behind_truncated_reply() -> None:
 
 def test_motors_are_counted_at_each_comma() -> None:
     reader = Reader()
-    told = []
+    arrived = []
     for byte in b".c520,-1,7\r":
         reader.feed(bytes([byte]))
-        told.append(reader.arrived)
-    assert told[:3] == [None, (), ()]
-    assert told[5] == (520,)
-    assert told[-1] == (520, -1)
+        arrived.append(reader.arrived)
+    assert arrived[:3] == [None, (), ()]
+    assert arrived[5] == (520,)
+    assert arrived[-1] == (520, -1)
     assert reader.feed(b"\n") == [Positions((520, -1, 7))]
     assert reader.arrived is None
 
@@ -159,5 +159,5 @@ def test_endless_line_uses_bounded_memory() -> None:
 @pytest.mark.parametrize(
     "line", [b".c512,1024", b".c99999", b".v1024,0", b".q1,12", b".q1,999"], ids=bytes.decode
 )
-def test_line_with_values_out_of_range_is_strange(line: bytes) -> None:
+def test_line_with_values_out_of_range_is_unrecognized(line: bytes) -> None:
     assert read_line(line) == Unrecognized(line)

@@ -27,13 +27,13 @@ def client_of(stage: AracnaStage, motors: int = 8) -> AracnaClient:
     return client
 
 
-def heard(client: AracnaClient, seconds: float) -> list[CommandEvent]:
+def received(client: AracnaClient, seconds: float) -> list[CommandEvent]:
     """Listen in small slices for so long."""
     end = client.transport.clock() + seconds
-    news: list[CommandEvent] = []
+    events: list[CommandEvent] = []
     while client.transport.clock() < end:
-        news += client.listen(0.01)
-    return news
+        events += client.listen(0.01)
+    return events
 
 
 def test_second_command_is_rejected_until_first_is_answered() -> None:
@@ -42,7 +42,7 @@ def test_second_command_is_rejected_until_first_is_answered() -> None:
     client.query()
     with pytest.raises(BadRequest, match="One command at a time"):
         client.move(THERE, 5.0)
-    [answered] = heard(client, 0.1)
+    [answered] = received(client, 0.1)
     assert isinstance(answered, Answered)
     assert answered.reply == Version(1, 8)
     client.move(THERE, 5.0)
@@ -61,14 +61,14 @@ def test_only_queries_follow_late_move_until_it_is_answered() -> None:
     stage.do("servo 1 block")
     client = client_of(stage)
     client.move(THERE, 1.0)
-    news = heard(client, 30.0)
-    assert [type(one) for one in news if not isinstance(one, PartialReply)] == [LateReply]
+    events = received(client, 30.0)
+    assert [type(one) for one in events if not isinstance(one, PartialReply)] == [LateReply]
     assert client.awaited_motor == 1
     behind = bytes(stage.transport.sent).partition(b"600\n")[2]
     assert behind == b".q\n" * behind.count(b".q\n")
     assert 1 < behind.count(b".q\n") <= 2 + 29 / QUERY_RETRY
     stage.do("servo 1 free")
-    first, second = [one for one in heard(client, 2.0) if not isinstance(one, PartialReply)]
+    first, second = [one for one in received(client, 2.0) if not isinstance(one, PartialReply)]
     assert isinstance(first, Answered)
     assert isinstance(first.reply, Positions)
     assert isinstance(second, Answered)
@@ -81,7 +81,7 @@ def test_line_is_busy_until_query_behind_late_move_is_answered() -> None:
     stage.do("servo 1 block")
     client = client_of(stage)
     client.move(THERE, 0.5)
-    heard(client, 2.0)
+    received(client, 2.0)
     stage.do("servo 1 free")
     while not any(isinstance(one, Answered) for one in client.listen(0.001)):
         pass
@@ -96,7 +96,7 @@ def test_lost_move_ends_when_following_query_is_answered() -> None:
     client.move(THERE, 0.5)
     stage.line.advance(0.2)
     stage.do("line drop 0 sent")
-    late, lost = heard(client, 2.0)
+    late, lost = received(client, 2.0)
     assert isinstance(late, LateReply)
     assert late.motor is None
     assert isinstance(lost, ReplyLost)
@@ -117,7 +117,7 @@ def test_hello_voids_pending_command(letter: str) -> None:
         case _:
             client.set_led(on=True)
     stage.do("reset")
-    [voided] = [one for one in heard(client, 0.5) if isinstance(one, Voided)]
+    [voided] = [one for one in received(client, 0.5) if isinstance(one, Voided)]
     assert voided.command is not None
     assert voided.command.letter == letter
     assert client.pending is None

@@ -189,7 +189,7 @@ def _orders_obeyed(
     crc: bool,
     rinsed: bool,
 ) -> set[str]:
-    """Return every order that a board may obey, these being asked in any order and number.
+    """Return every order that a board may obey, for these probes in any order and number.
 
     Takes every device number for the board's own and every checksum for the right one, so that
     it stands for all of both.

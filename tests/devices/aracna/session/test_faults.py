@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.devices.aracna.session.scene import ScriptedSession
+from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.devices.aracna.session.client import QUERY_RETRY
@@ -170,7 +170,7 @@ def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
     session.run()
     assert len(session.of(Stuck)) == 1
     assert [moved.present[3] for moved in session.of(Moved)] == [512, 598, 514]
-    assert session.when(Moving)[2] > 10.4, "only what was asked for after the robot had answered"
+    assert session.when(Moving)[2] > 10.4, "only what was requested after the robot had answered"
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert [number for number, error in outcomes.items() if error is None] == [1, 2, 3, 7]
     assert {code(outcomes[number]) for number in (4, 5, 6)} == {ErrorCode.STUCK}
@@ -220,7 +220,7 @@ def test_stuck_motor_ends_playback() -> None:
     assert "motor 6" in str(session.of(Outcome)[0].error)
     assert session.when(Moving)[-1] < session.when(Stuck)[0]
     reports = [report for report in session.reports if not isinstance(report, LineStatsChanged)]
-    assert isinstance(reports[-2], Moved)  # told after all
+    assert isinstance(reports[-2], Moved)  # reported after all
 
 
 # --- A line that damages --------------------------------------------------------------------

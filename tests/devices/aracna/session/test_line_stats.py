@@ -1,8 +1,8 @@
-"""How a line does: what is counted, and how often it is told."""
+"""Line statistics: what is counted, and how often it is reported."""
 
 from itertools import pairwise
 
-from tests.devices.aracna.session.scene import ScriptedSession
+from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     LineStats,
@@ -46,7 +46,7 @@ def test_counters_are_reported_at_most_once_a_second() -> None:
 
 
 def test_unchanged_counters_are_not_reported_again() -> None:
-    session = ScriptedSession().until(1.9)  # before the robot is asked again whether it is there
+    session = ScriptedSession().until(1.9)  # before the keep-alive query
     session.run()
     assert len(session.of(LineStatsChanged)) == 1
 

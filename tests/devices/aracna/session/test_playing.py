@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.devices.aracna.session.scene import ScriptedSession
+from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.aracna.protocol.units import travel_seconds

@@ -5,7 +5,7 @@ A servo that was without power is unlimited be; nothing on the link tells of it.
 
 import pytest
 
-from tests.devices.aracna.session.scene import ScriptedSession
+from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.aracna.session.messages import (
     Drag,
@@ -49,7 +49,7 @@ def test_move_after_power_cut_in_motion_keeps_requested_speed(cut: float) -> Non
     seen = watched(session, 4.72 + cut, 2.0)
     session.until(16.0).run()
     assert 0 < max(seen) < FASTEST
-    assert session.when(SpeedsHeld)[-1] > 4.0 + cut, "told anew"
+    assert session.when(SpeedsHeld)[-1] > 4.0 + cut, "set again"
     assert session.stage.speeds == SLOW
 
 

@@ -101,7 +101,7 @@ def test_progress_names_probed_device() -> None:
     assert {step.total for step in steps} == {93}
 
 
-# --- What is told where nothing was found ---------------------------------------------------
+# --- Messages if nothing was found ------------------------------------------------------------
 
 
 def test_silent_port_is_reported_for_both_devices() -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.devices.aracna.session.scene import ScriptedSession
+from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.devices.aracna.session.liveness import BOOT_TIME, BOOT_TIMEOUT
@@ -199,8 +199,8 @@ def test_unplugged_line_ends_session_in_any_state(time: float) -> None:
     def pull() -> None:
         session.stage.transport.fail = gone
 
-    asked = min(time, 0.2)
-    session.at(asked, SetSpeeds(1, SLOW)).at(asked, Move(2, THERE)).at(asked, Move(3, HERE))
+    moment = min(time, 0.2)
+    session.at(moment, SetSpeeds(1, SLOW)).at(moment, Move(2, THERE)).at(moment, Move(3, HERE))
     session.at(time, pull).until(10.0).run()
     assert session.reports[-1] == Closed(gone)
     assert {outcome.id for outcome in session.of(Outcome)} == {1, 2, 3}

@@ -1,10 +1,10 @@
-"""No motion goes out at a speed, or to a place, that nobody wants: the session sees to it."""
+"""The session sends no motion at a wrong speed or to an outdated goal."""
 
 import re
 
 import pytest
 
-from tests.devices.aracna.session.scene import ScriptedSession
+from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.aracna.session.messages import (
     Drag,
@@ -145,7 +145,7 @@ def test_speeds_are_resent_after_servo_power_cycle() -> None:
     assert session.of(Moved)[-1].seconds > 1.2, "88 units at 30 are 1.29 s"
 
 
-# --- The newest wish ------------------------------------------------------------------------
+# --- The newest request ---------------------------------------------------------------------
 
 
 def test_latest_speed_applies_to_next_motion() -> None:

@@ -21,15 +21,15 @@ def driver(qtbot: QtBot) -> Iterator[PosesPanelDriver]:
 
 
 def answering(monkeypatch: pytest.MonkeyPatch, answer: file_questions.SaveAnswer) -> list[str]:
-    """Answer the question about edits that are not saved; return for which file it was asked."""
-    asked: list[str] = []
+    """Answer the question about edits that are not saved; return the names of the files."""
+    names: list[str] = []
 
     def before_closing(_window: QWidget, name: str) -> file_questions.SaveAnswer:
-        asked.append(name)
+        names.append(name)
         return answer
 
     monkeypatch.setattr(file_questions, "before_closing", before_closing)
-    return asked
+    return names
 
 
 def test_file_is_saved_and_reopened_and_folder_remembered(
@@ -54,9 +54,9 @@ def test_open_asks_about_unsaved_edits(
     path = tmp_path / "other.ppr"
     path.write_text("Aracna:8\nPose=only:1\n", encoding="utf-8")
     driver.library.add_pose(EIGHT, "mine")
-    asked = answering(monkeypatch, file_questions.SaveAnswer.CANCEL)
+    names = answering(monkeypatch, file_questions.SaveAnswer.CANCEL)
     assert not driver.panel.files.open_file(path)
-    assert asked == ["poses.ppr"]
+    assert names == ["poses.ppr"]
     assert "mine" in driver.pose_names()
     answering(monkeypatch, file_questions.SaveAnswer.DISCARD)
     assert driver.panel.files.open_file(path)

@@ -1,4 +1,4 @@
-"""Sequences in the panel: their steps, and what is asked for to play them."""
+"""Sequences in the panel: their steps, and the requests to play them."""
 
 from collections.abc import Iterator
 

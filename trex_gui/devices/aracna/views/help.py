@@ -1,4 +1,4 @@
-"""Help on the Aracna: its pages, what its link cannot do, and the keys, as its menus have them."""
+"""Help on the Aracna: its pages, the limits of its link, and its keys."""
 
 from collections.abc import Sequence
 from html import escape
@@ -13,7 +13,7 @@ _OF_THE_FRAME = ("connect", "disconnect", "find")
 
 
 def tr(text: str) -> str:
-    """Translate a text of this file."""
+    """Translate a text of this module."""
     return QCoreApplication.translate("AracnaHelp", text)
 
 
@@ -37,16 +37,16 @@ def _pages() -> list[str]:
     return [
         tr(
             "<b>Robot</b> shows the robot from above, and for each joint its slider, its limits "
-            "and what the servo has reported. Sliders say where the motors shall go; <i>Move</i> "
-            "sends them there. With live moves the robot follows while a slider is dragged."
+            "and what the servo has reported. Sliders set the goals; <i>Move</i> sends them. "
+            "With <i>Send while dragging</i> the robot follows a dragged slider."
         ),
         tr(
-            "<b>Poses</b> keeps poses, puts them into sequences with a time for each step, and "
-            "plays those and the gaits that are built in: once, several times or in a loop."
+            "<b>Poses</b> edits poses and sequences of them with a time for each step, and plays "
+            "these and the built-in gaits: once, several times or in a loop."
         ),
         tr(
-            "<b>Log</b> lists what happened, and says how the line does. <b>Transcript</b> lists "
-            "every line that goes out and every answer."
+            "<b>Log</b> lists events and the statistics of the line. <b>Transcript</b> lists "
+            "every command and every reply."
         ),
     ]
 
@@ -55,13 +55,12 @@ def _limits() -> list[str]:
     return [
         tr(
             "There is <b>no stop and no relax</b>. The red button and Esc end the sequence and "
-            "send nothing more; a motion that runs ends only by itself, or by <b>cutting the servo "
-            "power</b>. While it moves the robot hears nothing. Keep steps short and speeds low."
+            "send nothing more; a running motion ends only by itself, or by <b>cutting the servo "
+            "power</b>. While it moves, the robot reads nothing. Keep steps short and speeds low."
         ),
         tr(
-            "Where the motors are is known only from the answer to a move: before the first one "
-            "nobody knows, and it goes slowly. A joint is never sent beyond its limits; legs can "
-            "still collide with each other."
+            "Positions are known only from the reply to a move, so the first move is slow. A joint "
+            "is never sent beyond its limits; legs can still collide with each other."
         ),
     ]
 
@@ -70,7 +69,7 @@ def _files() -> list[str]:
     return [
         tr(
             "Pose files end in <b>.ppr</b>: open them from the menu <i>Poses</i>, or drop one on "
-            "the window. Recordings are CSV files: spreadsheets read them, and so does this window."
+            "the window. Recordings open in their own windows, which export them to CSV."
         )
     ]
 
@@ -95,13 +94,13 @@ def _row(entry: ActionInfo) -> tuple[str, str]:
 def _line() -> list[str]:
     return [
         tr(
-            "{0} baud, no parity, 1 stop bit; the firmware knows no other. A wire to the board, or "
-            "a pair of radios on the same channel. On some adapters opening the port resets the "
+            "{0} baud, no parity, 1 stop bit; the firmware supports no other. A wire to the board, "
+            "or a pair of radios on the same channel. On some adapters opening the port resets the "
             "board, which answers about a second later."
         ).format(BAUD),
         tr(
-            "What is known of the robot comes from the wiki page “Communication Protocol” of 22 "
-            "September 2012 and from the firmware that its authors have published as "
+            "Facts about the robot come from the wiki page “Communication Protocol” of 22 "
+            "September 2012 and from the firmware published as "
             "CreativeMachinesLab/aracna; where they differ, the firmware counts."
         ),
     ]

@@ -1,4 +1,4 @@
-"""The menus of an Aracna, in the places of those of a TReX; the same shortcuts where they fit."""
+"""Menus of an Aracna; shortcuts are those of a TReX where they fit."""
 
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QKeySequence
@@ -7,7 +7,7 @@ from trex_gui.ui.frame.actions import SEPARATOR, ActionInfo, Entries, Menu, Menu
 
 
 def tr(text: str) -> str:
-    """Translate a text of this table."""
+    """Translate a text of this module."""
     return QCoreApplication.translate("AracnaMenu", text)
 
 
@@ -21,7 +21,7 @@ def menus(pages: Entries) -> Menus:
             ActionInfo("aracna_centre", tr("Sliders to the &centre")),
             ActionInfo("aracna_stand", tr("Sliders to &stand")),
             SEPARATOR,
-            ActionInfo("aracna_play", tr("Pla&y what is chosen on the Poses page"), "Ctrl+R"),
+            ActionInfo("aracna_play", tr("Pla&y the current sequence or gait"), "Ctrl+R"),
             ActionInfo("aracna_end", tr("&End sequence after this step"), "Ctrl+E"),
             SEPARATOR,
             ActionInfo("aracna_record", tr("&Record…"), "Ctrl+Shift+R", "record"),

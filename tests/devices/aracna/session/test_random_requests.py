@@ -1,4 +1,4 @@
-"""Anything asked and anything broken, in any order: the session keeps its word."""
+"""Random requests and faults in any order: every request gets its outcome."""
 
 from collections.abc import Callable
 from functools import partial
@@ -6,7 +6,7 @@ from functools import partial
 from hypothesis import Phase, given
 from hypothesis import strategies as st
 
-from tests.devices.aracna.session.scene import ScriptedSession
+from tests.devices.aracna.session.scripted_session import ScriptedSession
 from tests.support.matrix import examples
 from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.devices.aracna.session.messages import (
@@ -64,14 +64,14 @@ def test_every_request_has_one_outcome_and_robot_recovers(
     acts: list[tuple[float, Callable[[int], Request] | str]], *, keeps_last: bool
 ) -> None:
     session = ScriptedSession(keeps_last=keeps_last)
-    time, asked = 0.2, set()
+    time, numbers = 0.2, set()
     for number, (pause, act) in enumerate(acts):
         time += pause
         if isinstance(act, str):
             session.at(time, partial(session.stage.do, act))
         else:
             request = act(number)
-            asked |= {number} if hasattr(request, "id") else set()
+            numbers |= {number} if hasattr(request, "id") else set()
             session.at(time, request)
     for line in MENDING:
         session.at(time, partial(session.stage.do, line))
@@ -79,7 +79,7 @@ def test_every_request_has_one_outcome_and_robot_recovers(
     session.at(time + 61.0, Move(99, (444,) * 8)).until(time + 70.0)
     session.run()
     assert session.reports[-1] == Closed(None)
-    assert sorted(outcome.id for outcome in session.of(Outcome)) == [*sorted(asked), 98, 99]
+    assert sorted(outcome.id for outcome in session.of(Outcome)) == [*sorted(numbers), 98, 99]
     last = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert last[98] is None
     assert last[99] is None
