@@ -103,10 +103,10 @@ class Driver(QObject):
         setattr(session, "poll", poll)  # noqa: B010 - not the name's own module
 
     def end_of_the_line_thread(self) -> None:
-        def step(_: session.TrexSession) -> None:
+        def collect(*_: object) -> None:
             raise SystemExit("on purpose")  # which no handler of errors catches
 
-        setattr(session.TrexSession, "_step", step)  # noqa: B010 - on purpose
+        setattr(session.TrexSession, "_collect", collect)  # noqa: B010 - on purpose
 
     def hang(self) -> None:
         self._say("hanging")

@@ -198,6 +198,25 @@ def test_missing_replies_end_the_run_with_a_message(
     assert braked(quick_simulator)  # it has heard what it could not confirm
 
 
+def test_motor_on_missing_port_fails_with_a_message(trexcmd: RunCommand) -> None:
+    result = trexcmd("motor", "1", "50", TREX_PORT="/dev/no-such-port")
+    assert result.exit_code == 1
+    assert "/dev/no-such-port" in result.stderr
+    assert "Stopped." not in result.stderr
+
+
+def test_interruption_while_connecting_starts_no_motor(
+    start: StartCommand, quick_simulator: SimulatedDevice
+) -> None:
+    command = start("motor", "1", "60")
+    assert becomes(lambda: quick_simulator.show()["counters"]["line"]["received"] > 0, True)
+    command.send_signal(signal.SIGINT)
+    _, errors = command.communicate()
+    assert command.returncode == 1
+    assert "Interrupted before the motor was started." in errors
+    assert outputs(quick_simulator) == [0, 0, 0]
+
+
 def test_unplugging_ends_the_run_with_a_message(
     start: StartCommand, start_simulator: StartSimulator
 ) -> None:

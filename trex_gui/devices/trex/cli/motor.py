@@ -148,8 +148,10 @@ class _Run:
         self._setpoint = setpoint
         self._seconds = seconds
         self._interrupted = interrupted
+        self._transport: Transport | None = None
         self._requests: deque[Request] = deque()
         self._state: DeviceState | None = None
+        self._now = 0.0
         self._end = math.inf
         self._heartbeat_at = math.inf
         self._is_running = False
@@ -168,9 +170,11 @@ class _Run:
 
     def get(self, seconds: float) -> Request | None:
         """Return the next request of the session."""
+        if self._transport is None:
+            return None  # the port could not be opened
         if not self._requests and seconds > 0:
             self._transport.wait(min(seconds, _SLICE))
-        now = self._transport.clock()
+        now = self._now = self._transport.clock()
         if self._interrupted or now >= self._end:
             self._finish()
         if self._requests:
@@ -183,8 +187,8 @@ class _Run:
     def _start(self) -> None:
         self._is_running = True
         self._requests += (Arm(), self._setpoint)
-        now = self._transport.clock()
-        self._heartbeat_at, self._end = now + HEARTBEAT_INTERVAL, now + self._seconds
+        self._heartbeat_at = self._now + HEARTBEAT_INTERVAL
+        self._end = self._now + self._seconds
         endless = math.isinf(self._seconds)
         say("Running; Ctrl-C stops." if endless else f"Running {self._seconds:g} s.")
 
@@ -277,5 +281,7 @@ class _Run:
             raise CommandFailed(text) from error
         if self._is_running:
             say("Stopped.")
+        elif not self._reason:
+            raise CommandFailed("Interrupted before the motor was started.")
         if self._reason:
             raise CommandFailed(self._reason)
