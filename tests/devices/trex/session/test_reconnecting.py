@@ -318,7 +318,7 @@ def test_reconnect_probes_command_no_motor_at_any_settings(
             continue
         place = Place(ConnectionSettings("virtual", old))
         place.go(replace(OLD, line=expected), new=ConnectionSettings("virtual", line))
-        place.script.at(ON, partial(setattr, place.line, "mute", True))
+        place.script.at(ON, partial(setattr, place.line.faults, "mute", True))
         place.end(4.5)
         assert len(place.connections) == 1
         assert not orders, line.text()
@@ -347,7 +347,7 @@ def test_stop_retry_at_old_settings_starts_no_motor(
         place = Place()
         place.script.at(1.2, SetMotor(1, Drive.at(100)))
         place.go(ConnectionSettings("virtual", CRC), new=ConnectionSettings("virtual", line))
-        place.script.at(ON, partial(setattr, place.line, "mute", True))
+        place.script.at(ON, partial(setattr, place.line.faults, "mute", True))
         seen: list[bool] = []
         for step in range(400):
             place.script.at(ON + step / 100, partial(look, place, seen))
