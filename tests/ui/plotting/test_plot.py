@@ -22,6 +22,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
 from trex_gui.ui.event_log import Event, EventKind
+from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
 from trex_gui.ui.plotting.panel import TracePanel
@@ -286,6 +287,47 @@ def test_wheel_zooms_around_the_mouse(plot: TracePlot, qapp: QApplication) -> No
     qapp.sendEvent(plot._canvas.viewport, wheel)
     assert plot.span.length == pytest.approx(16)
     assert x_of(plot, 25) == pytest.approx(at.x(), abs=2)
+
+
+@pytest.mark.parametrize("is_navigable", [True, False])
+def test_wheel_over_a_fixed_plot_is_left_to_its_page(
+    qapp: QApplication, qtbot: QtBot, *, is_navigable: bool
+) -> None:
+    canvas = PlotCanvas("Plot", is_navigable=is_navigable)
+    qtbot.addWidget(canvas)
+    canvas.resize(300, 200)
+    canvas.grab()
+    at = canvas.frame.center()
+    wheel = QWheelEvent(
+        at,
+        QPointF(canvas.mapToGlobal(at.toPoint())),
+        QPoint(),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    zoomed: list[float] = []
+    canvas.zoomed.connect(lambda factor, _x: zoomed.append(factor))
+    qapp.sendEvent(canvas.viewport, wheel)
+    assert wheel.isAccepted() is is_navigable
+    assert len(zoomed) == is_navigable
+
+
+def test_double_click_sets_the_mark_once(plot: TracePlot) -> None:
+    at = QPoint(x_of(plot, 45), 60)
+    QTest.mouseClick(plot._canvas.viewport, Qt.MouseButton.LeftButton, pos=at)
+    QTest.mouseDClick(plot._canvas.viewport, Qt.MouseButton.LeftButton, pos=at)
+    assert plot.mark_time == pytest.approx(45, abs=0.1)
+
+
+def test_mouse_that_leaves_the_plot_removes_the_cursor(plot: TracePlot, qapp: QApplication) -> None:
+    mouse(plot, QEvent.Type.MouseMove, 45)
+    assert plot.cursor_time == pytest.approx(45, abs=0.1)
+    for left in (plot._canvas.viewport, plot._canvas._plot):
+        qapp.sendEvent(left, QEvent(QEvent.Type.Leave))
+    assert plot.cursor_time is None
 
 
 def test_keys_pan_zoom_and_set_cursor_and_mark(plot: TracePlot) -> None:

@@ -94,7 +94,7 @@ class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
             self.canvas.hovered.emit(event.scenePos().x())
 
     def mouseClickEvent(self, event: Any) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
+        if event.button() == Qt.MouseButton.LeftButton and not event.double():
             self.canvas.clicked.emit(event.scenePos().x())
 
     def mouseDragEvent(self, event: Any, axis: int | None = None) -> None:  # noqa: ARG002 - base
@@ -116,6 +116,9 @@ class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
             self.updateScaleBox(QPointF(left, 0), QPointF(right, self.height()))
 
     def wheelEvent(self, event: Any, axis: int | None = None) -> None:  # noqa: ARG002 - base
+        if not self.canvas.is_navigable:
+            event.ignore()  # the page scrolls
+            return
         event.accept()
         if event.orientation() == Qt.Orientation.Horizontal:
             self.canvas.panned.emit(event.delta() / 2)
@@ -149,7 +152,7 @@ class PlotCanvas(QWidget):
     def __init__(
         self, name: str, parent: QWidget | None = None, *, is_navigable: bool = False
     ) -> None:
-        """Drags are reported, with a rubber band, where the plot `is_navigable`."""
+        """Drags and the wheel are taken, with a rubber band, where the plot `is_navigable`."""
         super().__init__(parent)
         self.is_navigable = is_navigable
         self._box = _MouseBox(enableMouse=False, enableMenu=False, defaultPadding=0)
