@@ -26,7 +26,7 @@ def test_internal_error_in_search_is_reported_and_closes_port(
     assert found.is_fault
     assert not found.found
     assert found.lines == [
-        "The search of virtual was ended by a fault of the program (ZeroDivisionError: on purpose)."
+        "Internal error while searching virtual (ZeroDivisionError: on purpose)."
     ]
     assert wire.closed
     assert "ZeroDivisionError" in caplog.text

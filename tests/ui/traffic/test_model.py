@@ -35,7 +35,7 @@ class TranscriptSetup:
     @property
     def told(self) -> list[str]:
         self.traffic.pull()
-        return [self.traffic.decoded(row).text for row in self.traffic.telling.rows]
+        return [self.traffic.decoded(row).text for row in self.traffic.without_polling.rows]
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""What a search asks of who looks for one kind of device, and what it is told; see `seeking`."""
+"""What the scan of a port needs from each kind of device, and what a probe reports."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -11,10 +11,11 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 @dataclass(frozen=True, slots=True)
 class ScanProgress:
-    """How far a search is: `done` of `total` questions; `line` is asked on next.
+    """Progress of a scan: `done` of `total` probes; `line` is the next one's.
 
-    `number` is the device number that is asked for, where a board has answered already; `kind`
-    is what people call the device that is asked for.
+    Attributes:
+        number: the device number that is probed, once a board has responded.
+        kind: name of the kind of device that is probed for.
     """
 
     done: int
@@ -35,9 +36,9 @@ class Evidence(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Diagnosis:
-    """What was tried for one kind of device, what was heard, and what to look at; for people."""
+    """What was tried for one kind of device, what was received, and what to check."""
 
-    telling: Evidence
+    evidence: Evidence
     text: str
 
 
@@ -46,17 +47,17 @@ class FoundDevice(Protocol):
 
     @property
     def settings(self) -> PortSettings:
-        """What to connect with."""
+        """Settings to connect with."""
         ...
 
     @property
     def name(self) -> str:
-        """Which device it is."""
+        """Name of the device."""
         ...
 
     @property
     def device_number(self) -> int | None:
-        """The number that it answers to, where it has one."""
+        """The number that it responds to, if it has one."""
         ...
 
     @property
@@ -66,33 +67,33 @@ class FoundDevice(Protocol):
 
     @property
     def note(self) -> str:
-        """What else to know of it, for people; may be empty."""
+        """A remark for the user; may be empty."""
         ...
 
 
 class Prober(Protocol):
     """Looks for devices of one kind on one open line, and moves nothing.
 
-    Every question has to end whatever a board may have begun to hear before it.
+    Every probe has to end whatever a board may have begun to receive before it.
     """
 
     @property
     def parts(self) -> Sequence[int]:
-        """How many questions there are in each part of the search, the probable ones first."""
+        """Number of probes in each part of the scan, the likely ones first."""
         ...
 
     @property
     def found(self) -> Sequence[FoundDevice]:
-        """The devices; more than one only where several share the line."""
+        """The devices; more than one only if several share the line."""
         ...
 
     @property
     def is_over(self) -> bool:
-        """Whether it is known by now what is there."""
+        """Whether it is known by now what is connected."""
         ...
 
     def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
-        """Take what came before anything was asked, with the line set so."""
+        """Take what was received before the first probe, with these line settings."""
         ...
 
     def ask(
@@ -102,7 +103,7 @@ class Prober(Protocol):
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Put the questions of a part; `cancelled` is asked before each whether to end.
+        """Send the probes of a part; `cancelled` is called before each.
 
         Raises:
             PortUnavailable: the line is gone.
@@ -110,15 +111,15 @@ class Prober(Protocol):
         ...
 
     def diagnosis(self) -> Diagnosis:
-        """Say what was tried and heard, where no device was found."""
+        """Report what was tried and received, if no device was found."""
         ...
 
 
 class MakeProber(Protocol):
-    """Makes a seeker for a port."""
+    """Creates a prober for a port."""
 
     def __call__(self, settings: PortSettings, *, full: bool, known: bool) -> Prober:
-        """Try everything if `full`; `known` says that somebody has led the port to this kind."""
+        """Try everything if `full`; `known`: the user has said that the port has this kind."""
         ...
 
 
@@ -127,10 +128,10 @@ class ProberInfo:
     """How to look for one kind of device.
 
     Attributes:
-        name: what people call it.
-        begin: makes a seeker for a port.
-        talks_at: how the line is set on which it tells of itself when it starts; `None`: it
-            does not.
+        name: name of the kind.
+        begin: creates a prober for a port.
+        announces_at: line settings at which it announces itself when it starts; `None`: it does
+            not.
     """
 
     name: str
@@ -139,10 +140,10 @@ class ProberInfo:
 
 
 def ignore_step(step: ScanProgress) -> None:
-    """Tell nobody of a step."""
+    """Report no progress."""
     del step
 
 
 def never_cancelled() -> bool:
-    """Go on."""
+    """Return that the scan goes on."""
     return False

@@ -1,17 +1,17 @@
-"""Looking on one port for a device of any kind: one order, in the window and at the command line.
+"""Scan of one port for devices of any kind, in the window and on the command line.
 
-The port is opened once, for some adapters reset the board behind them each time. Then comes, and
-each step only where nothing was found before it:
+The port is opened once, because some adapters reset the board behind them each time. The next step
+follows only if nothing was found before:
 
-1. listening, at the rate at which boards say that they start: harmless, and it costs 0.3 s that
-   a search would listen anyway;
-2. the probable questions of each kind, the kinds as they are given, the commonest first: most
-   boards answer within two seconds, and no kind waits for another one's long search;
-3. what is left of each kind, in the same order: half a minute, for few boards.
+1. listening at the baud rate at which boards announce that they start: harmless, and a scan would
+   listen for these 0.3 s anyway;
+2. the likely probes of each kind, in the given order, the most common kind first: most boards
+   respond within two seconds, and no kind waits for the long scan of another;
+3. the other probes of each kind, in the same order: half a minute, for few boards.
 
-A kind that the port is known to lead to goes first in 2 and in 3. What any kind asks moves no
-device of any other, in whatever order: tests/aracna/link/test_searching_for_both.py goes through
-all of them.
+A kind that the port is known to have goes first in 2 and in 3. The probes of a kind move no device
+of any other, in whatever order: tests/devices/aracna/session/test_searching_for_both.py checks all
+of them.
 """
 
 import contextlib
@@ -37,23 +37,23 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 log = logging.getLogger(__name__)
 
 _LISTEN = 0.3
-"""Seconds to listen for something that talks by itself."""
+"""Seconds to listen for unsolicited bytes."""
 
 _KEPT = 48
-"""Bytes of it that are kept, to show them."""
+"""Unsolicited bytes that are kept for the diagnosis."""
 
 
 @dataclass(slots=True)
 class PortScan:
-    """What a search of one port has come to.
+    """Result of the scan of one port.
 
     Attributes:
-        device: the key of the kind that was found; empty where none was.
+        device: key of the kind that was found; empty if none was.
         found: the devices, all of that kind.
-        verdicts: what was heard where none was found, the most telling first.
-        error: the port could not be opened, went away, or cannot do what a search needs.
-        cancelled: whether it ended early because it was asked to.
-        is_fault: whether a fault of the program ended it: then `error` says so.
+        diagnoses: what was received if none was found, the strongest evidence first.
+        error: the port could not be opened, went away, or does not support a scan.
+        cancelled: whether it was cancelled.
+        is_fault: whether an internal error ended it; `error` says so.
     """
 
     device: str = ""
@@ -65,13 +65,13 @@ class PortScan:
 
     @property
     def lines(self) -> list[str]:
-        """Why nothing was found, for people: a paragraph each."""
+        """Why nothing was found, a paragraph each."""
         first = [str(self.error)] if self.error is not None else []
         return first + [diagnosis.text for diagnosis in self.diagnoses]
 
 
 def listen(wire: Transport) -> bytes:
-    """Return what comes without being asked.
+    """Return unsolicited bytes.
 
     Raises:
         PortUnavailable: the line is gone.
@@ -81,7 +81,7 @@ def listen(wire: Transport) -> bytes:
 
 def scan_port(
     settings: PortSettings,
-    seeks: Mapping[str, ProberInfo],
+    probers: Mapping[str, ProberInfo],
     *,
     first: str | None = None,
     full: bool = False,
@@ -89,25 +89,25 @@ def scan_port(
     cancelled: Callable[[], bool] = never_cancelled,
     open_wire: Callable[[PortSettings], Transport] = SerialTransport,
 ) -> PortScan:
-    """Look for devices of every kind on a port; end with the first that answers.
+    """Look for devices of every kind on a port; end with the first that responds.
 
-    Never raises: whatever goes wrong on one port, the next can still be searched.
+    Never raises: whatever goes wrong on one port, the next can still be scanned.
 
     Args:
-        settings: the port, and how patient to be; line and framing do not matter.
-        seeks: how to look for each kind, by its key, the commonest first.
-        first: the key of the kind that the port is known to lead to.
-        full: try everything that can be tried, whatever time it takes.
-        progress: called before each question.
-        cancelled: asked before each question whether to end.
+        settings: the port and its timeouts; its line settings are ignored.
+        probers: how to look for each kind, by its key, the most common first.
+        first: key of the kind that the port is known to have.
+        full: try everything, however long it takes.
+        progress: called before each probe.
+        cancelled: called before each probe; whether to end.
         open_wire: opens the port.
     """
     result = PortScan()
     try:
-        _search(
+        _scan(
             result,
             settings,
-            seeks,
+            probers,
             first=first,
             full=full,
             progress=progress,
@@ -115,17 +115,17 @@ def scan_port(
             open_wire=open_wire,
         )
     except Exception as error:
-        log.exception("the search of %s", settings.url)
-        text = f"The search of {settings.label} was ended by a fault of the program"
+        log.exception("scan of %s", settings.url)
+        text = f"Internal error while searching {settings.label}"
         result = PortScan(error=StudioError(f"{text} ({type(error).__name__}: {error})."))
         result.is_fault = True
     return result
 
 
-def _search(
+def _scan(
     result: PortScan,
     settings: PortSettings,
-    seeks: Mapping[str, ProberInfo],
+    probers: Mapping[str, ProberInfo],
     *,
     first: str | None,
     full: bool,
@@ -134,56 +134,56 @@ def _search(
     open_wire: Callable[[PortSettings], Transport],
 ) -> None:
     """Fill in what `scan_port` returns."""
-    opened = next((seek.announces_at for seek in seeks.values() if seek.announces_at), FLUSH_LINE)
+    opened = next((info.announces_at for info in probers.values() if info.announces_at), FLUSH_LINE)
     try:
         wire = open_wire(settings.at(opened))
     except PortUnavailable as error:
         result.error = error
         return
-    seekers: dict[str, Prober] = {}
-    names = {key: seek.name for key, seek in seeks.items()}
-    asked = list(seeks)
+    running: dict[str, Prober] = {}
+    names = {key: info.name for key, info in probers.items()}
+    probed = list(probers)
     try:
-        for key, seek in seeks.items():
-            seekers[key] = seek.begin(settings, full=full, known=key == first)
+        for key, info in probers.items():
+            running[key] = info.begin(settings, full=full, known=key == first)
         if heard := listen(wire):
-            for seeker in seekers.values():
-                seeker.note_unsolicited(opened, heard)
-        asked = probe_in_order(
-            wire, seekers, names, first=first, progress=progress, cancelled=cancelled
+            for prober in running.values():
+                prober.note_unsolicited(opened, heard)
+        probed = probe_in_order(
+            wire, running, names, first=first, progress=progress, cancelled=cancelled
         )
     except StudioError as error:
         result.error = error
     finally:
-        result.device = next((key for key, seeker in seekers.items() if seeker.found), "")
-        _give_back(wire, settings.timeouts.extra, answered=bool(result.device))
+        result.device = next((key for key, prober in running.items() if prober.found), "")
+        _release(wire, settings.timeouts.extra, answered=bool(result.device))
     if result.device:
-        result.found = seekers[result.device].found
+        result.found = running[result.device].found
         return
     result.cancelled = result.error is None and cancelled()
-    diagnoses = [seekers[key].diagnosis() for key in asked if key in seekers]
+    diagnoses = [running[key].diagnosis() for key in probed if key in running]
     if result.error is not None:  # a search that was cut short says nothing by its silence
-        diagnoses = [one for one in diagnoses if one.telling > Evidence.SILENCE]
-    result.diagnoses = sorted(diagnoses, key=lambda diagnosis: -diagnosis.telling)
+        diagnoses = [one for one in diagnoses if one.evidence > Evidence.SILENCE]
+    result.diagnoses = sorted(diagnoses, key=lambda diagnosis: -diagnosis.evidence)
 
 
 def probe_in_order(
     wire: Transport,
-    seekers: Mapping[str, Prober],
+    running: Mapping[str, Prober],
     names: Mapping[str, str],
     *,
     first: str | None = None,
     progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
 ) -> list[str]:
-    """Put the questions of each kind until one is over; return the keys of those asked for.
+    """Send the probes of each kind until one is done; return the keys of those probed for.
 
     Raises:
         PortUnavailable: the line is gone.
     """
-    plan = order({key: seeker.parts for key, seeker in seekers.items()}, first)
-    totals = [seekers[key].parts[part] for key, part in plan]
-    asked: dict[str, None] = {}
+    plan = order({key: prober.parts for key, prober in running.items()}, first)
+    totals = [running[key].parts[part] for key, part in plan]
+    probed: dict[str, None] = {}
     for index, (key, part) in enumerate(plan):
         before = sum(totals[:index])
 
@@ -194,29 +194,29 @@ def probe_in_order(
             total = sum(totals)
             progress(replace(step, done=before + step.done, total=total, kind=names[key]))
 
-        asked[key] = None
-        seekers[key].ask(wire, part, tell, cancelled)
-        if seekers[key].is_over or cancelled():
+        probed[key] = None
+        running[key].ask(wire, part, tell, cancelled)
+        if running[key].is_over or cancelled():
             break
-    return list(asked)
+    return list(probed)
 
 
 def order(parts: Mapping[str, Sequence[int]], first: str | None) -> list[tuple[str, int]]:
-    """Return which part of which kind to ask for, one after the other; see above for why."""
+    """Return the parts of each kind in the order of the scan; see above."""
     keys = sorted(parts, key=lambda key: key != first)
     most = max((len(each) for each in parts.values()), default=0)
     return [(key, number) for number in range(most) for key in keys if number < len(parts[key])]
 
 
-def _give_back(wire: Transport, patience: float, *, answered: bool) -> None:
-    """Close the port: neither in the middle of what some board has begun to hear, nor at 1200 baud.
+def _release(wire: Transport, extra: float, *, answered: bool) -> None:
+    """Close the port, with no packet begun on any board, and not at 1200 baud.
 
     Some boards with USB start their loader when a port is closed at that rate.
     """
     try:
         with contextlib.suppress(BadRequest, PortUnavailable):
             if not answered and wire.is_configurable:
-                flush(wire, patience)
+                flush(wire, extra)
             wire.reconfigure(SerialFormat())
     finally:
         wire.close()

@@ -63,7 +63,7 @@ class TrafficModel(QObject):
 
     Attributes:
         everything: the newest rows.
-        telling: the newest ones that are not just polling.
+        without_polling: the newest ones that are not just polling.
         faults: how many rows went wrong since the last `clear`.
     """
 
@@ -73,7 +73,7 @@ class TrafficModel(QObject):
     def __init__(self, line: SessionThread, wording: Decoder) -> None:
         super().__init__(line)
         self.everything = Shelf()
-        self.telling = Shelf()
+        self.without_polling = Shelf()
         self.faults = 0
         self._tape = line.log
         self._wording = wording
@@ -100,7 +100,7 @@ class TrafficModel(QObject):
         """Say everything anew: more is known of the device."""
         for exchange in self.everything.rows:
             exchange.words = None
-        for exchange in self.telling.rows:
+        for exchange in self.without_polling.rows:
             exchange.words = None
         self.changed.emit()
 
@@ -120,7 +120,7 @@ class TrafficModel(QObject):
         """Forget every row."""
         self.pull()
         self.everything.clear()
-        self.telling.clear()
+        self.without_polling.clear()
         self.faults = 0
         self.cleared.emit()
 
@@ -141,7 +141,7 @@ class TrafficModel(QObject):
         is_fault = exchange.is_over and self.decoded(exchange).is_fault
         self.faults += is_fault
         if is_fault if exchange.is_routine else is_new:
-            self.telling.add(exchange)
+            self.without_polling.add(exchange)
 
     @Slot()
     def _on_started(self) -> None:

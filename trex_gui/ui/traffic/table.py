@@ -51,7 +51,7 @@ class TrafficTable(QAbstractTableModel):
     def shelf(self) -> Shelf:
         """Where the rows come from."""
         polling = self._polling
-        return self._traffic.everything if polling else self._traffic.telling
+        return self._traffic.everything if polling else self._traffic.without_polling
 
     def choose(self, *, polling: bool, faults: bool, text: str) -> None:
         """List what is polled too; only what went wrong; only what has `text` in it."""

@@ -1,4 +1,4 @@
-"""One thread that looks for devices on one port after the other."""
+"""Thread that scans one port after the other for devices."""
 
 import threading
 from collections.abc import Mapping, Sequence
@@ -15,28 +15,28 @@ from trex_gui.ui.workers.thread import WorkerThread
 
 @dataclass(frozen=True, slots=True)
 class ScanJob:
-    """One port, and what to look for there.
+    """One port, and what to look for.
 
     Attributes:
-        seeks: how to look for each kind of device, by its key, the commonest first.
-        first: the key of the kind that the port is known to lead to.
+        probers: how to look for each kind of device, by its key, the most common first.
+        first: key of the kind that the port is known to have.
     """
 
     settings: PortSettings
-    seeks: Mapping[str, ProberInfo]
+    probers: Mapping[str, ProberInfo]
     first: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class ScanResult:
-    """What the search of one port has come to."""
+    """Result of the scan of one port."""
 
     index: int
     search: PortScan
 
 
 class ScanWorker(WorkerThread):
-    """Runs one search.
+    """Runs one scan.
 
     The object lives in the GUI thread; only `run` executes in the new one. `cancel` and `close`
     may be called from any thread. Its owner keeps it until it is finished.
@@ -50,29 +50,29 @@ class ScanWorker(WorkerThread):
     searched = Signal(object)
 
     def __init__(
-        self, errands: Sequence[ScanJob], parent: QObject | None = None, *, full: bool = False
+        self, jobs: Sequence[ScanJob], parent: QObject | None = None, *, full: bool = False
     ) -> None:
         super().__init__(parent)
-        self.setObjectName("FindWorker")
-        self._errands = tuple(errands)
+        self.setObjectName("ScanWorker")
+        self._errands = tuple(jobs)
         self._full = full
         self._cancelled = threading.Event()
 
     def run(self) -> None:
-        """Search; called by Qt in the new thread."""
-        for index, errand in enumerate(self._errands):
+        """Scan; called by Qt in the new thread."""
+        for index, job in enumerate(self._errands):
             if self._cancelled.is_set():
                 break
-            self.searched.emit(self._search(index, errand))
+            self.searched.emit(self._search(index, job))
 
-    def _search(self, index: int, errand: ScanJob) -> ScanResult:
+    def _search(self, index: int, job: ScanJob) -> ScanResult:
         def tell(step: ScanProgress) -> None:
             self.stepped.emit(index, step)
 
         search = scan_port(
-            errand.settings,
-            errand.seeks,
-            first=errand.first,
+            job.settings,
+            job.probers,
+            first=job.first,
             full=self._full,
             progress=tell,
             cancelled=self._cancelled.is_set,
@@ -81,7 +81,7 @@ class ScanWorker(WorkerThread):
         return ScanResult(index, search)
 
     def cancel(self) -> None:
-        """End after the question that is on its way: half a second, more behind a network."""
+        """End after the current probe: half a second, more behind a network."""
         self._cancelled.set()
 
     def close(self, timeout_ms: int = 1000) -> bool:

@@ -19,7 +19,7 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
         text = f"{found.name}, {found.motors} motors"
         return PortAnswer(text, "Aracna", str(found.version.version))
     diagnosis = search.diagnosis()
-    return PortAnswer(diagnosis.text if diagnosis.telling > Evidence.ECHO else "")
+    return PortAnswer(diagnosis.text if diagnosis.evidence > Evidence.ECHO else "")
 
 
 def _describe(found: FoundRobot) -> str:

@@ -67,14 +67,14 @@ class TrexScan:
 
     def judged(self) -> Diagnosis:
         """The same, with how much was learned."""
-        telling, text = self._what_was_seen()
+        evidence, text = self._what_was_seen()
         if self.skipped:
             rates = sorted({line.baud for line in self.skipped})
             text += (
                 f" The port cannot be set to {', '.join(map(str, rates))} baud, so nothing was "
                 "probed there."
             )
-        return Diagnosis(telling, text)
+        return Diagnosis(evidence, text)
 
     def _what_was_seen(self) -> tuple[Evidence, str]:
         if self.several is not None:
