@@ -19,10 +19,9 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.traffic.model import TrafficModel
-from trex_gui.ui.traffic.row_details import RowDetails
 from trex_gui.ui.traffic.saver import TrafficSaver, row_of
 from trex_gui.ui.traffic.table import TrafficTable
-from trex_gui.ui.traffic.table_view import TrafficView
+from trex_gui.ui.traffic.table_view import RowDetails, TrafficView
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import only_when_visible
 

@@ -1,10 +1,12 @@
-"""Rows of a transcript to a file, by a thread of its own."""
+"""Transactions as tab-separated text, and a thread that writes them to a file."""
 
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
+from typing import TextIO
 
 from PySide6.QtCore import QObject
 
@@ -13,25 +15,61 @@ from trex_gui.core.files.atomic import atomic_file
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.transport.transactions import Transaction
 from trex_gui.ui.traffic.model import TrafficModel
-from trex_gui.ui.traffic.traffic_text import TrafficRow, write_traffic
 from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback
 
 _AT_ONCE = 100
-"""Rows after which the window gets its turn."""
+"""Rows between two reports of the progress."""
 
 _PATIENCE_MS = 3000
-"""How long the end of the program waits for a file to become whole."""
+"""Time that the end of the program waits for the file to be complete."""
+
+
+@dataclass(frozen=True, slots=True)
+class TrafficRow:
+    """One row: `time` in seconds since 1970, bytes as text, seconds until the reply if any.
+
+    Its columns are separated by tabs, for spreadsheets.
+    """
+
+    time: float
+    sent: str
+    received: str
+    seconds: float | None
+    words: str
+    is_fault: bool
+
+    def text(self) -> str:
+        """Return the row as one line without its end."""
+        moment = datetime.fromtimestamp(self.time).astimezone()
+        took = "" if self.seconds is None else f"{self.seconds * 1e3:.1f}"
+        mark = "!" if self.is_fault else ""
+        when = moment.isoformat(sep=" ", timespec="milliseconds")
+        return "\t".join([when, mark, self.sent, self.received, took, self.words])
+
+
+_HEAD = "\t".join(["time", "fault", "sent", "received", "took_ms", "meaning"])
+
+
+def write_traffic(file: TextIO, about: Iterable[str], rows: Iterable[TrafficRow]) -> int:
+    """Write comment lines, the names of the columns, and rows; return how many rows."""
+    file.writelines(f"# {line}\n" for line in about)
+    file.write(f"{_HEAD}\n")
+    count = 0
+    for row in rows:
+        file.write(f"{row.text()}\n")
+        count += 1
+    return count
 
 
 class TrafficSaver(FileSaver):
-    """Writes rows of one transcript."""
+    """Writes rows of one traffic log."""
 
     def __init__(self, traffic: TrafficModel, parent: QObject | None = None) -> None:
         super().__init__(parent, finishing_ms=_PATIENCE_MS)
         self._traffic = traffic
 
     def save(self, path: Path, rows: Sequence[Transaction]) -> None:
-        """Write rows; `saved` or `failed` says how it went."""
+        """Write rows; `saved` or `failed` follows."""
         if self.is_saving:
             self.failed.emit(self.tr("Another transcript is still being written."))
         else:
@@ -42,13 +80,13 @@ def _write(
     path: Path, traffic: TrafficModel, rows: Sequence[Transaction], tell: ProgressCallback
 ) -> int:
     about = [
-        f"TReX Studio {__version__}: what went over the line",
+        f"TReX Studio {__version__}: traffic on the line",
         f"written {datetime.now(UTC).astimezone().isoformat(sep=' ', timespec='seconds')}",
     ]
     try:
         with (
             atomic_file(path) as data,
-            # Names of ports may hold what is no text on any system.
+            # Names of ports may contain undecodable bytes.
             io.TextIOWrapper(data, "utf-8", errors="backslashreplace", newline="") as file,
         ):
             return write_traffic(file, about, _rows(traffic, rows, tell))
@@ -67,7 +105,7 @@ def _rows(
 
 
 def row_of(traffic: TrafficModel, row: Transaction) -> TrafficRow:
-    """Return a row as it is written and copied."""
+    """Return a row as it is written to files and the clipboard."""
     words = traffic.decoded(row)
     return TrafficRow(
         traffic.wall_time(row),

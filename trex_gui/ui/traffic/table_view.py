@@ -1,10 +1,19 @@
-"""The table of a transcript on the screen: columns, and a word where there is nothing."""
+"""Views of the traffic table: the table itself, and the selected row in full."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+from PySide6.QtGui import QFontDatabase, QFontMetrics, QPainter, QPaintEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFrame,
+    QHeaderView,
+    QPlainTextEdit,
+    QTableView,
+    QWidget,
+)
 
+from trex_gui.core.transport.transactions import Transaction
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.traffic.table import RECEIVED, SENT, TIME, TOOK, TrafficTable
 from trex_gui.ui.widgets.behaviour import name_headers
 
@@ -14,16 +23,18 @@ _SAMPLES = {
     RECEIVED: "54 52 65 58 31 2E 32 00 00 00",
     TOOK: "Took (ms)",
 }
-"""What has to fit; longer bytes are cut, and stand in full below the table."""
+"""Texts that fit into the columns; longer bytes are cut, and shown in full below the table."""
+
+_DETAIL_LINES = 5
 
 
 class TrafficView(QTableView):
-    """Rows that are chosen together, and follow each other closely."""
+    """Table of transactions, with a text if it is empty."""
 
     def __init__(self, table: TrafficTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._empty = ""
-        self.setAccessibleName(self.tr("What went over the line"))
+        self.setAccessibleName(self.tr("Traffic on the line"))
         self.setModel(table)
         name_headers(self)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -49,12 +60,12 @@ class TrafficView(QTableView):
 
     @property
     def is_at_bottom(self) -> bool:
-        """Whether the newest row is in sight, so that whoever looks wants to see the next."""
+        """Whether the newest row is visible, so that the next one should be, too."""
         bar = self.verticalScrollBar()
         return bar.value() >= bar.maximum() - self.verticalHeader().defaultSectionSize()
 
     def set_empty_text(self, text: str) -> None:
-        """Say what is shown while there are no rows."""
+        """Set the text that is shown while there are no rows."""
         if text != self._empty:
             self._empty = text
             self.viewport().update()
@@ -67,3 +78,45 @@ class TrafficView(QTableView):
                 box = self.viewport().rect().adjusted(24, 8, -24, -8)
                 how = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
                 painter.drawText(box, how, self._empty)
+
+
+class RowDetails(QPlainTextEdit):
+    """All bytes of the selected row, their meaning and timing; read-only."""
+
+    def __init__(
+        self, traffic: TrafficModel, table: TrafficTable, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._traffic = traffic
+        self._table = table
+        self.setAccessibleName(self.tr("The chosen row in full"))
+        self.setReadOnly(True)
+        self.setTabChangesFocus(True)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self.setPlaceholderText(self.tr("Choose a row to see all of its bytes."))
+        margins = 2 * (round(self.document().documentMargin()) + self.frameWidth())
+        self.setFixedHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES + margins)
+
+    def show_row(self, row: Transaction | None) -> None:
+        """Show a row, or that none is selected."""
+        text = "" if row is None else "\n".join(self._lines(row))
+        if text != self.toPlainText():  # keeps a selection in it
+            self.setPlainText(text)
+
+    def _lines(self, row: Transaction) -> list[str]:
+        shown = self._traffic.shown
+        settings = row.settings
+        where = "" if settings is None else self.tr(" at {0}").format(settings.short)
+        lines = [f"{self._table.text(row, 0)}  #{row.number}{where}"]
+        if row.sent:
+            lines.append(self.tr("sent      {0}").format(shown(row.sent)))
+        if row.received:
+            lines.append(self.tr("received  {0}").format(shown(row.received)))
+        if row.seconds is not None and settings is not None:
+            wire = settings.line.seconds(len(row.sent) + len(row.received))
+            text = self.tr("took      {0:.1f} ms; {1} bytes need {2:.1f} ms on this wire")
+            count = len(row.sent) + len(row.received)
+            lines.append(text.format(row.seconds * 1e3, count, wire * 1e3))
+        lines.append(self._traffic.decoded(row).text)
+        return lines
