@@ -1,8 +1,8 @@
-"""Every byte of a line as it passes, for whoever wants to read it later.
+"""Traffic log: every byte of a line as it passes, for a reader in another thread.
 
-A `LoggingTransport` stands between a session and its port and notes what goes either way on a
-`TrafficLog`, which another thread empties. Nothing is judged here: `exchanges` puts question and
-answer together, and each device has its own words for them.
+A `LoggingTransport` between a session and its port adds what it sends and receives to a
+`TrafficLog`. Nothing is interpreted here: `transactions` pairs requests and replies, and each
+device has a decoder.
 """
 
 import time
@@ -15,12 +15,12 @@ from trex_gui.core.errors import StudioError, sentence
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
-_LONGEST_TAPE = 50_000
-"""Pieces that are kept for a reader that is late: at 1,000 a second, nearly a minute."""
+_MOST_EVENTS = 50_000
+"""Events that are kept for a reader that is late: at 1,000 a second, nearly a minute."""
 
 
 class TrafficDirection(Enum):
-    """Where the bytes of a piece went, or that none did."""
+    """Direction of the bytes; `LINE`: something happened to the line itself."""
 
     SENT = auto()
     RECEIVED = auto()
@@ -29,13 +29,13 @@ class TrafficDirection(Enum):
 
 @dataclass(frozen=True, slots=True)
 class TrafficEvent:
-    """What passed at one time.
+    """What passed at one moment.
 
     Attributes:
         time: seconds on the line's clock; received bytes may have waited in the port before.
-        data: the bytes; none where something happened to the line itself.
+        data: the bytes; none if something happened to the line itself.
         text: what happened to the line, for the user.
-        settings: how the line is set from here on, where that is said.
+        settings: settings of the line from here on, if they changed.
     """
 
     time: float
@@ -47,36 +47,36 @@ class TrafficEvent:
 
 @dataclass(slots=True)
 class TrafficLog:
-    """Pieces between the thread of a line and one reader; bounded, and nobody ever waits.
+    """Queue of events from the thread of a line to one reader; bounded, never blocks.
 
     Attributes:
-        lost: pieces that were dropped because the reader did not come.
+        lost: events that were dropped because the reader was late.
     """
 
     lost: int = 0
-    _pieces: deque[TrafficEvent] = field(default_factory=deque)
+    _events: deque[TrafficEvent] = field(default_factory=deque)
 
-    def note(self, piece: TrafficEvent) -> None:
-        """Add a piece, from the thread of the line."""
-        if len(self._pieces) >= _LONGEST_TAPE:
+    def note(self, event: TrafficEvent) -> None:
+        """Add an event, from the thread of the line."""
+        if len(self._events) >= _MOST_EVENTS:
             self.lost += 1
             return
-        self._pieces.append(piece)
+        self._events.append(event)
 
     def take(self) -> list[TrafficEvent]:
-        """Return what was noted since the last time, in order; from the reader's thread."""
-        count = len(self._pieces)  # what comes meanwhile stays for the next time
-        return [self._pieces.popleft() for _ in range(count)]
+        """Return the events since the last call, in order; from the reader's thread."""
+        count = len(self._events)  # those added meanwhile stay for the next call
+        return [self._events.popleft() for _ in range(count)]
 
 
 class LoggingTransport:
-    """A line whose bytes are noted; otherwise it does what the one below it does."""
+    """Logs the bytes of the transport below it; otherwise does what that does."""
 
     def __init__(self, below: Transport, settings: PortSettings, log: TrafficLog) -> None:
         self._below = below
         self._settings = settings
         self._line = settings.line
-        self._tape = log
+        self._log = log
 
     @property
     def latency(self) -> float:
@@ -99,8 +99,8 @@ class LoggingTransport:
         return self._below.clock()
 
     def write(self, data: bytes) -> None:
-        # Noted first: an answer must not stand before its question, nor one that failed be missing.
-        self._tape.note(TrafficEvent(self._below.clock(), TrafficDirection.SENT, data))
+        # Logged first: before its reply, and also if it fails.
+        self._log.note(TrafficEvent(self._below.clock(), TrafficDirection.SENT, data))
         try:
             self._below.write(data)
         except StudioError as error:
@@ -113,7 +113,7 @@ class LoggingTransport:
         except StudioError as error:
             self._note_line(sentence(error))
             raise
-        return self._hear(data)
+        return self._received(data)
 
     def discard(self) -> bytes:
         try:
@@ -121,7 +121,7 @@ class LoggingTransport:
         except StudioError as error:
             self._note_line(sentence(error))
             raise
-        return self._hear(data)
+        return self._received(data)
 
     def wait(self, seconds: float) -> None:
         self._below.wait(seconds)
@@ -130,13 +130,13 @@ class LoggingTransport:
         self._note_line("Closed.")
         self._below.close()
 
-    def _hear(self, data: bytes) -> bytes:
+    def _received(self, data: bytes) -> bytes:
         if data:
-            self._tape.note(TrafficEvent(self._below.clock(), TrafficDirection.RECEIVED, data))
+            self._log.note(TrafficEvent(self._below.clock(), TrafficDirection.RECEIVED, data))
         return data
 
     def _note_line(self, text: str, settings: PortSettings | None = None) -> None:
-        self._tape.note(
+        self._log.note(
             TrafficEvent(self._below.clock(), TrafficDirection.LINE, text=text, settings=settings)
         )
 
@@ -146,9 +146,9 @@ def logged(
     open_transport: Callable[[PortSettings], Transport] = SerialTransport,
     clock: Callable[[], float] = time.monotonic,
 ) -> Callable[[PortSettings], Transport]:
-    """Return what opens a line as `open_transport` does, and notes its bytes on a tape.
+    """Return a function that opens a line as `open_transport` does and logs its bytes.
 
-    `clock` is the line's, for what is noted while there is no line yet.
+    `clock` is the line's, for events before there is a line.
     """
 
     def opened(settings: PortSettings) -> Transport:

@@ -1,7 +1,7 @@
-"""Question and answer put together again from the bytes of a line, whatever the device.
+"""Transactions: requests and replies paired again from the bytes of a line.
 
-A row of a transcript is an `Transaction`: what was sent, what came until the next was sent, and
-how long that took. What it means is the business of a `Decoder`, one for each device.
+A row of the traffic page is a `Transaction`: what was sent, what was received until the next was
+sent, and how long that took. Each device has a `Decoder` for its meaning.
 """
 
 from abc import ABC, abstractmethod
@@ -14,7 +14,7 @@ from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
 
 @dataclass(frozen=True, slots=True)
 class Decoded:
-    """What an exchange means, for people; `is_fault` where something went wrong in it."""
+    """Meaning of a transaction; `is_fault` if something went wrong in it."""
 
     text: str
     is_fault: bool = False
@@ -22,19 +22,19 @@ class Decoded:
 
 @dataclass(slots=True, eq=False)
 class Transaction:
-    """One row: something sent and its answer, or something that happened to the line.
+    """One row: a request and its reply, or something that happened to the line.
 
     Attributes:
-        number: counts the rows of a transcript, from 1.
-        time: when it was sent; when the first byte came, where nothing was sent. Seconds on the
-            line's clock.
-        sent, received: the bytes; none of either where `note` says what happened to the line.
-        ended: when the last byte had come, on the same clock; `None` while none has.
-        settings: how the line was set.
-        echo: whether everything sent comes back; `None` where nobody knows yet.
-        is_routine: whether it is one of the questions that the program repeats all the time.
-        is_over: whether nothing more will come.
-        words: what it means, once somebody asked; see `Decoder.decoded`.
+        number: counts the rows from 1.
+        time: when it was sent, or when the first byte was received if nothing was sent. Seconds
+            on the line's clock.
+        sent, received: the bytes; neither has any if `note` says what happened to the line.
+        ended: when the last byte was received, on the same clock; `None` if none was.
+        settings: settings of the line.
+        echo: whether everything sent comes back; `None`: not known yet.
+        is_routine: whether it is one of the polls that the program repeats all the time.
+        is_over: whether it is complete.
+        words: its meaning, once it was decoded; see `Decoder.decoded`.
     """
 
     number: int
@@ -51,112 +51,112 @@ class Transaction:
 
     @property
     def seconds(self) -> float | None:
-        """From the first byte handed over to the last one taken; `None`: no answer."""
+        """Seconds from the first byte sent to the last one received; `None` without a reply."""
         return None if self.ended is None or not self.sent else self.ended - self.time
 
 
 class Decoder(ABC):
-    """What the bytes of a device mean."""
+    """Decodes the bytes of one kind of device."""
 
     @abstractmethod
     def shown(self, data: bytes) -> str:
-        """Return bytes as a person reads them: hexadecimal, or text."""
+        """Return bytes as they are displayed: hexadecimal, or text."""
 
     @abstractmethod
     def is_routine(self, sent: bytes) -> bool:
-        """Return whether the program repeats this question all the time."""
+        """Return whether these bytes are a poll that the program repeats all the time."""
 
     @abstractmethod
-    def is_whole(self, exchange: Transaction) -> bool:
-        """Return whether the answer has come; what comes behind it belongs to nothing."""
+    def is_whole(self, transaction: Transaction) -> bool:
+        """Return whether the reply is complete; bytes behind it are unsolicited."""
 
-    def goes_with(self, exchange: Transaction, sent: bytes) -> bool:
-        """Return whether these bytes belong to the row that is open, though they were sent later.
+    def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
+        """Return whether these bytes belong to the pending row, although they were sent later.
 
-        Whatever comes may be the answer to either then.
+        What is received may then be the reply to either.
         """
-        del exchange, sent
+        del transaction, sent
         return False
 
     @abstractmethod
-    def read(self, exchange: Transaction) -> Decoded:
-        """Return what an exchange means that has bytes."""
+    def read(self, transaction: Transaction) -> Decoded:
+        """Return the meaning of a transaction that has bytes."""
 
-    def decoded(self, exchange: Transaction) -> Decoded:
-        """Return what an exchange means; remembers it once the exchange is over."""
-        if (known := exchange.words) is not None:  # once: `forget` may come from another thread
+    def decoded(self, transaction: Transaction) -> Decoded:
+        """Return the meaning of a transaction; cached once it is complete."""
+        if (known := transaction.words) is not None:  # once: `forget` may come from another thread
             return known
-        words = Decoded(exchange.note) if exchange.note else self.read(exchange)
-        if exchange.is_over:
-            exchange.words = words
+        words = Decoded(transaction.note) if transaction.note else self.read(transaction)
+        if transaction.is_over:
+            transaction.words = words
         return words
 
 
 class TransactionAssembler:
-    """Makes rows of pieces."""
+    """Builds transactions from the events of a line."""
 
-    def __init__(self, wording: Decoder) -> None:
-        self._wording = wording
+    def __init__(self, decoder: Decoder) -> None:
+        self._decoder = decoder
         self._count = 0
         self._settings: PortSettings | None = None
         self._echo: bool | None = None
-        self._open: Transaction | None = None
+        self._pending: Transaction | None = None
 
     def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
-        """Know better how the line is set than the line itself tells, and whether it echoes."""
+        """Set what the session knows of the line better than the log, and whether it echoes."""
         self._settings, self._echo = settings, echo
 
     def forget_echo(self) -> None:
-        """Another line is opened."""
+        """Reset what was known of the line: another one is opened."""
         self._echo = None
 
-    def feed(self, pieces: Iterable[TrafficEvent]) -> list[Transaction]:
-        """Take what has passed; return every row that is new or has changed, in order."""
+    def feed(self, events: Iterable[TrafficEvent]) -> list[Transaction]:
+        """Take events; return every row that is new or has changed, in order."""
         touched: dict[int, Transaction] = {}
 
-        def touch(exchange: Transaction | None) -> None:
-            if exchange is not None:
-                touched[exchange.number] = exchange
+        def touch(transaction: Transaction | None) -> None:
+            if transaction is not None:
+                touched[transaction.number] = transaction
 
-        for piece in pieces:
-            match piece.way:
+        for event in events:
+            match event.way:
                 case TrafficDirection.LINE:
                     touch(self._end())
-                    self._settings = piece.settings or self._settings
-                    row = self._row(piece.time)
-                    row.note, row.is_over = piece.text, True
+                    self._settings = event.settings or self._settings
+                    row = self._row(event.time)
+                    row.note, row.is_over = event.text, True
                     touch(row)
-                case TrafficDirection.SENT if self._open and self._wording.goes_with(
-                    self._open, piece.data
+                case TrafficDirection.SENT if self._pending and self._decoder.goes_with(
+                    self._pending, event.data
                 ):
-                    self._open.sent += piece.data
-                    touch(self._open)
+                    self._pending.sent += event.data
+                    touch(self._pending)
                 case TrafficDirection.SENT:
                     touch(self._end())
-                    self._open = self._row(piece.time, piece.data)
-                    touch(self._open)
+                    self._pending = self._row(event.time, event.data)
+                    touch(self._pending)
                 case TrafficDirection.RECEIVED:
-                    if self._open is None or self._is_answered(self._open):
+                    if self._pending is None or self._is_answered(self._pending):
                         touch(self._end())
-                        self._open = self._row(piece.time)
-                    self._open.received += piece.data
-                    self._open.ended = piece.time
-                    touch(self._open)
+                        self._pending = self._row(event.time)
+                    self._pending.received += event.data
+                    self._pending.ended = event.time
+                    touch(self._pending)
         return [touched[number] for number in sorted(touched)]
 
-    def _is_answered(self, exchange: Transaction) -> bool:
-        return bool(exchange.received) and self._wording.is_whole(exchange)
+    def _is_answered(self, transaction: Transaction) -> bool:
+        return bool(transaction.received) and self._decoder.is_whole(transaction)
 
     def _end(self) -> Transaction | None:
-        """Let nothing more come to the row that is open; return it."""
-        ended, self._open = self._open, None
+        """Complete the pending row; return it."""
+        ended, self._pending = self._pending, None
         if ended is not None:
             ended.is_over = True
         return ended
 
     def _row(self, time: float, sent: bytes = b"") -> Transaction:
         self._count += 1
-        is_routine = bool(sent) and self._wording.is_routine(sent)
+        is_routine = bool(sent) and self._decoder.is_routine(sent)
         return Transaction(
             self._count,
             time,

@@ -38,9 +38,9 @@ class Shelf:
         """Return the rows behind the first `count`, as far as they are kept."""
         return self._rows[max(count - self._gone, 0) :]
 
-    def add(self, exchange: Transaction) -> None:
+    def add(self, transaction: Transaction) -> None:
         """Add a row; the oldest go, many at a time."""
-        self._rows.append(exchange)
+        self._rows.append(transaction)
         if len(self._rows) > MOST_KEPT:
             self._gone += len(self._rows) - _TRIMMED
             del self._rows[:-_TRIMMED]
@@ -70,14 +70,14 @@ class TrafficModel(QObject):
     changed = Signal()
     cleared = Signal()
 
-    def __init__(self, line: SessionThread, wording: Decoder) -> None:
+    def __init__(self, line: SessionThread, decoder: Decoder) -> None:
         super().__init__(line)
         self.everything = Shelf()
         self.without_polling = Shelf()
         self.faults = 0
         self._tape = line.log
-        self._wording = wording
-        self._assembler = TransactionAssembler(wording)
+        self._decoder = decoder
+        self._assembler = TransactionAssembler(decoder)
         self._newest = 0
         self._epoch = time.time() - now()
         self._timer = runtime().timer(self)
@@ -98,23 +98,23 @@ class TrafficModel(QObject):
 
     def forget_words(self) -> None:
         """Say everything anew: more is known of the device."""
-        for exchange in self.everything.rows:
-            exchange.words = None
-        for exchange in self.without_polling.rows:
-            exchange.words = None
+        for transaction in self.everything.rows:
+            transaction.words = None
+        for transaction in self.without_polling.rows:
+            transaction.words = None
         self.changed.emit()
 
-    def decoded(self, exchange: Transaction) -> Decoded:
+    def decoded(self, transaction: Transaction) -> Decoded:
         """Return what a row means."""
-        return self._wording.decoded(exchange)
+        return self._decoder.decoded(transaction)
 
     def shown(self, data: bytes) -> str:
         """Return bytes as a person reads them."""
-        return self._wording.shown(data)
+        return self._decoder.shown(data)
 
-    def wall_time(self, exchange: Transaction) -> float:
+    def wall_time(self, transaction: Transaction) -> float:
         """Return when a row was, in seconds since 1970."""
-        return self._epoch + exchange.time
+        return self._epoch + transaction.time
 
     def clear(self) -> None:
         """Forget every row."""
@@ -128,20 +128,20 @@ class TrafficModel(QObject):
     def pull(self) -> None:
         """Read what was noted."""
         rows = self._assembler.feed(self._tape.take())
-        for exchange in rows:
-            self._put_away(exchange)
+        for transaction in rows:
+            self._put_away(transaction)
         if rows:
             self.changed.emit()
 
-    def _put_away(self, exchange: Transaction) -> None:
-        is_new = exchange.number > self._newest
+    def _put_away(self, transaction: Transaction) -> None:
+        is_new = transaction.number > self._newest
         if is_new:
-            self._newest = exchange.number
-            self.everything.add(exchange)
-        is_fault = exchange.is_over and self.decoded(exchange).is_fault
+            self._newest = transaction.number
+            self.everything.add(transaction)
+        is_fault = transaction.is_over and self.decoded(transaction).is_fault
         self.faults += is_fault
-        if is_fault if exchange.is_routine else is_new:
-            self.without_polling.add(exchange)
+        if is_fault if transaction.is_routine else is_new:
+            self.without_polling.add(transaction)
 
     @Slot()
     def _on_started(self) -> None:

@@ -38,41 +38,43 @@ class AracnaDecoder(Decoder):
         """Whether it is the keep-alive query."""
         return sent == b".q\n"
 
-    def is_whole(self, exchange: Transaction) -> bool:
+    def is_whole(self, transaction: Transaction) -> bool:
         """Whether a reply to the last command, or a restart, has arrived."""
-        lines = exchange.received.split(b"\n")[:-1]
-        if not exchange.sent:
+        lines = transaction.received.split(b"\n")[:-1]
+        if not transaction.sent:
             return bool(lines)
-        last = exchange.sent.rstrip(b"\n").rpartition(b"\n")[2][:2]
+        last = transaction.sent.rstrip(b"\n").rpartition(b"\n")[2][:2]
         return any(line.startswith((last, b".h")) for line in lines)
 
-    def goes_with(self, exchange: Transaction, sent: bytes) -> bool:
+    def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
         """Whether it is a query behind a command that has no reply yet."""
-        is_late = exchange.sent[:2] in {b".c", b".v", b".l"} and not self.is_whole(exchange)
+        is_late = transaction.sent[:2] in {b".c", b".v", b".l"} and not self.is_whole(transaction)
         return sent == b".q\n" and is_late
 
-    def read(self, exchange: Transaction) -> Decoded:
+    def read(self, transaction: Transaction) -> Decoded:
         """Describe the command, and each line that came."""
-        *lines, rest = exchange.received.split(b"\n")
+        *lines, rest = transaction.received.split(b"\n")
         replies = [reply for line in lines for reply in read_lines(line.removesuffix(b"\r"))]
         is_fault = any(map(_is_fault, replies))
         texts = [self._reply(reply) for reply in replies]
-        if not exchange.sent:
+        if not transaction.sent:
             texts += [f"incomplete line: {self.shown(rest)}"] if rest else []
             return Decoded("unsolicited: " + "; ".join(texts), is_fault or bool(rest))
-        command = _command(exchange.sent)
-        if not self.is_whole(exchange) and exchange.sent.strip():
-            if not exchange.is_over:
+        command = _command(transaction.sent)
+        if not self.is_whole(transaction) and transaction.sent.strip():
+            if not transaction.is_over:
                 return Decoded(" → ".join([command, *texts]))
             texts.append("incomplete reply" if rest else "no reply")
             is_fault = True
-        elif exchange.sent.strip() and not any(_answers(one, exchange.sent) for one in replies):
+        elif transaction.sent.strip() and not any(
+            _answers(one, transaction.sent) for one in replies
+        ):
             texts.append("no reply to the command itself")
             is_fault = True
         elif rest:
             texts.append(f"followed by {self.shown(rest)}")
             is_fault = True
-        is_fault |= exchange.sent[:2] != b".q" and Hello() in replies
+        is_fault |= transaction.sent[:2] != b".q" and Hello() in replies
         return Decoded(f"{command} → {'; '.join(texts)}" if texts else command, is_fault)
 
     def _reply(self, reply: Reply) -> str:

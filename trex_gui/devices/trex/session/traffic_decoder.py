@@ -41,23 +41,23 @@ class TrexDecoder(Decoder):
             return len(sent) > 2 and sent[2] | 0x80 in _POLLED
         return sent[0] in _POLLED
 
-    def is_whole(self, exchange: Transaction) -> bool:
+    def is_whole(self, transaction: Transaction) -> bool:
         """Whether the reply has its size, behind its echo if there is one."""
-        if not exchange.sent:
+        if not transaction.sent:
             return False
-        packet = _packets(exchange.sent, _polynomial(exchange.settings))[-1]
-        return isinstance(packet, Packet) and not isinstance(_reply(packet, exchange), NeedData)
+        packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1]
+        return isinstance(packet, Packet) and not isinstance(_reply(packet, transaction), NeedData)
 
-    def read(self, exchange: Transaction) -> Decoded:
+    def read(self, transaction: Transaction) -> Decoded:
         """Say the packet, and what was answered or what is wrong with that."""
-        if not exchange.sent:
+        if not transaction.sent:
             return Decoded("unsolicited bytes", is_fault=True)
-        packets = _packets(exchange.sent, _polynomial(exchange.settings))
+        packets = _packets(transaction.sent, _polynomial(transaction.settings))
         said = "; ".join(map(self._said, packets))
         packet = packets[-1]
         if isinstance(packet, Malformed):
             return Decoded(said)
-        match _reply(packet, exchange):
+        match _reply(packet, transaction):
             case Reply(value=value):
                 answer = describe_reply(packet.command, value, self.board)
                 return Decoded(f"{said} → {answer}" if answer else said, is_refusal(value))
@@ -66,11 +66,11 @@ class TrexDecoder(Decoder):
                 return Decoded(f"{said} → {text}", is_fault=True)
             case Malformed(reason=reason):
                 return Decoded(f"{said} → damaged: {reason}", is_fault=True)
-            case _ if not exchange.is_over:
+            case _ if not transaction.is_over:
                 return Decoded(said)
-        if not exchange.received:
+        if not transaction.received:
             return Decoded(f"{said} → no answer", is_fault=True)
-        if exchange.received == exchange.sent:
+        if transaction.received == transaction.sent:
             return Decoded(f"{said} → only its echo came back", is_fault=True)
         return Decoded(f"{said} → the answer is not complete", is_fault=True)
 
@@ -89,16 +89,16 @@ def _packets(sent: bytes, polynomial: int | None) -> tuple[Packet | Malformed, .
     return (*parser.feed(sent), *parser.flush())
 
 
-def _reply(packet: Packet, exchange: Transaction) -> Reply[object] | NeedData | Malformed:
+def _reply(packet: Packet, transaction: Transaction) -> Reply[object] | NeedData | Malformed:
     """Parse the received bytes; if an echo is unknown, their length shows whether there is one."""
-    framing = Framing(packet.device_number, _polynomial(exchange.settings))
-    if exchange.echo is not None:
-        return _parsed(packet.command, framing, exchange.received, echo=exchange.echo)
-    plain = _parsed(packet.command, framing, exchange.received, echo=False)
-    has_echo = exchange.received[: len(packet.raw)] == packet.raw[: len(exchange.received)]
+    framing = Framing(packet.device_number, _polynomial(transaction.settings))
+    if transaction.echo is not None:
+        return _parsed(packet.command, framing, transaction.received, echo=transaction.echo)
+    plain = _parsed(packet.command, framing, transaction.received, echo=False)
+    has_echo = transaction.received[: len(packet.raw)] == packet.raw[: len(transaction.received)]
     if isinstance(plain, Reply) or not has_echo:
         return plain
-    return _parsed(packet.command, framing, exchange.received, echo=True)
+    return _parsed(packet.command, framing, transaction.received, echo=True)
 
 
 def _parsed(
