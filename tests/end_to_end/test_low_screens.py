@@ -202,7 +202,7 @@ def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) 
         assert not asking.has_question()
         disconnect()
         assert asking.has_question()
-        assert "Settings are being written. Disconnect all the same?" in asking.question.text
+        assert "Settings are still being written. Disconnect anyway?" in asking.question.text
         assert asking.link() is ConnectionState.CONNECTED
         asking.click("questionCancel")
     asking.click("connectButton")

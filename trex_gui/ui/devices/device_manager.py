@@ -1,4 +1,4 @@
-"""Which device the window is connected to: one at a time, whatever kind it is of."""
+"""Device manager: connects the window to one device at a time."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -16,14 +16,16 @@ Controller = DeviceController[Any]
 
 
 class DeviceManager(QObject):
-    """Connects to one device at a time; the one before is left first.
+    """Connects to one device at a time; the previous one is disconnected first.
+
+    Attributes:
+        scanner: looks for devices of every kind.
 
     Signals:
-        changed: what is told of the device in use.
-        progressed: steps done, steps in all, what comes next.
+        changed: any property of `current`.
+        progressed: steps done, steps in all, the next step.
         current_changed: `current` is another kind of device.
-        stop_told: what a stop that nobody asked for means, in sentences, for people; again where
-            more is known of it.
+        stop_reported: what an automatic stop means, in sentences; again when more is known.
     """
 
     changed = Signal()
@@ -55,23 +57,23 @@ class DeviceManager(QObject):
 
     @property
     def is_idle(self) -> bool:
-        """Whether nothing is connected, nor about to be."""
+        """Whether no device is connected or about to be."""
         return self._current.link is ConnectionState.DISCONNECTED and not self._current.starting
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port; a device of another kind is left first."""
+        """Connect to a port; a device of another kind is disconnected first."""
         controller = self._controllers[port.device]
         self._switch_to(controller, lambda: controller.connect_to(port))
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
-        """Connect to a port at which a device was found with these settings."""
+        """Connect to a port where a scan found a device with these settings."""
         controller = self._controllers[port.device]
         self._switch_to(controller, lambda: controller.connect_with(port, settings))
 
     def switch_to(self, device: str) -> bool:
-        """Use another kind of device from now on, and connect to none.
+        """Use another kind of device, without connecting to one.
 
-        Return whether it is in use: nothing that is connected is left for it.
+        Return whether it is in use: a connected device is not disconnected for it.
         """
         controller = self._controllers[device]
         if controller is not self._current and self.is_idle:
@@ -81,7 +83,7 @@ class DeviceManager(QObject):
     def _switch_to(self, controller: Controller, then: Callable[[], None]) -> None:
         self._next = None
         if controller is not self._current:
-            self._current.leave()  # an idle one may be waiting for a search to end, too
+            self._current.leave()  # an idle one may be waiting for a scan to end
             if not self.is_idle:
                 self._next = lambda: self._switch_to(controller, then)
                 return
@@ -95,15 +97,15 @@ class DeviceManager(QObject):
         self._current.leave()
 
     def press_stop(self) -> None:
-        """Stop every device that may listen."""
+        """Stop every device."""
         for controller in self._controllers.values():
             controller.press_stop()
 
     def stop_because(self, reason: str, *, is_news: bool = False) -> None:
-        """Stop every device that may listen, because of something that nobody asked for.
+        """Stop every device because of an event.
 
-        What that means is for each device to say, the one in use first. Where none has anything to
-        say the reason is told alone, but only where it `is_news` by itself.
+        Each device reports what that means, the one in use first. If none does, the reason alone
+        is reported if it `is_news`.
         """
         texts = {
             controller.plugin.key: controller.stop_because(reason)
@@ -120,10 +122,7 @@ class DeviceManager(QObject):
 
     @property
     def unconfirmed_stop(self) -> str:
-        """What people have to know of motors that may turn though every line is closed.
-
-        In sentences; empty where there is nothing to know.
-        """
+        """Warning about motors that may turn although every line is closed; empty if none may."""
         return "\n".join(
             filter(None, (controller.unconfirmed_stop for controller in self._controllers.values()))
         )

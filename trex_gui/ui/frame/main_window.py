@@ -1,4 +1,4 @@
-"""The frame around the pages: connection above, messages below it, menus."""
+"""Main window: connection bar, notifications, workspace of the device in use, menus."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -7,11 +7,14 @@ from PySide6.QtCore import QByteArray, QSettings, Qt, QUrl, Slot
 from PySide6.QtGui import QCloseEvent, QDesktopServices
 from PySide6.QtWidgets import (
     QApplication,
+    QDialog,
+    QDialogButtonBox,
     QMainWindow,
     QMenu,
     QMessageBox,
     QStackedWidget,
     QTabWidget,
+    QTextBrowser,
     QVBoxLayout,
     QWidget,
 )
@@ -22,9 +25,7 @@ from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.frame.actions import build_menus
 from trex_gui.ui.frame.connection_bar import ConnectionBar
-from trex_gui.ui.frame.escape import EscapeWatch
-from trex_gui.ui.frame.help_dialog import HelpDialog
-from trex_gui.ui.frame.unconfirmed_stop_warning import UnconfirmedStopWarning
+from trex_gui.ui.frame.stopping import EscapeWatch, UnconfirmedStopWarning
 from trex_gui.ui.frame.workspace import Workspace
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.icons import application_icon
@@ -37,7 +38,7 @@ _SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
 
 
 class MainWindow(QMainWindow):
-    """Shows the desk of the device that is connected, or was last; knows no device itself."""
+    """Shows the workspace of the device that is connected, or was last; knows no device itself."""
 
     def __init__(
         self,
@@ -67,13 +68,13 @@ class MainWindow(QMainWindow):
         self._workspaces: tuple[Workspace, ...] = ()
         self._help = HelpDialog(self)
         self._warning = UnconfirmedStopWarning(device_manager, self._question, self)
-        # Behind the event: a question about what is dropped must not hold up who dropped it.
+        # After the event: a question about the file must not block the program it comes from.
         drop = AnyFileDrop(self)
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 
     @property
     def question(self) -> InlinePrompt:
-        """Where desks ask what has to be asked."""
+        """Prompt for questions of the workspaces."""
         return self._question
 
     def add_workspaces(self, workspaces: Sequence[Workspace]) -> None:
@@ -105,7 +106,7 @@ class MainWindow(QMainWindow):
 
     @property
     def pages(self) -> QTabWidget:
-        """The pages of the desk that is shown, in the order of their tabs."""
+        """The pages of the workspace that is shown, in the order of their tabs."""
         return self._workspace.pages
 
     @property
@@ -114,7 +115,7 @@ class MainWindow(QMainWindow):
         return next(workspace for workspace in self._workspaces if workspace.key == key)
 
     def _slots(self) -> dict[str, Callable[[], object]]:
-        """What each action of the frame does."""
+        """Return what each action of the frame does."""
         return {
             "quit": self.close,
             "connect": self._connection.connect_shown,
@@ -143,7 +144,7 @@ class MainWindow(QMainWindow):
             self._notifier.error.emit(text.format(len(paths)))
 
     def open_file(self, path: Path) -> None:
-        """Open a file on the desk that it belongs to, unless another device is connected."""
+        """Open a file in the workspace that it belongs to, unless another device is connected."""
         suffix = path.suffix.lower()
         for workspace in self._workspaces:
             for kind in workspace.file_kinds:
@@ -164,11 +165,11 @@ class MainWindow(QMainWindow):
             "then drop the file again."
         ).format(path.name, what, self._manager.current.plugin.name)
 
-    # --- What has changed ---------------------------------------------------------------
+    # --- State --------------------------------------------------------------------------
 
     @Slot()
     def _on_device_changed(self) -> None:
-        """Show the desk of the device in use, and what its menus offer."""
+        """Show the workspace of the device in use, and its menu entries."""
         self._stack.setCurrentWidget(self._workspace)
         self._actions["stop"].setText(self._workspace.stop_text)
         self._actions["guide"].setText(self._workspace.help_title)
@@ -185,7 +186,7 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _on_actions_changed(self) -> None:
-        """Let every action say whether it can be done now."""
+        """Enable the actions that can be done now."""
         device = self._manager.current
         link = device.link
         enabled_actions = {
@@ -206,11 +207,11 @@ class MainWindow(QMainWindow):
 
     @Slot(object)
     def _on_interruption_wanted(self, then: Callable[[], object]) -> None:
-        """Ask before writing is cut off."""
+        """Ask before the writing of settings is interrupted."""
         self._question.ask(
             self.tr(
-                "Settings are being written. Disconnect all the same? What was not written yet "
-                "stays an edit."
+                "Settings are still being written. Disconnect anyway? Unwritten settings stay "
+                "pending."
             ),
             PromptAnswer("disconnectYes", self.tr("Disconnect"), then),
             still=lambda: self._manager.current.is_busy,
@@ -282,3 +283,37 @@ class MainWindow(QMainWindow):
         for workspace in self._workspaces:
             workspace.finish()
         super().closeEvent(event)
+
+
+class HelpDialog(QDialog):
+    """Help beside the window, so that it can be tried while it is read."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("helpDialog")
+        self.resize(560, 620)
+        self._shown = ""
+        self._text = QTextBrowser(self)
+        self._text.setObjectName("helpText")
+        self._text.setAccessibleName(self.tr("Help"))
+        self._text.setOpenExternalLinks(True)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
+        close = buttons.button(QDialogButtonBox.StandardButton.Close)
+        close.setObjectName("helpClose")
+
+        layout = QVBoxLayout(self)
+        layout.addWidget(self._text, 1)
+        layout.addWidget(buttons)
+
+        buttons.rejected.connect(self.close)
+
+    def show_text(self, title: str, text: str) -> None:
+        """Show rich text; `title` as a menu names it."""
+        title = title.replace("&", "").removesuffix("…")
+        self.setWindowTitle(title)
+        if text != self._shown:  # else it keeps its scroll position
+            self._text.setHtml(text)
+            self._shown = text
+        self.show()
+        self.activateWindow()
+        self._text.setFocus(Qt.FocusReason.PopupFocusReason)

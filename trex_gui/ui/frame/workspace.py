@@ -1,4 +1,4 @@
-"""What the frame shows of one kind of device, and all that it has to know of it."""
+"""Workspace: what the frame shows and needs to know of one kind of device."""
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,11 +16,11 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 @dataclass(frozen=True, slots=True)
 class FileKind:
-    """Files of one kind that belong to a desk.
+    """Files of one kind that belong to a workspace.
 
     Attributes:
         suffixes: how their names end, in lower case.
-        name: what one is called, for people: "a settings file of a TReX".
+        name: with its article: "a settings file of a TReX".
         open: opens one, in the workspace that is shown.
         open_offline: opens one that was named at the start while no device is being connected;
             `None`: `open` does.
@@ -48,18 +48,18 @@ class PageInfo:
 
 
 class Workspace(QWidget):
-    """The pages of a device, the bar below them, and what its menus do.
+    """The pages of a device, the bar below them, and its menu entries.
 
-    What is here does for a device that asks for no more; a desk has its own where it does.
+    The defaults are for a device that needs no more.
 
     Signals:
-        actions_changed: `enabled_actions` says something else.
+        actions_changed: `enabled_actions`.
     """
 
     actions_changed = Signal()
 
     def __init__(self, key: str, notifier: Notifier, parent: QWidget | None = None) -> None:
-        """Show the device of this kind; see `model.kinds`."""
+        """Show the kind of device with this key."""
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
@@ -74,32 +74,32 @@ class Workspace(QWidget):
 
     @property
     def stop_text(self) -> str:
-        """What Esc does, as the menu names it."""
+        """Menu entry of Esc."""
         return self.tr("&Stop motor")
 
     @property
     def help_title(self) -> str:
-        """What F1 shows, as the menu names it."""
+        """Menu entry of F1."""
         return self.tr("Online &documentation…")
 
     @property
     def help_url(self) -> str:
-        """Where it is published; empty: `help_text` is shown."""
+        """URL of the documentation; empty: `help_text` is shown."""
         return ""
 
     @property
     def help_text(self) -> str:
-        """What the desk offers, as rich text."""
+        """Help as rich text."""
         return ""
 
     @property
     def file_kinds(self) -> Sequence[FileKind]:
-        """The files that belong here, wherever they are dropped or named."""
+        """The files that are opened here, dropped or named at the start."""
         return ()
 
     @property
     def docks(self) -> Sequence[QDockWidget]:
-        """What stands at the right of the window; the desk shows and hides it."""
+        """Docks at the right of the window; the workspace shows and hides them."""
         return ()
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
@@ -133,22 +133,22 @@ class Workspace(QWidget):
         return self.page_slots()
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        """Take the actions that stand for its slots, by key, once the menus are made."""
+        """Take the actions of its slots by key, once the menus are built."""
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        """Return which of its actions can be done now; those that are missing can."""
+        """Return which of its actions can be done now; missing ones can."""
         return {}
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether nothing would be lost; else ask, and call `leave` where that is wanted."""
+        """Return whether nothing would be lost; else ask, and call `leave` on consent."""
         del leave
         return True
 
     def prepare_to_close(self) -> None:
-        """Close what stands beside the window and remember what is to be remembered."""
+        """Close dialogs and windows and save their state."""
 
     def finish(self) -> None:
-        """End what goes on when the line is closed: a disk may take its time."""
+        """End what goes on after the line is closed: a disk may be slow."""
 
     def shut_down(self) -> bool:
         """End every thread, at the end of the program; return whether all ended in time."""
