@@ -1,4 +1,4 @@
-"""A fault of the program on one port: it is told, and the port is given back."""
+"""An internal error on one port is reported, and the port is closed."""
 
 import logging
 

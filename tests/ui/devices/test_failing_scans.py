@@ -1,4 +1,4 @@
-"""A search that a fault of the program ends on one port goes on with the next."""
+"""An internal error on one port does not end the scan of the next."""
 
 import pytest
 from pytestqt.qtbot import QtBot

@@ -1,4 +1,4 @@
-"""A line to a device as the models see it: requests in, reports out, a thread a session."""
+"""Line sessions of a device: requests in, reports out, one thread per session."""
 
 import itertools
 from collections.abc import Callable
@@ -12,25 +12,25 @@ from trex_gui.ui.workers import orphaned_threads
 from trex_gui.ui.workers.line_worker import LineWorker, MakeSession
 
 NOBODY = 0
-"""The number of a request of which nobody waits for the outcome."""
+"""Number of a request without a handler for its outcome."""
 
 _PATIENCE_MS = 1000
 _PATIENCE_WHILE_WRITING_MS = 3000
-"""How long the end waits: line settings and polynomial are not parted, whatever they take."""
+"""How long the end waits: line settings and polynomial must be stored together."""
 
 
 class SessionThread(QObject):
     """One session after another, never two at a time.
 
     Attributes:
-        tape: what their bytes are noted on, where `traffic.logged` opens the line.
+        log: traffic log, if `traffic_log.logged` opens the line.
 
     Signals:
-        started: a session begins.
+        started: a session starts.
         reported: a report that is neither an outcome nor the last one.
-        closed: the port is given back; the `messages.Closed` of the session. A fault of the
-            program leaves none: then motors that were driven at all may move. Not told of a
-            session that `shut_down` has seen end.
+        closed: the port is closed; the `Closed` of the session. After an internal error it says
+            that motors may move if any was driven. Not emitted for a session that ends within
+            `shut_down`.
     """
 
     started = Signal()
@@ -41,8 +41,8 @@ class SessionThread(QObject):
         super().__init__(parent)
         self.log = TrafficLog()
         self._worker: LineWorker | None = None
-        self._late: LineWorker | None = None  # it was shut down; its last word still counts
-        self._ending: list[LineWorker] = []  # each is given up, or between last report and end
+        self._late: LineWorker | None = None  # shut down; its last report still counts
+        self._ending: list[LineWorker] = []  # orphaned, or between last report and end
         self._last: Closed | None = None
         self._may_move = False
         self._ids = itertools.count(1)
@@ -50,12 +50,12 @@ class SessionThread(QObject):
         self._writes: set[int] = set()
 
     def moves(self, request: object) -> bool:
-        """Return whether a motor may turn for this request; where nobody knows, it may."""
+        """Return whether a motor may turn because of this request; if unknown, it may."""
         del request
         return True
 
     def writes(self, request: object) -> bool:
-        """Return whether this request stores something, for whose end the program waits."""
+        """Return whether this request stores something; the end of the program waits for it."""
         del request
         return False
 
@@ -66,7 +66,7 @@ class SessionThread(QObject):
 
     @property
     def last(self) -> Closed | None:
-        """How the last session ended; `None` while it has not said so, or before any."""
+        """How the last session ended; `None` before its last report, or before any session."""
         return self._last
 
     def start(self, make_session: MakeSession, *, may_move: bool) -> None:
@@ -88,16 +88,16 @@ class SessionThread(QObject):
         return True
 
     def submit_now(self, *requests: object) -> None:
-        """Hand requests that move nothing to one and the same session, if there is one.
+        """Submit requests that move nothing to the same session, if there is one.
 
-        For emergencies, from any thread: the session may end, and another begin, meanwhile.
+        For emergencies, from any thread: the session may end, and another start, meanwhile.
         """
         if (worker := self._worker) is not None:
             for request in requests:
                 worker.submit(request)
 
     def ask(self, make: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
-        """Hand over a request that `make` gives a number; `then` gets its outcome.
+        """Submit the request that `make` returns for a number; `then` gets its outcome.
 
         Return whether there is a session; where there is none, `then` is not called.
         """
@@ -113,17 +113,17 @@ class SessionThread(QObject):
         return True
 
     def close(self) -> None:
-        """Let the session end: `closed` tells when the port is given back."""
+        """Let the session end; `closed` follows."""
         self.submit(Close())
 
     def shut_down(self) -> bool:
         """Close and wait for it, at most a second; return whether it ended in time.
 
-        While something is written it is waited for up to three seconds, and what was asked to
-        be written has its outcome before this returns, if it came in time. Of the session that
-        has ended `last` tells how; nothing else is told any more. A thread that does not end in
-        time is kept, and the process must end without destroying it: `closed` follows if it ends
-        after all, and asking again waits for it again.
+        While something is written it waits for up to three seconds, and the outcome of a write is
+        delivered before this returns, if it comes in time. `last` says how the session ended;
+        nothing else is reported. A thread that does not end in time is kept, and the process must
+        end without destroying it: `closed` follows if it ends after all, and calling this again
+        waits again.
         """
         worker, self._worker = self._worker, None
         if worker is None:
@@ -150,14 +150,14 @@ class SessionThread(QObject):
         orphaned_threads.adopt(worker)
 
     def _take_reports(self) -> None:
-        """Take what comes as events of this object; no event loop may run any more to bring it."""
+        """Deliver queued reports; no event loop may be running any more."""
         QCoreApplication.sendPostedEvents(self, QEvent.Type.MetaCall)
 
     @Slot(object)
     def _on_reported(self, report: object) -> None:
         worker = self.sender()
         if worker is None or worker not in {self._worker, self._late}:
-            return  # of a session that was given up; another may have begun
+            return  # of an orphaned session; another may have started
         match report:
             case Outcome(id=number):
                 self._writes.discard(number)
@@ -177,8 +177,8 @@ class SessionThread(QObject):
         self._writes.clear()
 
     def _fault(self) -> Closed:
-        """Return what to make of a session whose last report never came."""
-        error = StudioError(self.tr("The line was closed by a fault of the program."))
+        """Return the result of a session without a last report."""
+        error = StudioError(self.tr("Internal error: the connection was closed."))
         return Closed(error, self._may_move)
 
     def _leave(self, last: Closed) -> None:
@@ -195,7 +195,7 @@ class SessionThread(QObject):
         if not isinstance(worker, LineWorker):
             return
         if worker is self._worker:
-            self._leave(self._fault())  # and yet the line is closed
+            self._leave(self._fault())  # the line is closed all the same
         elif worker is self._late and worker in self._ending:
             self._late = None
             self.closed.emit(self._last or self._fault())

@@ -27,7 +27,7 @@ def test_crashed_session_closes_the_line_and_keeps_may_move(
     assert isinstance(last.args, list)
     (closed,) = last.args
     assert isinstance(closed, Closed)
-    assert "fault of the program" in str(closed.error)
+    assert "Internal error" in str(closed.error)
     assert closed.may_move is drives
     assert not line.is_open
 
