@@ -296,7 +296,7 @@ def test_invalid_url_is_rejected_with_message(url: str) -> None:
 )
 def test_port_without_permission_is_reported(terminal: tuple[int, str]) -> None:
     Path(terminal[1]).chmod(0)
-    assert "You may not open" in refusal(terminal[1])
+    assert "Permission denied for" in refusal(terminal[1])
 
 
 # --- The sentences ----------------------------------------------------------------------
@@ -313,7 +313,7 @@ def test_permission_error_names_group_of_port(terminal: tuple[int, str]) -> None
 
     said = why(errno.EACCES, terminal[1])
     group = grp.getgrgid(Path(terminal[1]).stat().st_gid).gr_name
-    assert said.startswith(f"You may not open {terminal[1]}.")
+    assert said.startswith(f"Permission denied for {terminal[1]}.")
     assert "sudo" in said
     if group != "root":
         assert f"sudo usermod -aG {group} $USER" in said
@@ -342,7 +342,7 @@ def test_error_number_is_found_in_wrapped_error() -> None:
     cause = PermissionError(errno.EACCES, "Permission denied")
     wrapped = serial.SerialException("could not open port")
     wrapped.__cause__ = cause
-    assert why_not_open("/dev/ttyX", LINE, wrapped).startswith("You may not open /dev/ttyX.")
+    assert why_not_open("/dev/ttyX", LINE, wrapped).startswith("Permission denied for /dev/ttyX.")
 
 
 def test_error_without_message_shows_its_type() -> None:

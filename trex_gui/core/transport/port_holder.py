@@ -1,4 +1,4 @@
-"""Which program has a port open, where Linux lets us see it."""
+"""Which program has a port open (Linux only)."""
 
 import contextlib
 import os
@@ -8,10 +8,10 @@ _PROCESSES = Path("/proc")
 
 
 def holder_of(url: str) -> str | None:
-    """Return who has a port open, for people; `None` where that cannot be seen.
+    """Return which program has a port open; `None`: unknown.
 
-    Who holds a lock on it goes before who merely has it open, and another program before this
-    one: `/proc/locks`, then `/proc/PID/fd` (proc(5)).
+    A program that holds a lock on it goes before one that only has it open, and another program
+    before this one: `/proc/locks`, then `/proc/PID/fd` (proc(5)).
     """
     path = Path(url)
     with contextlib.suppress(OSError):
@@ -25,7 +25,7 @@ def holder_of(url: str) -> str | None:
 
 
 def is_locked_elsewhere(url: str) -> bool:
-    """Whether another program has locked a port; also where nobody can see who has."""
+    """Whether another program has locked a port; true if that is unknown."""
     with contextlib.suppress(OSError):
         return _locking(Path(url)) not in {None, os.getpid()}
     return True

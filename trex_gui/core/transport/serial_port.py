@@ -1,7 +1,7 @@
-"""Bytes out, bytes in: one open port, with every failure as a sentence.
+"""One open port, with every failure as a sentence.
 
-Ports are pyserial's, local or remote, under one small interface, so that a simulated wire
-in virtual time can stand in for them.
+Ports are pyserial's, local or remote, behind a small interface, so that a simulated wire in
+virtual time can replace them.
 """
 
 import contextlib
@@ -30,13 +30,13 @@ _SLICE = 0.02
 """Seconds that one blocking read may last; a deadline is overrun by no more than this."""
 
 _LONGEST_STALE = 0.05
-"""Seconds of bytes that nobody asked for after which a line counts as talking by itself."""
+"""Seconds of unsolicited bytes after which the line counts as sending on its own."""
 
 _MANY_READS = 10
-"""And this often there was more: a computer that stood still finds all of it in one or two."""
+"""Reads with more bytes before that: a computer that was suspended gets all in one or two."""
 
 _NO_ROOM = 1.0
-"""Seconds after which a port that takes no byte is given up."""
+"""Seconds after which a port that accepts no byte is gone."""
 
 _LOCAL_LATENCY = 0.06
 """Allowance for a local port: two latency timers of a common adapter (16 ms) and the system."""
@@ -47,12 +47,12 @@ _REMOTE_LATENCY = 0.5
 _BUSY = frozenset({errno.EBUSY, errno.EAGAIN})
 
 _HANDING_OVER = 1.5
-"""Seconds for which a port is waited for that another line of this program has locked: one that
-closes takes no longer than its last stop is tried."""
+"""Seconds to wait for a port that another line of this program has locked: closing takes no longer
+than the attempts of its last stop."""
 
 
 def latency_of(url: str) -> float:
-    """Return the seconds that a byte may be late on a port for reasons that are not the wire's."""
+    """Return the seconds that a byte may be late on a port, apart from its time on the wire."""
     return _REMOTE_LATENCY if "://" in url else _LOCAL_LATENCY
 
 
@@ -61,36 +61,36 @@ class Transport(Protocol):
 
     @property
     def latency(self) -> float:
-        """Seconds that a byte may be late for reasons that are not the wire's."""
+        """Seconds that a byte may be late, apart from its time on the wire."""
         ...
 
     @property
     def is_configurable(self) -> bool:
-        """Whether `reconfigure` changes how bytes travel."""
+        """Whether `reconfigure` has an effect."""
         ...
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         """Return those of the wanted baud rates that the port can do; `None`: unknown.
 
-        Sends nothing and raises nothing. Only for a port on which nothing was sent yet.
+        Sends nothing and never raises. Only before anything was sent on the port.
         """
         ...
 
     def reconfigure(self, line: SerialFormat) -> None:
-        """Go on with these settings; nothing may be on its way.
+        """Use these settings from now on; no byte may be on the wire.
 
         Raises:
-            BadRequest: the port cannot be set so.
+            BadRequest: the port does not support them.
             PortUnavailable: the line is gone.
         """
         ...
 
     def clock(self) -> float:
-        """Seconds on a clock that only goes forward."""
+        """Return seconds on a monotonic clock."""
         ...
 
     def write(self, data: bytes) -> None:
-        """Hand bytes to the line.
+        """Send bytes.
 
         Raises:
             PortUnavailable: the line is gone.
@@ -106,10 +106,10 @@ class Transport(Protocol):
         ...
 
     def discard(self) -> bytes:
-        """Forget what has come so far, and return it.
+        """Discard what was received so far, and return it.
 
         Raises:
-            BadReply: bytes come without end; no TReX sends without being asked.
+            BadReply: unsolicited bytes keep coming.
             PortUnavailable: the line is gone.
         """
         ...
@@ -119,12 +119,12 @@ class Transport(Protocol):
         ...
 
     def close(self) -> None:
-        """Give the port back; never raises."""
+        """Close the port; never raises."""
         ...
 
 
 class SerialTransport:
-    """A port that pyserial opened; `clock` returns seconds and never goes backwards."""
+    """A port of pyserial; `clock` returns seconds and is monotonic."""
 
     def __init__(self, settings: PortSettings, clock: Callable[[], float] = time.monotonic) -> None:
         self._url = settings.url
@@ -139,7 +139,7 @@ class SerialTransport:
 
     @property
     def is_configurable(self) -> bool:
-        # Behind a plain network port somebody else has set the rate.
+        # The rate behind a plain network port is set at its other end.
         return not self._url.startswith("socket://")
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
@@ -174,7 +174,7 @@ class SerialTransport:
             raise self._gone(error) from error
 
     def _write_as_there_is_room(self, data: bytes) -> None:
-        """Write all; a time limit of pyserial's is over where this thread was late behind it, too.
+        """Write all; a write timeout of pyserial would expire if this thread was late, too.
 
         Raises:
             SerialTimeoutException: the port has taken nothing for `_NO_ROOM`.
@@ -192,7 +192,7 @@ class SerialTransport:
             while len(received) < size:
                 received += self._port.read(size - len(received))
                 if self._clock() >= deadline:
-                    # Whoever comes late finds here what came in time.
+                    # What was received in time counts, even if this thread is late.
                     there = min(self._port.in_waiting, size - len(received))
                     received += self._port.read(there) if there > 0 else b""
                     break
@@ -221,7 +221,7 @@ class SerialTransport:
             time.sleep(seconds)
 
     def close(self) -> None:
-        # pyserial forgets to close the socket of a remote port that the other side has left.
+        # pyserial does not close the socket of a remote port that the other side has closed.
         remote = getattr(self._port, "_socket", None)
         with contextlib.suppress(*PORT_ERRORS):
             self._port.close()
@@ -235,8 +235,8 @@ class SerialTransport:
 
 
 def _port_errors() -> tuple[type[Exception], ...]:
-    # pyserial lets these out too: for a bad address, a port closed under it, and what a kind
-    # of port cannot do.
+    # pyserial raises these, too: for a bad address, a port closed meanwhile, and what a kind of
+    # port does not support.
     kinds: list[type[Exception]] = [
         serial.SerialException,
         OSError,
@@ -259,8 +259,8 @@ PORT_ERRORS = _port_errors()
 def _parity(url: str, line: SerialFormat) -> str:
     """Return pyserial's letter for the parity of a line.
 
-    A pseudo-terminal of Linux has none, and the C library takes asking for it as a mistake
-    whenever nothing else changes.
+    A pseudo-terminal of Linux has none, and the C library rejects setting one if nothing else
+    changes.
     """
     if Path(url).resolve().is_relative_to("/dev/pts"):
         return serial.PARITY_NONE
@@ -290,16 +290,16 @@ def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
         _open_when_free(port, settings.url, clock)
     except PORT_ERRORS as error:
         raise PortUnavailable(why_not_open(settings.url, line, error)) from error
-    # FTDI adapters hold bytes back up to 16 ms; the Linux driver can be asked not to.
+    # FTDI adapters delay bytes by up to 16 ms; the Linux driver can turn that off.
     with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):
         port.set_low_latency_mode(True)
     return port
 
 
 def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -> None:
-    """Open a port; wait a moment for a line of this program that is about to give it back.
+    """Open a port; wait a moment for another line of this program that is about to close it.
 
-    That one may still be proving that the motors stand. Nobody else is waited for.
+    That one may still be confirming its last stop. There is no waiting for other programs.
     """
     deadline = clock() + _HANDING_OVER
     while True:
@@ -315,7 +315,7 @@ def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -
 
 
 def why_not_open(url: str, line: SerialFormat, error: Exception) -> str:
-    """Return a sentence for a port that would not open, with what mends it."""
+    """Return why a port does not open, and what to do about it."""
     number = _errno(error)
     if "://" in url:
         return f"{url} cannot be reached: {_plain(error)}."
@@ -325,7 +325,7 @@ def why_not_open(url: str, line: SerialFormat, error: Exception) -> str:
     if number in {errno.EACCES, errno.EPERM} and sys.platform == "win32":
         return f"{url} is in use by another program, or locked by its driver."
     if number in {errno.EACCES, errno.EPERM}:
-        return f"You may not open {url}. {_permission_cure(url)}"
+        return f"Permission denied for {url}. {_permission_cure(url)}"
     if number in _BUSY:
         holder = holder_of(url)
         by = f" by {holder}" if holder else " by another program"
@@ -336,7 +336,7 @@ def why_not_open(url: str, line: SerialFormat, error: Exception) -> str:
 
 
 def _errno(error: Exception) -> int | None:
-    """Dig out the system's error number: pyserial wraps it, and keeps it only sometimes."""
+    """Return the system's error number, which pyserial wraps."""
     seen: BaseException | None = error
     while seen is not None:
         number = getattr(seen, "errno", None)
@@ -349,7 +349,7 @@ def _errno(error: Exception) -> int | None:
 
 
 def _plain(error: Exception) -> str:
-    """Return the system's words without Python's."""
+    """Return the system's message without Python's."""
     number = _errno(error)
     if number is not None and number > 0:
         with contextlib.suppress(ValueError):
@@ -359,7 +359,7 @@ def _plain(error: Exception) -> str:
 
 
 def _permission_cure(url: str) -> str:
-    """Return the command that gives access to this very port."""
+    """Return the command that gives access to this port."""
     try:
         import grp  # noqa: PLC0415 - only on POSIX
 
