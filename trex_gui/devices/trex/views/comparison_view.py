@@ -7,13 +7,10 @@ from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QCheckBox,
-    QHBoxLayout,
-    QLabel,
     QPushButton,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -26,6 +23,7 @@ from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import name_headers
+from trex_gui.ui.widgets.builders import column, label, row
 
 _ROW_MARGIN = 8
 
@@ -96,9 +94,7 @@ class ComparisonView(QWidget):
         self._fitting = False
         self._widths_chosen = False
 
-        self._summary = QLabel(self)
-        self._summary.setObjectName("comparisonSummary")
-        self._summary.setWordWrap(True)
+        self._summary = label(self, "comparisonSummary", wrap=True)
         self._all = QPushButton(self.tr("Tick all"), self)
         self._all.setObjectName("tickAllButton")
         self._none = QPushButton(self.tr("Tick none"), self)
@@ -127,20 +123,10 @@ class ComparisonView(QWidget):
         header.setStretchLastSection(True)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         header.setHighlightSections(False)
-        self._left_out = QLabel(self)
-        self._left_out.setObjectName("comparisonLeftOut")
-        self._left_out.setWordWrap(True)
+        self._left_out = label(self, "comparisonLeftOut", wrap=True)
 
-        top = QHBoxLayout()
-        top.addWidget(self._summary, 1)
-        top.addWidget(self._equal)
-        top.addWidget(self._all)
-        top.addWidget(self._none)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addLayout(top)
-        layout.addWidget(self._view, 1)
-        layout.addWidget(self._left_out)
+        top = row((self._summary, 1), self._equal, self._all, self._none)
+        column(top, (self._view, 1), self._left_out, into=self, margins=0)
 
         self._all.clicked.connect(lambda: self._table.tick_all(True))
         self._none.clicked.connect(lambda: self._table.tick_all(False))
@@ -245,12 +231,12 @@ class ComparisonView(QWidget):
         self._widths_chosen = False
         self._fitting = True
         header, count = self._view.horizontalHeader(), self._table.columnCount()
-        wanted = {column: self._wanted_width(column) for column in range(count)}
+        wanted = {section: self._wanted_width(section) for section in range(count)}
         room = self._room()
-        for number, column in enumerate(sorted(wanted, key=lambda column: wanted[column])):
+        for number, section in enumerate(sorted(wanted, key=lambda section: wanted[section])):
             share = max(room, 0) // (count - number)
-            width = max(min(wanted[column], share), self._least_width(column))
-            header.resizeSection(column, width)
+            width = max(min(wanted[section], share), self._least_width(section))
+            header.resizeSection(section, width)
             room -= width
         self._fitting = False
         self._fit_rows()

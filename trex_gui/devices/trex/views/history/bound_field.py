@@ -1,11 +1,11 @@
 """How many snapshots are kept, and the question before fewer are."""
 
 from PySide6.QtCore import Signal, Slot
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QLabel, QSpinBox, QWidget
 
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory
-from trex_gui.ui.widgets.builders import NoWheelComboBox
+from trex_gui.ui.widgets.builders import NoWheelComboBox, button, row
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 
 _MOST = 999_999
@@ -40,19 +40,19 @@ class BoundField(QWidget):
         self._count.setAccessibleName(self.tr("How many snapshots are kept"))
         self._count.setRange(1, _MOST)
         self._count.setValue(KEPT)
-        self._set = QPushButton(self.tr("&Set"), self)
-        self._set.setObjectName("keptButton")
-        self._set.setAutoDefault(False)
+        self._set = button(self, "keptButton", self.tr("&Set"), default=False)
         label = QLabel(self.tr("&Keep"), self)
         label.setBuddy(self._which)
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(label)
-        layout.addWidget(self._which)
-        layout.addWidget(self._count)
-        layout.addWidget(QLabel(self.tr("snapshots"), self))
-        layout.addWidget(self._set)
+        row(
+            label,
+            self._which,
+            self._count,
+            QLabel(self.tr("snapshots"), self),
+            self._set,
+            into=self,
+            margins=0,
+        )
 
         self._which.currentIndexChanged.connect(self._on_edited)
         self._count.valueChanged.connect(self._on_edited)

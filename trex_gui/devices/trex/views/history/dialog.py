@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QFileDialog,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QSplitter,
     QStackedWidget,
@@ -29,6 +28,7 @@ from trex_gui.devices.trex.views.history.snapshot_list import SnapshotList
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.banner import Banner
+from trex_gui.ui.widgets.builders import label, row
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 
 
@@ -78,26 +78,23 @@ class HistoryDialog(QDialog):
         self._close = QPushButton(self.tr("&Close"), self)
         self._close.setObjectName("closeHistoryButton")
         self._stop = StopButton(device, "historyStopButton", self)
-        self._empty = QLabel(
+        self._empty = label(
+            self,
+            "historyEmpty",
             self.tr(
                 "There are no snapshots yet.\n\nBefore each Apply and each restoring of defaults, "
                 "in this window or with trexcmd, everything that the board stores is saved here "
                 "first. You can then compare it with the board and restore all or some "
                 "of it."
             ),
-            self,
+            wrap=True,
         )
-        self._empty.setObjectName("historyEmpty")
-        self._empty.setWordWrap(True)
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setMaximumWidth(72 * self.fontMetrics().averageCharWidth())
         for button in (self._save, self._delete, self._folder, self._close):
             button.setAutoDefault(False)
 
-        below_list = QHBoxLayout()
-        below_list.addWidget(self._save)
-        below_list.addWidget(self._delete)
-        below_list.addStretch(1)
+        below_list = row(self._save, self._delete, 1)
         left = QWidget(self)
         column = QVBoxLayout(left)
         column.setContentsMargins(0, 0, 6, 0)

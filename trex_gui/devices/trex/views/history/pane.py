@@ -1,7 +1,7 @@
 """What a snapshot would restore, row by row."""
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.errors import SettingsError
@@ -15,7 +15,7 @@ from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.history.present_choice import Present, PresentChoice
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.builders import button, column, label, row
 from trex_gui.ui.widgets.labels import Note
 
 
@@ -42,39 +42,34 @@ class SnapshotPane(QWidget):
         self._shown: tuple[str, Present] | None = None
         self._against_board = False
 
-        self._title = QLabel(self)
-        self._title.setObjectName("snapshotTitle")
-        self._title.setTextFormat(Qt.TextFormat.PlainText)
-        self._title.setWordWrap(True)
+        self._title = label(self, "snapshotTitle", wrap=True, plain=True)
         font = self._title.font()
         font.setBold(True)
         self._title.setFont(font)
-        self._details = QLabel(self)
-        self._details.setObjectName("snapshotDetails")
-        self._details.setTextFormat(Qt.TextFormat.PlainText)
-        self._details.setWordWrap(True)
+        self._details = label(self, "snapshotDetails", wrap=True, plain=True)
         self._choice = PresentChoice(device, table, self)
         self._rows = ComparisonView(self)
         self._note = Note(2, self)
         self._note.setObjectName("restoreNote")
-        self._restore = QPushButton(self.tr("&Restore ticked as edits"), self)
-        self._restore.setObjectName("restoreButton")
-        self._restore.setAutoDefault(False)
-        self._restore.setToolTip(
-            self.tr("Make the ticked values edits and review them; only Apply writes them")
+        self._restore = button(
+            self,
+            "restoreButton",
+            self.tr("&Restore ticked as edits"),
+            icon="undo",
+            tip=self.tr("Make the ticked values edits and review them; only Apply writes them"),
+            default=False,
         )
-        set_icon(self._restore, "undo")
 
-        below = QHBoxLayout()
-        below.addWidget(self._note, 1)
-        below.addWidget(self._restore, 0, Qt.AlignmentFlag.AlignTop)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(6, 0, 0, 0)
-        layout.addWidget(self._title)
-        layout.addWidget(self._details)
-        layout.addWidget(self._choice)
-        layout.addWidget(self._rows, 1)
-        layout.addLayout(below)
+        below = row((self._note, 1), (self._restore, 0, Qt.AlignmentFlag.AlignTop))
+        column(
+            self._title,
+            self._details,
+            self._choice,
+            (self._rows, 1),
+            below,
+            into=self,
+            margins=(6, 0, 0, 0),
+        )
 
         self._choice.chosen.connect(self.present_chosen)
         self._choice.refused.connect(self.refused)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QSettings, Signal, Slot
 from PySide6.QtGui import QStandardItemModel
-from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QComboBox, QFileDialog, QLabel, QSizePolicy, QWidget
 
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.files.text_files import load
@@ -15,7 +15,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.widgets.builders import NoWheelComboBox
+from trex_gui.ui.widgets.builders import NoWheelComboBox, row
 
 FOLDER = "settings/folder"
 FILTER = "Text files (*.txt);;All files (*)"
@@ -70,10 +70,7 @@ class PresentChoice(QWidget):
         label = QLabel(self.tr("Compare &with:"), self)
         label.setBuddy(self._box)
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(label)
-        layout.addWidget(self._box, 1)
+        row(label, (self._box, 1), into=self, margins=0)
 
         self._box.setPlaceholderText(self.tr("nothing"))
         self._box.activated.connect(self._on_activated)

@@ -14,12 +14,10 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QLabel,
     QLineEdit,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -33,6 +31,7 @@ from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import name_headers
+from trex_gui.ui.widgets.builders import column, label
 
 _WIDEST = 34  # characters of a column, to begin with
 
@@ -106,14 +105,9 @@ class SnapshotList(QWidget):
         header.setHighlightSections(False)
         header.setStretchLastSection(True)
         header.setResizeContentsPrecision(50)  # rows that are looked at for a width
-        self._none = QLabel(self.tr("No snapshot has these words."), self)
-        self._none.setObjectName("snapshotNoMatch")
+        self._none = label(self, "snapshotNoMatch", self.tr("No snapshot has these words."))
 
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._search)
-        layout.addWidget(self._view, 1)
-        layout.addWidget(self._none)
+        column(self._search, (self._view, 1), self._none, into=self, margins=0)
 
         QShortcut(QKeySequence.StandardKey.Find, self.window(), self._search.setFocus)
         self._view.delete_pressed.connect(self.delete_requested)
@@ -170,6 +164,6 @@ class SnapshotList(QWidget):
         """Give each column what it needs, within reason; a person may change that."""
         self._view.resizeColumnsToContents()
         character = self.fontMetrics().averageCharWidth()
-        for column in SnapshotColumn:
-            size = self._view.columnWidth(column) + 2 * character
-            self._view.setColumnWidth(column, min(size, _WIDEST * character))
+        for section in SnapshotColumn:
+            size = self._view.columnWidth(section) + 2 * character
+            self._view.setColumnWidth(section, min(size, _WIDEST * character))

@@ -3,10 +3,7 @@
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import (
     QDialog,
-    QHBoxLayout,
-    QLabel,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -17,6 +14,7 @@ from trex_gui.devices.trex.settings.document import factory_settings, serial_def
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.widgets.builders import button, column, label, row
 
 
 class DefaultsDialog(QDialog):
@@ -37,50 +35,41 @@ class DefaultsDialog(QDialog):
         self._device = device
         self._serial_only = False
 
-        self._intro = QLabel(self)
-        self._intro.setObjectName("defaultsIntro")
-        self._intro.setWordWrap(True)
+        self._intro = label(self, "defaultsIntro", wrap=True)
         self._rows = ComparisonView(self)
-        self._inferred = QLabel(self)
-        self._inferred.setObjectName("defaultsInferred")
-        self._inferred.setWordWrap(True)
-        self._reset = QPushButton(self.tr("Let the board reset itself…"), self)
-        self._reset.setObjectName("boardResetButton")
-        self._reset.setToolTip(
-            self.tr("Every parameter, by the board's own command, at its next start")
+        self._inferred = label(self, "defaultsInferred", wrap=True)
+        self._reset = button(
+            self,
+            "boardResetButton",
+            self.tr("Let the board reset itself…"),
+            tip=self.tr("Every parameter, by the board's own command, at its next start"),
         )
         self._take = QPushButton(self)
         self._take.setObjectName("takeDefaultsButton")
         self._take.setDefault(True)
-        self._cancel = QPushButton(self.tr("Cancel"), self)
-        self._cancel.setObjectName("defaultsCancelButton")
+        self._cancel = button(self, "defaultsCancelButton", self.tr("Cancel"))
 
-        self._question = QLabel(
+        self._question = label(
+            self,
+            "boardResetQuestion",
             self.tr(
                 "At its next start the board will reset every parameter, including those cleared "
                 "here. What it stores now is saved first (File, History). Unapplied changes are "
                 "discarded; Undo restores them."
             ),
-            self,
+            wrap=True,
         )
-        self._question.setObjectName("boardResetQuestion")
-        self._question.setWordWrap(True)
-        self._sure = QPushButton(self.tr("Reset the board"), self)
-        self._sure.setObjectName("boardResetSureButton")
+        self._sure = button(self, "boardResetSureButton", self.tr("Reset the board"))
 
-        buttons = QHBoxLayout()
-        buttons.addWidget(StopButton(device, "defaultsStopButton", self))
-        buttons.addWidget(self._reset)
-        buttons.addWidget(self._sure)
-        buttons.addStretch(1)
-        buttons.addWidget(self._take)
-        buttons.addWidget(self._cancel)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._intro)
-        layout.addWidget(self._rows, 1)
-        layout.addWidget(self._inferred)
-        layout.addWidget(self._question)
-        layout.addLayout(buttons)
+        buttons = row(
+            StopButton(device, "defaultsStopButton", self),
+            self._reset,
+            self._sure,
+            1,
+            self._take,
+            self._cancel,
+        )
+        column(self._intro, (self._rows, 1), self._inferred, self._question, buttons, into=self)
 
         self._reset.clicked.connect(lambda: self._ask(True))
         self._sure.clicked.connect(self._on_sure_clicked)

@@ -1,9 +1,10 @@
 """The guided power cycle, for when no write has just led to it."""
 
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from trex_gui.devices.trex.model.power_cycle import PowerCycle
 from trex_gui.devices.trex.views.review.power_cycle_panel import PowerCyclePanel
+from trex_gui.ui.widgets.builders import button, column, row
 
 
 class PowerCycleDialog(QDialog):
@@ -17,15 +18,10 @@ class PowerCycleDialog(QDialog):
         self._cycle = cycle
 
         panel = PowerCyclePanel(cycle, self)
-        close = QPushButton(self.tr("Close"), self)
-        close.setObjectName("powerCycleCloseButton")
+        close = button(self, "powerCycleCloseButton", self.tr("Close"))
 
-        buttons = QHBoxLayout()
-        buttons.addStretch(1)
-        buttons.addWidget(close)
-        layout = QVBoxLayout(self)
-        layout.addWidget(panel, 1)
-        layout.addLayout(buttons)
+        buttons = row(1, close)
+        column((panel, 1), buttons, into=self)
 
         close.clicked.connect(self.close)
         self.finished.connect(cycle.end)

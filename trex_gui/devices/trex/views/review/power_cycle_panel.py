@@ -1,11 +1,12 @@
 """The steps of a power cycle, each ticked when it was seen to happen."""
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.builders import button
 from trex_gui.ui.widgets.labels import Note
 
 _DONE = {
@@ -38,8 +39,7 @@ class PowerCyclePanel(QFrame):
             step.setWordWrap(True)
         self._result = Note(2, self)
         self._result.setObjectName("powerCycleResult")
-        self._done = QPushButton(self.tr("I have switched it off and on"), self)
-        self._done.setObjectName("powerCycleDone")
+        self._done = button(self, "powerCycleDone", self.tr("I have switched it off and on"))
 
         layout = QGridLayout(self)
         layout.setContentsMargins(12, 8, 12, 8)

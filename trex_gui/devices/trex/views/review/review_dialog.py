@@ -7,11 +7,8 @@ from PySide6.QtCore import Slot
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
     QDialog,
-    QHBoxLayout,
-    QLabel,
     QProgressBar,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -26,6 +23,7 @@ from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.review.power_cycle_panel import PowerCyclePanel
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.builders import column, label, row
 from trex_gui.ui.widgets.labels import Note
 
 
@@ -55,9 +53,7 @@ class ReviewDialog(QDialog):
         self._head = Note(1, self)
         self._head.setObjectName("reviewHead")
         self._rows = ComparisonView(self)
-        self._foot = QLabel(self)
-        self._foot.setObjectName("reviewFoot")
-        self._foot.setWordWrap(True)
+        self._foot = label(self, "reviewFoot", wrap=True)
         self._progress = QProgressBar(self)
         self._progress.setObjectName("reviewProgress")
         self._progress.setAccessibleName(self.tr("Progress of writing"))
@@ -68,18 +64,14 @@ class ReviewDialog(QDialog):
         self._close = QPushButton(self)
         self._close.setObjectName("reviewCloseButton")
 
-        buttons = QHBoxLayout()
-        buttons.addWidget(StopButton(device, "reviewStopButton", self))
-        buttons.addWidget(self._progress, 1)
-        buttons.addStretch(1)
-        buttons.addWidget(self._write)
-        buttons.addWidget(self._close)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._head)
-        layout.addWidget(self._rows, 1)
-        layout.addWidget(self._foot)
-        layout.addWidget(self._power)
-        layout.addLayout(buttons)
+        buttons = row(
+            StopButton(device, "reviewStopButton", self),
+            (self._progress, 1),
+            1,
+            self._write,
+            self._close,
+        )
+        column(self._head, (self._rows, 1), self._foot, self._power, buttons, into=self)
 
         self._write.clicked.connect(self._on_write_clicked)
         self._close.clicked.connect(self.close)

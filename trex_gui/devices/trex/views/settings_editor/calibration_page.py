@@ -14,14 +14,11 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
-    QPushButton,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -29,8 +26,9 @@ from trex_gui.devices.trex.model.calibration.table import CalibrationRole, Calib
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.views.count_editor import CountEditor
-from trex_gui.ui.theme.icons import icon, set_icon
+from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.builders import button, column, row
 from trex_gui.ui.widgets.labels import Note
 
 Index = QModelIndex | QPersistentModelIndex
@@ -126,22 +124,22 @@ class CalibrationEditor(QWidget):
         header.setMinimumSectionSize(17 * self.fontMetrics().averageCharWidth())
         self._note = Note(2, self)
         self._note.setObjectName("calibrationsNote")
-        self._add = QPushButton(self.tr("&Add selected"), self)
-        self._add.setObjectName("addCalibrationButton")
-        self._add.setToolTip(self.tr("Give the usual calibration for the selected channels"))
-        self._leave_out = QPushButton(self.tr("&Leave out selected"), self)
-        self._leave_out.setObjectName("leaveOutCalibrationButton")
-        self._leave_out.setToolTip(self.tr("The file then leaves these channels as they are"))
-        set_icon(self._leave_out, "clear")
+        self._add = button(
+            self,
+            "addCalibrationButton",
+            self.tr("&Add selected"),
+            tip=self.tr("Give the usual calibration for the selected channels"),
+        )
+        self._leave_out = button(
+            self,
+            "leaveOutCalibrationButton",
+            self.tr("&Leave out selected"),
+            icon="clear",
+            tip=self.tr("The file then leaves these channels as they are"),
+        )
 
-        below = QHBoxLayout()
-        below.addWidget(self._note, 1)
-        below.addWidget(self._add)
-        below.addWidget(self._leave_out)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._about)
-        layout.addWidget(self._view, 1)
-        layout.addLayout(below)
+        below = row((self._note, 1), self._add, self._leave_out)
+        column(self._about, (self._view, 1), below, into=self)
 
         self._add.clicked.connect(lambda: self._table.add(self._selected()))
         self._leave_out.clicked.connect(lambda: self._table.leave_out(self._selected()))

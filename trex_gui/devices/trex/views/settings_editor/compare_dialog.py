@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QPushButton, QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -12,6 +12,7 @@ from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.builders import button, column, row
 from trex_gui.ui.widgets.labels import Note
 
 
@@ -53,18 +54,10 @@ class CompareDialog(QDialog):
         self._take = QPushButton(self)
         self._take.setObjectName("takeValuesButton")
         set_icon(self._take, "edited")
-        self._close = QPushButton(self.tr("Close"), self)
-        self._close.setObjectName("closeCompareButton")
-        self._close.setDefault(True)
+        self._close = button(self, "closeCompareButton", self.tr("Close"), default=True)
 
-        buttons = QHBoxLayout()
-        buttons.addWidget(self._foot, 1)
-        buttons.addWidget(self._take)
-        buttons.addWidget(self._close)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._trouble)
-        layout.addWidget(self._rows, 1)
-        layout.addLayout(buttons)
+        buttons = row((self._foot, 1), self._take, self._close)
+        column(self._trouble, (self._rows, 1), buttons, into=self)
 
         self._take.clicked.connect(self._on_take_clicked)
         self._close.clicked.connect(self.close)

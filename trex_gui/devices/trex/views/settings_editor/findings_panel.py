@@ -7,13 +7,9 @@ from dataclasses import dataclass
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QHeaderView,
-    QLabel,
-    QPushButton,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -23,6 +19,7 @@ from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.builders import button, column, label, row
 
 _LINE = Qt.ItemDataRole.UserRole
 _COLOURS = {"error": "danger", "warning": "warning", "info": "info"}
@@ -65,11 +62,8 @@ class FindingsPanel(QWidget):
         self._lint_findings: tuple[LintFinding, ...] = ()
         self._text = ""
 
-        self._summary = QLabel(self)
-        self._summary.setObjectName("findingsSummary")
-        self._summary.setWordWrap(True)
-        self._accept = QPushButton(self.tr("Accept the proposal"), self)
-        self._accept.setObjectName("acceptFindingButton")
+        self._summary = label(self, "findingsSummary", wrap=True)
+        self._accept = button(self, "acceptFindingButton", self.tr("Accept the proposal"))
         self._table = QTableWidget(0, 4, self)
         self._table.setObjectName("findingsTable")
         self._table.setAccessibleName(self.tr("Findings"))
@@ -91,14 +85,8 @@ class FindingsPanel(QWidget):
         self._fitting.setSingleShot(True)
         self._fitting.setInterval(0)
 
-        below = QHBoxLayout()
-        below.addStretch(1)
-        below.addWidget(self._accept)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._summary)
-        layout.addWidget(self._table, 1)
-        layout.addLayout(below)
+        below = row(1, self._accept)
+        column(self._summary, (self._table, 1), below, into=self, margins=0)
 
         self._table.itemActivated.connect(self._on_activated)
         self._table.itemDoubleClicked.connect(self._on_activated)
@@ -164,16 +152,16 @@ class FindingsPanel(QWidget):
         current = self._table.currentRow()
         self._table.clearContents()
         self._table.setRowCount(self.count)
-        for number, row in enumerate(self._rows()):
-            line = "" if row.line is None else str(row.line)
-            message = f"{row.message[:1].upper()}{row.message[1:]}"
-            for column, text in enumerate((row.kind, line, row.key, message)):
+        for number, found in enumerate(self._rows()):
+            line = "" if found.line is None else str(found.line)
+            message = f"{found.message[:1].upper()}{found.message[1:]}"
+            for section, text in enumerate((found.kind, line, found.key, message)):
                 item = QTableWidgetItem(text)
-                item.setData(_LINE, row.line)
+                item.setData(_LINE, found.line)
                 item.setToolTip(text)
-                if column == 0:
-                    item.setIcon(icon(row.sign, _COLOURS[row.sign]))
-                self._table.setItem(number, column, item)
+                if section == 0:
+                    item.setIcon(icon(found.sign, _COLOURS[found.sign]))
+                self._table.setItem(number, section, item)
         proposals = [n for n, found in enumerate(self._lint_findings) if found.change]
         if current < 0 and proposals:
             current = len(self._findings) + proposals[0]
@@ -200,10 +188,10 @@ class FindingsPanel(QWidget):
         header = self._table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         character = self.fontMetrics().averageCharWidth()
-        for column, widest in ((0, 14), (1, 7), (2, 34)):
-            self._table.resizeColumnToContents(column)
-            size = header.sectionSize(column) + 2 * character
-            header.resizeSection(column, min(size, widest * character))
+        for section, widest in ((0, 14), (1, 7), (2, 34)):
+            self._table.resizeColumnToContents(section)
+            size = header.sectionSize(section) + 2 * character
+            header.resizeSection(section, min(size, widest * character))
         self._fitting.start()
 
     def _current_finding(self) -> LintFinding | None:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.core.files.errors import Finding
@@ -15,6 +15,7 @@ from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel, line_of_key
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.builders import button, column, label, row
 from trex_gui.ui.widgets.labels import Note
 
 _NAMED = 3
@@ -64,39 +65,30 @@ class LoadDialog(QDialog):
         self._text = file.text
         self._has_rows = False
 
-        self._head = QLabel(self)
-        self._head.setObjectName("loadHead")
-        self._head.setWordWrap(True)
-        self._head.setTextFormat(Qt.TextFormat.PlainText)
+        self._head = label(self, "loadHead", wrap=True, plain=True)
         self._trouble = Note(1, self)
         self._trouble.setObjectName("loadTrouble")
         self._list = FindingsPanel(self, with_lines=False)
         self._list.setObjectName("loadFindings")
         self._rows = ComparisonView(self)
-        self._foot = QLabel(self)
-        self._foot.setObjectName("loadFoot")
-        self._foot.setWordWrap(True)
+        self._foot = label(self, "loadFoot", wrap=True)
         self._take = QPushButton(self)
         self._take.setObjectName("takeChangesButton")
         self._take.setDefault(True)
         set_icon(self._take, "edited")
-        self._edit = QPushButton(self.tr("&Edit the file instead"), self)
-        self._edit.setObjectName("editFileButton")
-        self._cancel = QPushButton(self.tr("Cancel"), self)
-        self._cancel.setObjectName("cancelLoadButton")
+        self._edit = button(self, "editFileButton", self.tr("&Edit the file instead"))
+        self._cancel = button(self, "cancelLoadButton", self.tr("Cancel"))
 
-        buttons = QHBoxLayout()
-        buttons.addWidget(self._edit)
-        buttons.addStretch(1)
-        buttons.addWidget(self._take)
-        buttons.addWidget(self._cancel)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._head)
-        layout.addWidget(self._trouble)
-        layout.addWidget(self._list, 1)
-        layout.addWidget(self._rows, 3)
-        layout.addWidget(self._foot)
-        layout.addLayout(buttons)
+        buttons = row(self._edit, 1, self._take, self._cancel)
+        column(
+            self._head,
+            self._trouble,
+            (self._list, 1),
+            (self._rows, 3),
+            self._foot,
+            buttons,
+            into=self,
+        )
 
         self._take.clicked.connect(self._on_take_clicked)
         self._edit.clicked.connect(self._on_edit_clicked)

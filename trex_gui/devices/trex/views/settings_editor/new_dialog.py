@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QListWidget,
     QListWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -21,6 +20,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.document import factory_settings
+from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.labels import Note
 
 
@@ -55,11 +55,7 @@ class NewDialog(QDialog):
         )
         self._fill()
 
-        layout = QVBoxLayout(self)
-        layout.addWidget(about)
-        layout.addWidget(self._list, 1)
-        layout.addWidget(self._trouble)
-        layout.addWidget(buttons)
+        column(about, (self._list, 1), self._trouble, buttons, into=self)
 
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.close)

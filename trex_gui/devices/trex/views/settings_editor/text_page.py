@@ -6,14 +6,14 @@ from collections.abc import Iterable, Sequence
 from itertools import takewhile
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSplitter, QWidget
 
 from trex_gui.core.files.errors import Severity
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.devices.trex.views.settings_editor.numbered_text import NumberedText
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.builders import button, column, label, row
 
 _MARK = "\ufeff"
 
@@ -59,31 +59,28 @@ class TextPage(QWidget):
         self._document = document
         self._shown: str | None = None
 
-        self._notice = QLabel(self)
-        self._notice.setObjectName("textNotice")
-        self._notice.setWordWrap(True)
-        self._check = QPushButton(self.tr("Chec&k again"), self)
-        self._check.setObjectName("checkAgainButton")
-        self._check.setToolTip(self.tr("Read the text again and list its errors"))
-        set_icon(self._check, "reload")
+        self._notice = label(self, "textNotice", wrap=True)
+        self._check = button(
+            self,
+            "checkAgainButton",
+            self.tr("Chec&k again"),
+            icon="reload",
+            tip=self.tr("Read the text again and list its errors"),
+        )
         self._text = NumberedText(self)
         self._text.setObjectName("settingsText")
         self._text.setAccessibleName(self.tr("Text of the settings file"))
         self._findings = FindingsPanel(self)
         self._findings.setObjectName("textFindings")
 
-        top = QHBoxLayout()
-        top.addWidget(self._notice, 1)
-        top.addWidget(self._check, 0, Qt.AlignmentFlag.AlignTop)
+        top = row((self._notice, 1), (self._check, 0, Qt.AlignmentFlag.AlignTop))
         both = QSplitter(Qt.Orientation.Vertical, self)
         both.addWidget(self._text)
         both.addWidget(self._findings)
         both.setStretchFactor(0, 3)
         both.setStretchFactor(1, 2)
         both.setChildrenCollapsible(False)
-        layout = QVBoxLayout(self)
-        layout.addLayout(top)
-        layout.addWidget(both, 1)
+        column(top, (both, 1), into=self)
 
         self._text.textChanged.connect(self._on_typed)
         self._check.clicked.connect(self.check)

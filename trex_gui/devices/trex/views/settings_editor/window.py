@@ -27,6 +27,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.banner import Banner
+from trex_gui.ui.widgets.builders import column
 
 
 class SettingsEditor(QMainWindow):
@@ -80,11 +81,11 @@ class SettingsEditor(QMainWindow):
         self._text_index = self._tabs.indexOf(self._text)
 
         frame = QWidget(self)
-        layout = QVBoxLayout(frame)
-        layout.addWidget(self._banner)
-        layout.addWidget(self._tabs, 1)
-        layout.addWidget(
-            StopButton(device, "editorStopButton", self), 0, Qt.AlignmentFlag.AlignLeft
+        column(
+            self._banner,
+            (self._tabs, 1),
+            (StopButton(device, "editorStopButton", self), 0, Qt.AlignmentFlag.AlignLeft),
+            into=frame,
         )
         self.setCentralWidget(frame)
         self._actions = build_editor_menus(self, self._slots())

@@ -2,9 +2,10 @@
 
 from PySide6.QtCore import QSettings, QSignalBlocker, Slot
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QWidget
 
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
+from trex_gui.ui.widgets.builders import label, row
 
 _BOTH_MOTORS = "parameters/both_motors"
 
@@ -36,16 +37,17 @@ class ParameterFilters(QWidget):
         self._both.setToolTip(
             self.tr("What you change for one motor is changed for the other, too, in one step")
         )
-        self._count = QLabel(self)
-        self._count.setObjectName("parameterCount")
+        self._count = label(self, "parameterCount")
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._words, 1)
-        layout.addWidget(self._count)
-        layout.addWidget(self._group)
-        layout.addWidget(self._modified)
-        layout.addWidget(self._not_default)
+        layout = row(
+            (self._words, 1),
+            self._count,
+            self._group,
+            self._modified,
+            self._not_default,
+            into=self,
+            margins=0,
+        )
         layout.addSpacing(layout.spacing())
         layout.addWidget(self._both)
 

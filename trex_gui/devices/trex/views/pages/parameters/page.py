@@ -1,7 +1,7 @@
 """Every parameter of the board: read, edit, apply."""
 
 from PySide6.QtCore import Signal, Slot
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
@@ -9,7 +9,7 @@ from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.builders import button, column, label, row
 
 
 class ParametersPage(QWidget):
@@ -29,32 +29,26 @@ class ParametersPage(QWidget):
         self._device = device
         self._model = device.parameters
 
-        self._notice = QLabel(self)
-        self._notice.setObjectName("parametersNotice")
-        self._notice.setWordWrap(True)
-        self._reload = QPushButton(self.tr("Re&load"), self)
-        self._reload.setObjectName("reloadButton")
-        self._reload.setToolTip(self.tr("Read every parameter from the board again"))
-        set_icon(self._reload, "reload")
-        self._activate = QPushButton(self.tr("Make active…"), self)
-        self._activate.setObjectName("makeActiveButton")
-        self._activate.setToolTip(
-            self.tr("Lead through switching the board off and on, and see what is active then")
+        self._notice = label(self, "parametersNotice", wrap=True)
+        self._reload = button(
+            self,
+            "reloadButton",
+            self.tr("Re&load"),
+            icon="reload",
+            tip=self.tr("Read every parameter from the board again"),
         )
-        set_icon(self._activate, "power")
-        self._discard = QPushButton(self.tr("Discard edits"), self)
-        self._discard.setObjectName("discardButton")
-        set_icon(self._discard, "undo")
+        self._activate = button(
+            self,
+            "makeActiveButton",
+            self.tr("Make active…"),
+            icon="power",
+            tip=self.tr("Lead through switching the board off and on, and see what is active then"),
+        )
+        self._discard = button(self, "discardButton", self.tr("Discard edits"), icon="undo")
         self._table = ParameterTable(device.draft, BoardLinter(device, self), self)
 
-        top = QHBoxLayout()
-        top.addWidget(self._notice, 1)
-        top.addWidget(self._activate)
-        top.addWidget(self._discard)
-        top.addWidget(self._reload)
-        layout = QVBoxLayout(self)
-        layout.addLayout(top)
-        layout.addWidget(self._table, 1)
+        top = row((self._notice, 1), self._activate, self._discard, self._reload)
+        column(top, (self._table, 1), into=self)
 
         self._reload.clicked.connect(self.reload_requested)
         self._activate.clicked.connect(self.power_cycle_requested)

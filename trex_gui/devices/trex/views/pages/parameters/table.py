@@ -26,6 +26,7 @@ from trex_gui.devices.trex.views.pages.parameters.menu import ParameterMenu
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.builders import button, column, label
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _LEAST_ROWS = 5
@@ -63,15 +64,8 @@ class ParameterTable(QWidget):
         box.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self._menu = ParameterMenu(self._model, self._view)
 
-        texts = QVBoxLayout(below)
-        texts.setContentsMargins(0, 0, 0, 0)
-        texts.addWidget(self._findings)
-        texts.addWidget(self._help)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._filters)
-        layout.addWidget(self._view, 1)
-        layout.addWidget(box)
+        column(self._findings, self._help, into=below, margins=0)
+        column(self._filters, (self._view, 1), box, into=self, margins=0)
 
         self._view.reset_wanted.connect(self._model.reset)
         self._view.refused.connect(self.refused)
@@ -170,12 +164,9 @@ class _Nothing(QWidget):
         self.setObjectName("noParameterMatches")
         words = QLabel(self.tr("No parameter matches."), self)
         words.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        show_all = QPushButton(self.tr("Show all parameters"), self)
-        show_all.setObjectName("showAllParameters")
+        show_all = button(self, "showAllParameters", self.tr("Show all parameters"))
 
-        layout = QVBoxLayout(self)
-        layout.addWidget(words)
-        layout.addWidget(show_all, 0, Qt.AlignmentFlag.AlignCenter)
+        column(words, (show_all, 0, Qt.AlignmentFlag.AlignCenter), into=self)
         around = QVBoxLayout(viewport)
         around.addWidget(self, 0, Qt.AlignmentFlag.AlignCenter)
 
@@ -275,10 +266,7 @@ class FindingsList(QWidget):
         row = QWidget(self)
         sign = QLabel(row)
         sign.setPixmap(icon("warning").pixmap(_ICON, _ICON))
-        text = QLabel(finding.message, row)
-        text.setObjectName(f"advice{index}")
-        text.setToolTip(finding.message)
-        text.setWordWrap(True)
+        text = label(row, f"advice{index}", finding.message, tip=finding.message, wrap=True)
         text.setMinimumHeight(2 * text.fontMetrics().lineSpacing() + 4)
         text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         layout = QHBoxLayout(row)
