@@ -8,10 +8,8 @@ from PySide6.QtWidgets import (
     QDialog,
     QFileDialog,
     QHBoxLayout,
-    QPushButton,
     QSplitter,
     QStackedWidget,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -26,9 +24,8 @@ from trex_gui.devices.trex.views.history.pane import SnapshotPane
 from trex_gui.devices.trex.views.history.present_choice import FILTER, FOLDER
 from trex_gui.devices.trex.views.history.snapshot_list import SnapshotList
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.banner import Banner
-from trex_gui.ui.widgets.builders import label, row
+from trex_gui.ui.widgets.builders import button, column, label, row
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 
 
@@ -63,20 +60,23 @@ class HistoryDialog(QDialog):
         self._question = InlinePrompt(self)
         self._question.setObjectName("historyQuestion")
         self._list = SnapshotList(self._table, self)
-        self._save = QPushButton(self.tr("Save &as…"), self)
-        self._save.setObjectName("saveSnapshotButton")
-        self._save.setToolTip(self.tr("Save a copy as a settings file"))
-        set_icon(self._save, "save")
-        self._delete = QPushButton(self.tr("&Delete…"), self)
-        self._delete.setObjectName("deleteSnapshotButton")
-        set_icon(self._delete, "clear")
+        self._save = button(
+            self,
+            "saveSnapshotButton",
+            self.tr("Save &as…"),
+            icon="save",
+            tip=self.tr("Save a copy as a settings file"),
+            default=False,
+        )
+        self._delete = button(
+            self, "deleteSnapshotButton", self.tr("&Delete…"), icon="clear", default=False
+        )
         self._pane = SnapshotPane(device, self._table, self)
         self._bound = BoundField(self._history, self._question, self)
-        self._folder = QPushButton(self.tr("&Open folder"), self)
-        self._folder.setObjectName("openFolderButton")
-        set_icon(self._folder, "folder")
-        self._close = QPushButton(self.tr("&Close"), self)
-        self._close.setObjectName("closeHistoryButton")
+        self._folder = button(
+            self, "openFolderButton", self.tr("&Open folder"), icon="folder", default=False
+        )
+        self._close = button(self, "closeHistoryButton", self.tr("&Close"), default=False)
         self._stop = StopButton(device, "historyStopButton", self)
         self._empty = label(
             self,
@@ -91,15 +91,10 @@ class HistoryDialog(QDialog):
         )
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setMaximumWidth(72 * self.fontMetrics().averageCharWidth())
-        for button in (self._save, self._delete, self._folder, self._close):
-            button.setAutoDefault(False)
 
         below_list = row(self._save, self._delete, 1)
         left = QWidget(self)
-        column = QVBoxLayout(left)
-        column.setContentsMargins(0, 0, 6, 0)
-        column.addWidget(self._list, 1)
-        column.addLayout(below_list)
+        column((self._list, 1), below_list, into=left, margins=(0, 0, 6, 0))
         self._halves = QSplitter(Qt.Orientation.Horizontal, self)
         self._halves.setObjectName("historySplitter")
         self._halves.setChildrenCollapsible(False)
@@ -110,8 +105,7 @@ class HistoryDialog(QDialog):
         self._pages = QStackedWidget(self)
         self._pages.addWidget(self._halves)
         nothing = QWidget(self)
-        middle = QHBoxLayout(nothing)
-        middle.addWidget(self._empty)
+        row(self._empty, into=nothing)
         self._pages.addWidget(nothing)
         bottom = QHBoxLayout()
         bottom.addWidget(self._stop)
@@ -120,11 +114,7 @@ class HistoryDialog(QDialog):
         bottom.addStretch(1)
         bottom.addWidget(self._folder)
         bottom.addWidget(self._close)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._banner)
-        layout.addWidget(self._question)
-        layout.addWidget(self._pages, 1)
-        layout.addLayout(bottom)
+        column(self._banner, self._question, (self._pages, 1), bottom, into=self)
         self.resize(1180, 640)
         self._halves.setSizes([510, 670])
         geometry = self._store.value("history/geometry")
