@@ -13,6 +13,7 @@ from trex_gui.core.recording.store import Recording
 from trex_gui.devices.trex.client.telemetry import Currents
 from trex_gui.devices.trex.model.telemetry import Series
 from trex_gui.devices.trex.model.traces import board_traces
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter
 from trex_gui.devices.trex.recording import FORMAT, BoardSnapshot, Header, Record
@@ -26,6 +27,7 @@ MAX_ROWS = 3_000_000
 """Rows that are drawn: ten hours at 80 a second, 240 MB."""
 
 _UNKNOWN = (np.nan,) * len(CHANNELS)
+_NO_SETPOINT = Drive.brake(0)
 
 
 class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
@@ -68,15 +70,10 @@ def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[
     for record in records:
         state.take(record)
         if isinstance(record, Currents):
-            drives = [state.setpoints.get(motor) for motor in (1, 2)]
-            rows.append(
-                (
-                    record.time,
-                    *(count * unit for count in record.counts),
-                    *(drive.signed if drive else 0.0 for drive in drives),
-                    *(state.remapped or _UNKNOWN),
-                )
-            )
+            one, two = (state.setpoints.get(motor, _NO_SETPOINT).signed for motor in (1, 2))
+            first, second = record.counts
+            channels = state.remapped or _UNKNOWN
+            rows.append((record.time, first * unit, second * unit, one, two, *channels))
     return rows
 
 
