@@ -254,7 +254,7 @@ def test_stop_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
 def test_stop_succeeds_on_noisy_line(seed: int, detection: Detection) -> None:
     """Without a CRC what is asked behind it may arrive as a motor command.
 
-    `link/calm.py` says how often; nobody has driven here, so nothing is repeated against that.
+    `line_quality` says how often; nobody has driven here, so nothing is repeated against that.
     """
     stage, settings = staged(detection=detection)
     stage.line.faults._random.seed(seed)
