@@ -181,7 +181,7 @@ def test_stopping_simulator_reports_no_failure(qtbot: QtBot) -> None:
 def test_non_numeric_text_is_rejected_with_a_message(qtbot: QtBot) -> None:
     model = ParameterModel()
     model.load(SPECS, {s.key: s.default for s in SPECS.readable}, {}, power_cycled=True)
-    with qtbot.waitSignal(model.refused) as refused:
+    with qtbot.waitSignal(model.rejected) as refused:
         model.setData(model.index_of("serial_timeout"), "abc")
     assert "Serial Timeout" in refused.args[0]
 

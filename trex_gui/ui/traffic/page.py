@@ -241,7 +241,7 @@ class TrafficPage(QWidget):
             self.save(path if path.suffix else path.with_suffix(".txt"))
 
     def save(self, path: Path) -> None:
-        """Write the rows that are shown; `told` or `refused` says how it went."""
+        """Write the rows that are shown."""
         file_questions.remember_folder(self._store, path)
         self._saver.save(path, self._table.rows)
 

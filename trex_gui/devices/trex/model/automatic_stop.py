@@ -1,4 +1,4 @@
-"""A stop that nobody asked for, in words: what a TReX has proved of it, and never more."""
+"""An automatic stop in words: what the board has confirmed of it, and never more."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -11,20 +11,20 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 class AutomaticStop(QObject):
     """Stops the motors because of something that happened, and follows what becomes of it.
 
-    Of stops that come one upon the other only the newest is told of.
+    Of stops that come one upon the other only the newest is reported.
 
     Signals:
-        told: what has become of the stop, in sentences that begin with its reason.
+        reported: what has become of the stop, in sentences that begin with its reason.
     """
 
-    told = Signal(str)
+    reported = Signal(str)
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
         self._newest = 0
         self._awaited = ""  # the reason of a stop that nothing is known of yet
-        self._unproved = ""  # the reason of a stop whose proof may still come
+        self._unconfirmed = ""  # the reason of a stop that may still be confirmed
         device.link_changed.connect(self._on_link_changed)
         device.motors.arming_changed.connect(self._on_arming_changed)
 
@@ -34,7 +34,7 @@ class AutomaticStop(QObject):
         Return what is known of it at once; empty where no board is connected and none was left
         with motors that may turn.
         """
-        self._unproved = ""
+        self._unconfirmed = ""
         self._newest += 1
         if self._device.link is ConnectionState.DISCONNECTED:
             return self._out_of_reach(reason) if self._device.may_move else ""
@@ -51,42 +51,42 @@ class AutomaticStop(QObject):
             return
         self._awaited = ""
         if error is None:
-            self.told.emit(self._proved(reason))
+            self.reported.emit(self._confirmed(reason))
             return
         if self._device.may_move:
-            self._unproved = reason
-        self.told.emit(self._not_confirmed(reason, error))
+            self._unconfirmed = reason
+        self.reported.emit(self._not_confirmed(reason, error))
 
     @Slot()
     def _on_link_changed(self) -> None:
-        """A stop is sent on until it is proved, or the board is back and has proved it.
+        """A stop is repeated until it is confirmed, or the returned board has confirmed it.
 
-        But of one that was asked of a line that had just ended nothing is heard.
+        A stop that was requested of a line that had just ended gets no outcome.
         """
         if self._device.link is ConnectionState.DISCONNECTED:
-            reason, self._awaited, self._unproved = self._awaited, "", ""
+            reason, self._awaited, self._unconfirmed = self._awaited, "", ""
             if reason:
-                self.told.emit(self._closed(reason))
+                self.reported.emit(self._closed(reason))
         elif (
-            self._unproved
+            self._unconfirmed
             and self._device.link is ConnectionState.CONNECTED
             and not self._device.may_move
         ):
-            reason, self._unproved = self._unproved, ""
-            self.told.emit(self._proved(reason))
+            reason, self._unconfirmed = self._unconfirmed, ""
+            self.reported.emit(self._confirmed(reason))
 
     @Slot()
     def _on_arming_changed(self) -> None:
-        """Who arms the motors has read what was told; the next proof is that of another stop."""
+        """Forget the stop once the motors are armed; the next confirmation is of another one."""
         if self._device.motors.armed:
-            self._unproved = ""
+            self._unconfirmed = ""
 
     # --- In words -----------------------------------------------------------------------
 
-    def _proved(self, reason: str) -> str:
-        """That the board took the stop means most, but not always, that the motors stand."""
+    def _confirmed(self, reason: str) -> str:
+        """Return what the confirmation means: mostly, but not always, motors at standstill."""
         by_serial = self._device.telemetry.serial_controls
-        if by_serial is None:  # the board is not read yet, or fell silent behind the proof
+        if by_serial is None:  # not read yet, or no longer responding
             return self.tr("{0}. The board has confirmed the stop.").format(reason)
         if not by_serial:
             return f"{reason}. {BEYOND_A_STOP}"

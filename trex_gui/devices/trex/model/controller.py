@@ -52,7 +52,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.demo_board = DemoBoard(self.simulator, self)
         self._automatic_stop = AutomaticStop(device, self)
 
-        self._automatic_stop.told.connect(self.stop_reported)
+        self._automatic_stop.reported.connect(self.stop_reported)
         self.settings_changed.connect(self.changed)
         self.simulator.ended.connect(self._on_simulator_ended)
         self.demo_board.factory_reset.connect(self._on_demo_factory_reset)

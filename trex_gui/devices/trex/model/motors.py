@@ -51,7 +51,7 @@ class Lockout(QObject):
         super().__init__(parent)
         self._clock = clock
         self._until = -math.inf
-        self._told = 0
+        self._announced = 0
         self._timer = runtime().timer(self)
         self._timer.setInterval(_STEP_MS)
         self._timer.timeout.connect(self._on_step)
@@ -65,7 +65,7 @@ class Lockout(QObject):
         """Lock from now on for so long, or for as long as an earlier lock lasts."""
         self._until = max(self._until, self._clock() + seconds)
         if self.seconds_left > 0:
-            self._told = math.ceil(self.seconds_left)
+            self._announced = math.ceil(self.seconds_left)
             self._timer.start()
 
     @Slot()
@@ -73,8 +73,8 @@ class Lockout(QObject):
         left = self.seconds_left
         if not left:
             self._timer.stop()
-        if math.ceil(left) != self._told:
-            self._told = math.ceil(left)
+        if math.ceil(left) != self._announced:
+            self._announced = math.ceil(left)
             self.changed.emit()
 
 

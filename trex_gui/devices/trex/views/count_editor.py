@@ -21,10 +21,10 @@ class CountEditor(QSpinBox):
     """Counts as value, physical units as text; `2.1 ms`, `1500` or `3750 counts` may be typed.
 
     Signals:
-        refused: why the typed text is no value, as a sentence.
+        rejected: why the typed text is no value, as a sentence.
     """
 
-    refused = Signal(str)
+    rejected = Signal(str)
 
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -81,10 +81,10 @@ class CountEditor(QSpinBox):
         return super().fixup(text)
 
     def tell_problem(self) -> None:
-        """Emit `refused` if the text is no value."""
+        """Emit `rejected` if the text is no value."""
         if self._count(self.text()) is None:
             words = self.tr("{0} is no value here. {1}")
-            self.refused.emit(words.format(self.text().strip() or "“”", self._expected()))
+            self.rejected.emit(words.format(self.text().strip() or "“”", self._expected()))
 
     def _count(self, text: str) -> int | None:
         found = _NUMBER.fullmatch(text)

@@ -187,7 +187,7 @@ def test_invalid_wire_value_is_rejected_with_a_reason(
 ) -> None:
     assert isinstance(spec, type(SPECS["motor_mode"]))
     for wire in (-1, 128, *(set(range(128)) - spec.valid)):
-        with qtbot.waitSignal(model.refused) as refused:
+        with qtbot.waitSignal(model.rejected) as refused:
             assert not edit(model, spec.key, wire)
         assert refused.args[0].startswith(spec.name)
     assert model.pending == ()
@@ -197,7 +197,7 @@ def test_invalid_wire_value_is_rejected_with_a_reason(
 def test_non_numeric_value_is_rejected(
     model: ParameterModel, qtbot: QtBot, nonsense: object
 ) -> None:
-    with qtbot.waitSignal(model.refused):
+    with qtbot.waitSignal(model.rejected):
         assert not edit(model, "serial_timeout", nonsense)
     assert model.pending == ()
 

@@ -38,10 +38,10 @@ class CalibrationTable(QAbstractTableModel):
     """A row a channel; the first column names it, the others are its four counts.
 
     Signals:
-        refused: why an edit was not taken, for the user.
+        rejected: why an edit was not taken, for the user.
     """
 
-    refused = Signal(str)
+    rejected = Signal(str)
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -134,7 +134,7 @@ class CalibrationTable(QAbstractTableModel):
         except BadRequest:
             problem = wanted.problem() or ""
             words = self.tr("{0} channel {1}: {2}. The order is minimum, neutral, maximum.")
-            self.refused.emit(words.format(key.source.value, key.channel, problem))
+            self.rejected.emit(words.format(key.source.value, key.channel, problem))
             return False
         return True
 

@@ -23,11 +23,11 @@ class ParameterModel(ParameterTree):
 
     Signals:
         pending_changed: how many edits wait.
-        refused: why an edit was not taken, for the user.
+        rejected: why an edit was not taken, for the user.
     """
 
     pending_changed = Signal(int)
-    refused = Signal(str)
+    rejected = Signal(str)
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
@@ -279,9 +279,9 @@ class ParameterModel(ParameterTree):
         try:
             self.edit(spec.key, int(value))
         except BadRequest as error:
-            self.refused.emit(sentence(error))
+            self.rejected.emit(sentence(error))
             return False
         except (TypeError, ValueError, OverflowError):
-            self.refused.emit(f"{spec.name} is {spec.range_text()}, not {value}.")
+            self.rejected.emit(f"{spec.name} is {spec.range_text()}, not {value}.")
             return False
         return True

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QLabel, QSpinBox, QWidget
 
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets.builders import NoWheelComboBox, button, row
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 
@@ -16,16 +17,19 @@ class BoundField(QWidget):
 
     Signals:
         changed: another bound is set; snapshots may be gone.
-        refused: why it was not set, for the user.
     """
 
     changed = Signal()
-    refused = Signal(str)
 
     def __init__(
-        self, history: SettingsHistory, question: InlinePrompt, parent: QWidget | None = None
+        self,
+        history: SettingsHistory,
+        question: InlinePrompt,
+        notifier: Notifier,
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
+        self._notifier = notifier
         self._history = history
         self._question = question
         self._problem = ""
@@ -113,7 +117,7 @@ class BoundField(QWidget):
         try:
             self._history.keep(kept)
         except SettingsError as error:
-            self.refused.emit(str(error))
+            self._notifier.error.emit(str(error))
             self._on_edited()
             return
         self.refresh()

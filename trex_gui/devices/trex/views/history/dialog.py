@@ -23,6 +23,7 @@ from trex_gui.devices.trex.views.history.bound_field import BoundField
 from trex_gui.devices.trex.views.history.pane import SnapshotPane
 from trex_gui.devices.trex.views.history.present_choice import FILTER, FOLDER
 from trex_gui.devices.trex.views.history.snapshot_list import SnapshotList
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets.banner import Banner
 from trex_gui.ui.widgets.builders import button, column, label, row
@@ -55,7 +56,8 @@ class HistoryDialog(QDialog):
         self._later.setSingleShot(True)
         self._later.setInterval(0)
 
-        self._banner = Banner(self)
+        notifier = Notifier(self)
+        self._banner = Banner(self, notifier)
         self._banner.setObjectName("historyBanner")
         self._question = InlinePrompt(self)
         self._question.setObjectName("historyQuestion")
@@ -71,8 +73,8 @@ class HistoryDialog(QDialog):
         self._delete = button(
             self, "deleteSnapshotButton", self.tr("&Delete…"), icon="clear", default=False
         )
-        self._pane = SnapshotPane(device, self._table, self)
-        self._bound = BoundField(self._history, self._question, self)
+        self._pane = SnapshotPane(device, self._table, notifier, self)
+        self._bound = BoundField(self._history, self._question, notifier, self)
         self._folder = button(
             self, "openFolderButton", self.tr("&Open folder"), icon="folder", default=False
         )
@@ -125,13 +127,11 @@ class HistoryDialog(QDialog):
         self._list.delete_requested.connect(self._on_delete_clicked)
         self._pane.present_chosen.connect(self._on_present_chosen)
         self._pane.restore_requested.connect(self.restore_requested)
-        self._pane.refused.connect(self._banner.show_problem)
         self._save.clicked.connect(self._on_save_clicked)
         self._delete.clicked.connect(self._on_delete_clicked)
         self._folder.clicked.connect(self._on_folder_clicked)
         self._close.clicked.connect(self.close)
         self._bound.changed.connect(self.refresh)
-        self._bound.refused.connect(self._banner.show_problem)
         self._later.timeout.connect(self._renew)
         device.draft.pending_changed.connect(self._on_board_changed)
         device.draft.loaded.connect(self._on_board_changed)

@@ -15,6 +15,7 @@ from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.history.present_choice import Present, PresentChoice
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets.builders import button, column, label, row
 from trex_gui.ui.widgets.labels import Note
 
@@ -27,15 +28,20 @@ class SnapshotPane(QWidget):
     Signals:
         present_chosen: the user chose what to compare with.
         restore_requested: rows of the snapshot were made edits; they are to be reviewed.
-        refused: what did not work, for the user.
     """
 
     present_chosen = Signal()
     restore_requested = Signal()
-    refused = Signal(str)
 
-    def __init__(self, device: Device, table: SnapshotTable, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        device: Device,
+        table: SnapshotTable,
+        notifier: Notifier,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
+        self._notifier = notifier
         self._device = device
         self._table = table
         self._chosen: tuple[Snapshot, ...] = ()
@@ -47,7 +53,7 @@ class SnapshotPane(QWidget):
         font.setBold(True)
         self._title.setFont(font)
         self._details = label(self, "snapshotDetails", wrap=True, plain=True)
-        self._choice = PresentChoice(device, table, self)
+        self._choice = PresentChoice(device, table, notifier, self)
         self._rows = ComparisonView(self)
         self._note = Note(2, self)
         self._note.setObjectName("restoreNote")
@@ -72,7 +78,6 @@ class SnapshotPane(QWidget):
         )
 
         self._choice.chosen.connect(self.present_chosen)
-        self._choice.refused.connect(self.refused)
         self._rows.ticked_changed.connect(self._show_possibilities)
         self._restore.clicked.connect(self._on_restore_clicked)
         self.show_chosen(())
@@ -249,7 +254,7 @@ class SnapshotPane(QWidget):
         try:
             self._device.draft.stage(rows, self.tr("Restore snapshot of {0}").format(when))
         except BadRequest as error:
-            self.refused.emit(self.tr("Nothing was restored: {0}").format(error))
+            self._notifier.error.emit(self.tr("Nothing was restored: {0}").format(error))
             return
         self.restore_requested.emit()
 

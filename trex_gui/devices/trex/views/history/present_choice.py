@@ -15,6 +15,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets.builders import NoWheelComboBox, row
 
 FOLDER = "settings/folder"
@@ -44,14 +45,19 @@ class PresentChoice(QWidget):
 
     Signals:
         chosen: the user chose something.
-        refused: why a settings file cannot be used, for the user.
     """
 
     chosen = Signal()
-    refused = Signal(str)
 
-    def __init__(self, device: Device, table: SnapshotTable, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        device: Device,
+        table: SnapshotTable,
+        notifier: Notifier,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
+        self._notifier = notifier
         self._device = device
         self._table = table
         self._store = QSettings(self)
@@ -192,7 +198,9 @@ class PresentChoice(QWidget):
         try:
             settings, _ = read_settings(load(path), path.name)
         except SettingsError as error:
-            self.refused.emit(self.tr("{0} cannot be compared with: {1}").format(path.name, error))
+            self._notifier.error.emit(
+                self.tr("{0} cannot be compared with: {1}").format(path.name, error)
+            )
             return False
         self._store.setValue(FOLDER, str(path.parent))
         self._file = Present(_FILE, path.name, settings)

@@ -88,7 +88,7 @@ class ChannelForm(QWidget):
         self._reversed.toggled.connect(self._on_reversed_toggled)
         for field, editor in self._editors.items():
             editor.valueChanged.connect(partial(self._on_value_changed, field))
-            editor.refused.connect(self._on_refused)
+            editor.rejected.connect(self._on_rejected)
 
     @property
     def channel(self) -> LearnedChannel:
@@ -116,7 +116,7 @@ class ChannelForm(QWidget):
             self._learning.choose(self._channel.number, Calibration(**values))
 
     @Slot(str)
-    def _on_refused(self, reason: str) -> None:
+    def _on_rejected(self, reason: str) -> None:
         self._problem.show_note(reason, alarming=True)
         self._problem.setVisible(True)
 

@@ -46,7 +46,7 @@ class _Delegate(QStyledItemDelegate):
         key = CalibrationKey(index.data(CalibrationRole.KEY))
         editor = CountEditor(key.source, parent)
         editor.setObjectName("countEditor")
-        editor.refused.connect(self._page.say)
+        editor.rejected.connect(self._page.say)
         return editor
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -143,7 +143,7 @@ class CalibrationEditor(QWidget):
 
         self._add.clicked.connect(lambda: self._table.add(self._selected()))
         self._leave_out.clicked.connect(lambda: self._table.leave_out(self._selected()))
-        self._table.refused.connect(self.say)
+        self._table.rejected.connect(self.say)
         self._table.dataChanged.connect(self._on_changed)
         self._view.selectionModel().selectionChanged.connect(self._on_selected)
         theme().changed.connect(self._view.viewport().update)

@@ -99,7 +99,7 @@ class SettingsEditor(QMainWindow):
         self._text.editor.undoAvailable.connect(self._on_actions_changed)
         self._text.editor.redoAvailable.connect(self._on_actions_changed)
         self._text.checked.connect(self._on_checked)
-        self._parameters.refused.connect(self._banner.show_problem)
+        self._parameters.rejected.connect(self._banner.show_problem)
         self._findings.line_chosen.connect(self._on_line_chosen)
         self._findings.accepted.connect(self._on_accepted)
         device.link_changed.connect(self._on_actions_changed)

@@ -54,7 +54,7 @@ class CalibrationFields(QWidget):
             layout.addWidget(editor, 1, number)
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.editingFinished.connect(self._on_run_ended)
-            editor.refused.connect(self._on_invalid_text)
+            editor.rejected.connect(self._on_invalid_text)
             self._editors[field] = editor
             self._counts[field] = counts
 

@@ -43,10 +43,10 @@ class ParameterDelegate(QStyledItemDelegate):
     something was typed or chosen, or with Enter.
 
     Signals:
-        refused: why the input is not a value, for the user.
+        rejected: why the input is not a value, for the user.
     """
 
-    refused = Signal(str)
+    rejected = Signal(str)
 
     # --- Editing ------------------------------------------------------------------------
 
@@ -58,7 +58,7 @@ class ParameterDelegate(QStyledItemDelegate):
         editor.setProperty(_UNTOUCHED, index.data(Role.WIRE) is None)
         editor.valueChanged.connect(lambda _wire: editor.setProperty(_UNTOUCHED, False))
         if isinstance(editor, NumberEditor):
-            editor.refused.connect(self.refused)
+            editor.rejected.connect(self.rejected)
             editor.lineEdit().textEdited.connect(
                 lambda _text: editor.setProperty(_UNTOUCHED, False)
             )

@@ -23,10 +23,10 @@ class NumberEditor(QSpinBox):
     A value may be typed in any unit that the parameter understands.
 
     Signals:
-        refused: why the input is not a value, for the user.
+        rejected: why the input is not a value, for the user.
     """
 
-    refused = Signal(str)
+    rejected = Signal(str)
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -63,7 +63,7 @@ class NumberEditor(QSpinBox):
         try:
             self.meant(self.text())
         except BadRequest as error:
-            self.refused.emit(sentence(error))
+            self.rejected.emit(sentence(error))
 
     def meant(self, text: str) -> int:
         """Return the wire value of the input.

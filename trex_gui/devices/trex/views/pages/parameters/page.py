@@ -53,7 +53,7 @@ class ParametersPage(QWidget):
         self._reload.clicked.connect(self.reload_requested)
         self._activate.clicked.connect(self.power_cycle_requested)
         self._discard.clicked.connect(device.discard_edits)
-        self._table.refused.connect(self._notice.setText)
+        self._table.rejected.connect(self._notice.setText)
         self._model.modelReset.connect(self._on_link_changed)
         device.pending_changed.connect(self._on_pending_changed)
         device.applied.connect(self._on_applied)

@@ -37,10 +37,10 @@ class ParameterTable(QWidget):
     """Everything to look at parameters and edit them; knows of no board.
 
     Signals:
-        refused: why the input is not a value, for the user.
+        rejected: why the input is not a value, for the user.
     """
 
-    refused = Signal(str)
+    rejected = Signal(str)
 
     def __init__(
         self, draft: SettingsDraft, linter: SettingsLinter, parent: QWidget | None = None
@@ -68,8 +68,8 @@ class ParameterTable(QWidget):
         column(self._filters, (self._view, 1), box, into=self, margins=0)
 
         self._view.reset_wanted.connect(self._model.reset)
-        self._view.refused.connect(self.refused)
-        self._model.refused.connect(self.refused)
+        self._view.rejected.connect(self.rejected)
+        self._model.rejected.connect(self.rejected)
         self._nothing.all_wanted.connect(self._filters.clear)
         self._view.selectionModel().currentChanged.connect(self._on_current_changed)
         self._model.dataChanged.connect(self._show_help)

@@ -38,12 +38,12 @@ class ParameterView(QTreeView):
     Signals:
         reset_wanted: the parameter with this key is to be reset to its default.
         menu_wanted: a menu for the current row, and where on the screen.
-        refused: why the input is not a value, for the user.
+        rejected: why the input is not a value, for the user.
     """
 
     reset_wanted = Signal(str)
     menu_wanted = Signal(QPoint)
-    refused = Signal(str)
+    rejected = Signal(str)
 
     def __init__(self, rows: ParameterFilter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -56,7 +56,7 @@ class ParameterView(QTreeView):
         name_headers(self)
         self.setModel(rows)
         delegate = ParameterDelegate(self)
-        delegate.refused.connect(self.refused)
+        delegate.rejected.connect(self.rejected)
         self.setItemDelegate(delegate)
         self.setItemDelegateForColumn(Column.RESET, ResetDelegate(self))
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
