@@ -16,11 +16,11 @@ PULSES = 0.03
 
 
 def put(board: Board, channel: int, text: str) -> None:
-    board.connect(channel, Signal.parse(text, board.channels.source))
+    board.channels.connect(channel, Signal.parse(text, board.channels.source))
 
 
 def waits(board: Board) -> bool:
-    return board.safe_start
+    return board.sticks.safe_start
 
 
 def take_over(board: Board) -> None:
@@ -29,7 +29,7 @@ def take_over(board: Board) -> None:
         if board.serial.in_control:
             break
         board.advance(0.0025)
-    assert board.override
+    assert board.sticks.override
     assert board.serial.in_control
 
 
@@ -38,7 +38,7 @@ def rc() -> Board:
     """A board in RC mode that has left safe-start."""
     board = Board(mode="rc")
     board.advance(SETTLED)
-    assert not board.safe_start
+    assert not board.sticks.safe_start
     return board
 
 
@@ -175,7 +175,7 @@ class TestSerialOverride:
         rc.advance(0.1)
         assert rc.motors[0].direction is BRAKE
         put(rc, 5, "1000us")
-        assert not rc.override
+        assert not rc.sticks.override
         take_over(rc)
         assert (rc.motors[0].direction, rc.motors[0].speed) == (FORWARD, 77)
         assert rc.aux.speed == 44
@@ -206,5 +206,5 @@ class TestSerialOverride:
         board = Board()
         put(board, 5, "1000us")
         board.advance(0.1)
-        assert not board.override
+        assert not board.sticks.override
         assert board.serial.in_control

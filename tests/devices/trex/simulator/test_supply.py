@@ -31,7 +31,7 @@ def is_on(board: Board) -> bool:
 
 
 def waits(board: Board) -> bool:
-    return board.safe_start
+    return board.sticks.safe_start
 
 
 def currents(board: Board, seconds: float) -> list[float]:
@@ -175,7 +175,7 @@ class TestBrownOut:
         weaken(board)
         board.advance(SETTLED)
         assert not waits(board)
-        board.connect(1, Signal.pulses(2000))
+        board.channels.connect(1, Signal.pulses(2000))
         board.advance(0.1)
         assert board.counters["brown_outs"] == 1
         assert waits(board)
@@ -183,7 +183,7 @@ class TestBrownOut:
         assert board.counters["brown_outs"] == 1
         assert waits(board)
         assert board.motors[0].direction is BRAKE
-        board.connect(1, Signal.pulses(1500))
+        board.channels.connect(1, Signal.pulses(1500))
         board.advance(SETTLED)
         assert not waits(board)
 

@@ -48,7 +48,7 @@ class Demo:
             if present == self._signals[channel] or present.kind is SignalKind.REST:
                 signal = self._stick(size * math.sin(2 * math.pi * self._board.now / seconds))
                 self._signals[channel] = signal
-                self._board.connect(channel, signal)
+                self._board.channels.connect(channel, signal)
         self._timeline.at(self._timeline.now + _PERIOD, self._move_sticks)
 
     def _stick(self, position: float) -> Signal:

@@ -74,7 +74,7 @@ def _channel(board: Board, words: list[str]) -> str:
         signal = Signal.parse(" ".join(words[1:]), board.channels.source)
     except ValueError as error:
         raise ControlError(str(error)) from error
-    board.connect(number, signal)
+    board.channels.connect(number, signal)
     return f"channel {number} gets {signal.text}"
 
 

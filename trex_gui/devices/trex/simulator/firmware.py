@@ -23,7 +23,6 @@ from trex_gui.devices.trex.simulator.motors import (
 )
 from trex_gui.devices.trex.simulator.physics import Drive, Machine
 from trex_gui.devices.trex.simulator.serial_control import SerialControl
-from trex_gui.devices.trex.simulator.signals import Signal
 
 MODE_JUMPERS = ("serial", "rc", "analog")
 
@@ -249,27 +248,13 @@ class Board:
         """Reply to 0x87, -127 to 127; channels 1 and 2 are the values of motors 1 and 2."""
         return self.sticks.remapped(mix=self.mix)
 
-    @property
-    def override(self) -> bool:
-        """Whether channel 5 gives control to the serial port."""
-        return self.sticks.override
-
-    @property
-    def safe_start(self) -> bool:
-        """Whether safe-start keeps the motors stopped."""
-        return self.sticks.safe_start
-
-    def connect(self, channel: int, signal: Signal) -> None:
-        """Connect a signal to a channel input (1-5); it is measured within 20 ms."""
-        self.channels.connect(channel, signal)
-
     def _watch(self) -> None:
         """Determine who controls the motors, and let the channels drive if they do."""
         timeout = self.memory.active[ParameterKey.SERIAL_TIMEOUT]
         self.serial.hand_over(self.now, timeout, in_control=self.sticks.watch())
         if self.serial.in_control:
             return
-        if self.safe_start:
+        if self.sticks.safe_start:
             self.serial.stop_motors()
         else:
             self.sticks.drive(self.motors, self.aux, mix=self.mix)

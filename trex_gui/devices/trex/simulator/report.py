@@ -26,7 +26,7 @@ def leds(board: Board) -> dict[str, str]:
         if board.serial.in_control:
             red, green = "on", packet
         else:
-            red, green = packet, "fast flash" if board.safe_start else "on"
+            red, green = packet, "fast flash" if board.sticks.safe_start else "on"
     return {"red": red, "green": green}
 
 
@@ -47,8 +47,8 @@ def report(board: Board) -> dict[str, Any]:
         "power": board.powered,
         "mode": board.mode.value,
         "serial_controls": board.serial.in_control,
-        "override": board.override,
-        "safe_start": board.safe_start,
+        "override": board.sticks.override,
+        "safe_start": board.sticks.safe_start,
         "boot_mode": board.boot_mode.name if board.boot_mode else None,
         "motors": [
             {

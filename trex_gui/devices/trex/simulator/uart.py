@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.calibration import INVALID_RAW, Calibration
-from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -166,26 +165,26 @@ class SerialPort:
             if command == _NULL:
                 self._begin()
                 return
-        known = _COMMANDS.get(command)
-        if known is None:
+        command_info = _COMMANDS.get(command)
+        if command_info is None:
             self._reject()
             return
         polynomial = self.board.memory.crc_polynomial
-        if len(self._packet) < head + known.size + (polynomial is not None):
+        if len(self._packet) < head + command_info.size + (polynomial is not None):
             return
         packet = bytes(self._packet)
         self._begin()
         if polynomial is not None and remainder(packet[:-1], polynomial) != packet[-1]:
             self.board.report_error(UartError.CRC)
         else:
-            self._execute(known, command, packet[head : head + known.size])
+            self._execute(command_info, command, packet[head : head + command_info.size])
 
     def _device_number(self) -> int:
         return self.board.memory.active[ParameterKey.DEVICE_NUMBER]
 
-    def _execute(self, known: "_Known", command: int, data: bytes) -> None:
+    def _execute(self, command_info: "_Command", command: int, data: bytes) -> None:
         try:
-            reply = known.do(self.board, command, data)
+            reply = command_info.do(self.board, command, data)
         except _IllogicalData:
             self._reject()
             return
@@ -219,7 +218,7 @@ class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
 
 
 @dataclass(frozen=True, slots=True)
-class _Known:
+class _Command:
     """A command with its number of data bytes.
 
     `do` takes the board, the command byte (its low bits often select the motor or channel) and
@@ -230,27 +229,12 @@ class _Known:
     do: Callable[[Board, int, bytes], bytes]
 
 
-def _get_signature(board: Board, _command: int, _data: bytes) -> bytes:
-    return board.model.signature + board.firmware.encode("ascii")
+def _read(reply: Callable[[Board], bytes]) -> _Command:
+    """Return a command without data bytes."""
+    return _Command(0, lambda board, _command, _data: reply(board))
 
 
-def _get_mode(board: Board, _command: int, _data: bytes) -> bytes:
-    return board.mode.value.encode("ascii")
-
-
-def _get_serial_controls(board: Board, _command: int, _data: bytes) -> bytes:
-    return bytes([board.serial.in_control])
-
-
-def _get_status(board: Board, _command: int, _data: bytes) -> bytes:
-    return bytes([board.serial.take_status()])
-
-
-def _get_uart_errors(board: Board, _command: int, _data: bytes) -> bytes:
-    return bytes([board.serial.take_uart_errors()])
-
-
-def _wanted(data: bytes) -> list[int]:
+def _selected(data: bytes) -> list[int]:
     """Return the indices (0-4) of the channels in a mask."""
     if data[0] > 0b11111:
         raise _IllogicalData  # inferred: there are five channels
@@ -259,7 +243,7 @@ def _wanted(data: bytes) -> list[int]:
 
 def _get_raw(board: Board, _command: int, data: bytes) -> bytes:
     raw = board.channels.raw
-    values = [raw[index] for index in _wanted(data)]
+    values = [raw[index] for index in _selected(data)]
     return b"".join(
         (INVALID_RAW if value is None else value).to_bytes(2, "little") for value in values
     )
@@ -267,26 +251,14 @@ def _get_raw(board: Board, _command: int, data: bytes) -> bytes:
 
 def _get_remapped(board: Board, _command: int, data: bytes) -> bytes:
     remapped = board.remapped
-    values = [remapped[index] for index in _wanted(data)]
+    values = [remapped[index] for index in _selected(data)]
     return bytes(abs(value) | (0x80 if value < 0 else 0) for value in values)
-
-
-def _get_current(board: Board, command: int, _data: bytes) -> bytes:
-    return bytes([board.physics[command - 0x8D].reading])
-
-
-def _get_currents(board: Board, _command: int, _data: bytes) -> bytes:
-    return bytes(physics.reading for physics in board.physics)
 
 
 def _get_calibration(board: Board, command: int, _data: bytes) -> bytes:
     stored = board.calibration(command - 0x90 + 1)
     values = (stored.minimum, stored.neutral, stored.maximum, stored.deadband)
     return b"".join(value.to_bytes(2, "little") for value in values)
-
-
-def _get_calibrated(board: Board, _command: int, _data: bytes) -> bytes:
-    return bytes([board.memory.learned(board.mode.source)])
 
 
 def _get_parameter(board: Board, _command: int, data: bytes) -> bytes:
@@ -308,16 +280,12 @@ def _set_calibration(board: Board, command: int, data: bytes) -> bytes:
         data[index] + 128 * data[index + 1] for index in range(0, 8, 2)
     )
     calibration = Calibration(minimum, neutral, maximum, deadband)
-    return _result(board.set_calibration(command - 0xA0 + 1, calibration))
+    return bytes([board.set_calibration(command - 0xA0 + 1, calibration)])
 
 
 def _set_parameter(board: Board, _command: int, data: bytes) -> bytes:
     _require_format_bytes(data)
-    return _result(board.set_parameter(data[0], data[1]))
-
-
-def _result(code: ResultCode) -> bytes:
-    return bytes([code])
+    return bytes([board.set_parameter(data[0], data[1])])
 
 
 def _drive_one(board: Board, command: int, data: bytes) -> bytes:
@@ -341,23 +309,23 @@ def _drive_aux(board: Board, command: int, data: bytes) -> bytes:
     return b""
 
 
-_COMMANDS: dict[int, _Known] = {
-    0x81: _Known(0, _get_signature),
-    0x82: _Known(0, _get_mode),
-    0x83: _Known(0, _get_serial_controls),
-    0x84: _Known(0, _get_status),
-    0x85: _Known(0, _get_uart_errors),
-    0x86: _Known(1, _get_raw),
-    0x87: _Known(1, _get_remapped),
-    0x8D: _Known(0, _get_current),
-    0x8E: _Known(0, _get_current),
-    0x8F: _Known(0, _get_currents),
-    **dict.fromkeys(range(0x90, 0x95), _Known(0, _get_calibration)),
-    0x95: _Known(0, _get_calibrated),
-    0x9F: _Known(1, _get_parameter),
-    **dict.fromkeys(range(0xA0, 0xA5), _Known(10, _set_calibration)),
-    0xAF: _Known(4, _set_parameter),
-    **dict.fromkeys(range(0xC0, 0xD0), _Known(1, _drive_one)),
-    **dict.fromkeys(range(0xD0, 0xF0), _Known(2, _drive_both)),
-    **dict.fromkeys(range(0xF0, 0xF2), _Known(1, _drive_aux)),
+_COMMANDS: dict[int, _Command] = {
+    0x81: _read(lambda board: board.model.signature + board.firmware.encode("ascii")),
+    0x82: _read(lambda board: board.mode.value.encode("ascii")),
+    0x83: _read(lambda board: bytes([board.serial.in_control])),
+    0x84: _read(lambda board: bytes([board.serial.take_status()])),
+    0x85: _read(lambda board: bytes([board.serial.take_uart_errors()])),
+    0x86: _Command(1, _get_raw),
+    0x87: _Command(1, _get_remapped),
+    0x8D: _read(lambda board: bytes([board.physics[0].reading])),
+    0x8E: _read(lambda board: bytes([board.physics[1].reading])),
+    0x8F: _read(lambda board: bytes(physics.reading for physics in board.physics)),
+    **dict.fromkeys(range(0x90, 0x95), _Command(0, _get_calibration)),
+    0x95: _read(lambda board: bytes([board.memory.learned(board.mode.source)])),
+    0x9F: _Command(1, _get_parameter),
+    **dict.fromkeys(range(0xA0, 0xA5), _Command(10, _set_calibration)),
+    0xAF: _Command(4, _set_parameter),
+    **dict.fromkeys(range(0xC0, 0xD0), _Command(1, _drive_one)),
+    **dict.fromkeys(range(0xD0, 0xF0), _Command(2, _drive_both)),
+    **dict.fromkeys(range(0xF0, 0xF2), _Command(1, _drive_aux)),
 }
