@@ -146,7 +146,7 @@ def test_quit_ends_process() -> None:
     )
     ready, refused, bye = done.stdout.splitlines()
     assert ready.startswith("ready socket://")
-    assert refused.startswith("error 'warp' is unknown")
+    assert refused.startswith("error 'warp' is not a command")
     assert bye == "ok bye"
     assert (done.returncode, done.stderr) == (0, "")
 

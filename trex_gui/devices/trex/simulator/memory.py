@@ -45,7 +45,7 @@ class Memory:
 
     Attributes:
         active: active parameters by key.
-        line_settings: active settings of the serial line.
+        line_settings, baud: active settings of the serial line, and its real bit rate.
         writes: number of finished writes.
     """
 
@@ -64,6 +64,7 @@ class Memory:
         self._eeprom.reset_if_pending()
         self.active = self.stored()
         self.line_settings = LineSettings.from_wire(self.active[ParameterKey.UART_SETTINGS])
+        self.baud = self.line_settings.real_baud(self._firmware)
 
     def stored(self) -> dict[str, int]:
         """Return the stored parameters that this firmware knows."""
@@ -79,11 +80,6 @@ class Memory:
         """The mode that a board in serial mode is in."""
         analog = self.active[ParameterKey.CHANNEL_INPUT_SOURCE] == 1
         return Mode.SERIAL_ANALOG if analog else Mode.SERIAL_RC
-
-    @property
-    def baud(self) -> int:
-        """Real bit rate of the UART."""
-        return self.line_settings.real_baud(self._firmware)
 
     @property
     def crc_polynomial(self) -> int | None:
