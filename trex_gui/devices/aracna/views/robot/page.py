@@ -20,7 +20,7 @@ from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.labels import Note
 
-_GAP = 16
+_GAP = 8
 _WIDEST_RATE = 888.8
 _CAPTION_LINES = 6
 _MIN_SKETCH_WIDTH = 130
