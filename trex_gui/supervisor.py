@@ -68,7 +68,7 @@ class SafetySupervisor(QObject):
         self._sleep_delay = login_session.SleepDelay(
             lambda: manager.may_move,
             parent=self,
-            patience=self._program.timeouts.sleep_delay,
+            timeout=self._program.timeouts.sleep_delay,
         )
         events.sleeping.connect(self._sleep_delay.note_sleep)
         return events

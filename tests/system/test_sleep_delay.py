@@ -32,7 +32,7 @@ class Asleep:
         self.may_move = True
         self.qtbot = qtbot
         self.logind = Logind(theirs)
-        self.delay = SleepDelay(lambda: self.may_move, ours, patience=1.0)
+        self.delay = SleepDelay(lambda: self.may_move, ours, timeout=1.0)
         self.events = SessionEvents(ours, ours)
         self.events.sleeping.connect(self.delay.note_sleep)
         qtbot.waitUntil(lambda: self.delay.holds)
@@ -97,7 +97,7 @@ def test_sleep_delay_is_released_on_close(asleep: Asleep) -> None:
 def test_sleep_delay_without_logind_holds_nothing(
     buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot
 ) -> None:
-    delay = SleepDelay(lambda: False, buses[1], patience=1.0)
+    delay = SleepDelay(lambda: False, buses[1], timeout=1.0)
     qtbot.waitUntil(lambda: delay._request is None)
     assert not delay.holds
     delay.note_sleep(begins=True)
@@ -105,7 +105,7 @@ def test_sleep_delay_without_logind_holds_nothing(
 
 
 def test_sleep_delay_without_bus_holds_nothing() -> None:
-    delay = SleepDelay(lambda: False, QDBusConnection("there is none"), patience=1.0)
+    delay = SleepDelay(lambda: False, QDBusConnection("there is none"), timeout=1.0)
     delay.note_sleep(begins=True)
     delay.note_sleep(begins=False)
     assert not delay.holds

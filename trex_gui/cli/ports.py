@@ -79,7 +79,7 @@ def _identify(url: str, options: Mapping[str, Any]) -> dict[str, Any]:
 )
 @timeout_option
 @json_option
-def find_command(port: str | None, full: bool, patience: float, as_json: bool) -> None:
+def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bool) -> None:
     """Find a board whose serial settings are unknown.
 
     Looks for a TReX at the likely baud rates, then for an Aracna, then for a TReX at every baud
@@ -101,7 +101,7 @@ def find_command(port: str | None, full: bool, patience: float, as_json: bool) -
                     line(step.done, step.total, f"{step.kind} at {step.line.text()}")
 
                 search = scan_port(
-                    PortSettings(url, timeouts=Timeouts(extra=patience)),
+                    PortSettings(url, timeouts=Timeouts(extra=extra_timeout)),
                     probers,
                     full=full,
                     progress=show,

@@ -97,11 +97,11 @@ class SleepDelay(QObject):
         system: QDBusConnection | None = None,
         parent: QObject | None = None,
         *,
-        patience: float,
+        timeout: float,
     ) -> None:
-        """Delay sleep by `patience` seconds at most."""
+        """Delay sleep by `timeout` seconds at most."""
         super().__init__(parent)
-        self._patience = patience
+        self._timeout = timeout
         self._may_move = may_move
         self._bus = system or QDBusConnection.systemBus()
         self._descriptor: int | None = None
@@ -151,7 +151,7 @@ class SleepDelay(QObject):
     @Slot()
     def _on_poll(self) -> None:
         self._polls += 1
-        if not self._may_move() or self._polls * _POLL_MS >= self._patience * 1000:
+        if not self._may_move() or self._polls * _POLL_MS >= self._timeout * 1000:
             self.give()
 
     @Slot(QDBusPendingCallWatcher)

@@ -18,7 +18,7 @@ _SIZE = (1440, 800)  # room for a page as it is, and for the panel of the simula
 _SETTLE_MS = 2500
 _STEP_MS = 200
 _STOP_MS = 100  # for the stop to be sent
-_PATIENCE_MS = 30_000  # a computer may be busy, and a stop is confirmed on a quiet line only
+_TIMEOUT_MS = 30_000  # a computer may be busy, and a stop is confirmed on a quiet line only
 
 Do = Callable[[], object]
 """A step of the tour; one that returns `False` could not be done yet and is tried again."""
@@ -65,7 +65,7 @@ class Tour(QObject):
         step, begun = self._waiting or (next(self._steps, None), now())
         self._waiting = None
         is_done = step is None or step() is not False
-        if step is None or (not is_done and now() > begun + _PATIENCE_MS / 1000):
+        if step is None or (not is_done and now() > begun + _TIMEOUT_MS / 1000):
             self._has_all = is_done
             self._program.device_manager.press_stop()
             self._end.start(_STOP_MS)

@@ -93,11 +93,11 @@ class Interruption:
 
     def __init__(self, *, precious: bool = False) -> None:
         self._precious = precious
-        self._asked = False
+        self._prompted = False
         self._before: dict[int, Any] = {}
 
     def __bool__(self) -> bool:
-        return self._asked
+        return self._prompted
 
     def __enter__(self) -> Self:
         for name in (*_ENDING, *(_SUSPENDING if self._precious else ())):
@@ -112,6 +112,6 @@ class Interruption:
 
     def _note(self, number: int, frame: FrameType | None) -> None:
         del number, frame
-        if self._asked and not self._precious:
+        if self._prompted and not self._precious:
             raise KeyboardInterrupt
-        self._asked = True
+        self._prompted = True

@@ -52,7 +52,7 @@ port_option = click.option(
 )
 timeout_option = click.option(
     "--timeout",
-    "patience",
+    "extra_timeout",
     type=click.FloatRange(0),
     default=0.0,
     metavar="S",

@@ -187,7 +187,7 @@ def probe_in_order(
     for index, (key, part) in enumerate(plan):
         before = sum(totals[:index])
 
-        def tell(
+        def report(
             step: ScanProgress, key: str = key, index: int = index, before: int = before
         ) -> None:
             totals[index] = step.total
@@ -195,7 +195,7 @@ def probe_in_order(
             progress(replace(step, done=before + step.done, total=total, kind=names[key]))
 
         probed[key] = None
-        running[key].ask(wire, part, tell, cancelled)
+        running[key].ask(wire, part, report, cancelled)
         if running[key].is_over or cancelled():
             break
     return list(probed)

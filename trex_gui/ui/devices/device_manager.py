@@ -111,8 +111,8 @@ class DeviceManager(QObject):
             controller.plugin.key: controller.stop_because(reason)
             for controller in self._controllers.values()
         }
-        told = [texts.pop(self._current.plugin.key), *texts.values()]
-        text = "\n".join(filter(None, told)) or (f"{reason}." if is_news else "")
+        texts_to_show = [texts.pop(self._current.plugin.key), *texts.values()]
+        text = "\n".join(filter(None, texts_to_show)) or (f"{reason}." if is_news else "")
         if text:
             self.stop_reported.emit(text)
 

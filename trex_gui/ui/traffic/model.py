@@ -75,7 +75,7 @@ class TrafficModel(QObject):
         self.everything = Shelf()
         self.without_polling = Shelf()
         self.faults = 0
-        self._tape = line.log
+        self._log = line.log
         self._decoder = decoder
         self._assembler = TransactionAssembler(decoder)
         self._newest = 0
@@ -89,7 +89,7 @@ class TrafficModel(QObject):
     @property
     def lost(self) -> int:
         """Pieces that were never read, because the window stood still for too long."""
-        return self._tape.lost
+        return self._log.lost
 
     def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
         """Know how the line is set, where the device has said more than the port knows."""
@@ -127,7 +127,7 @@ class TrafficModel(QObject):
     @Slot()
     def pull(self) -> None:
         """Read what was noted."""
-        rows = self._assembler.feed(self._tape.take())
+        rows = self._assembler.feed(self._log.take())
         for transaction in rows:
             self._put_away(transaction)
         if rows:

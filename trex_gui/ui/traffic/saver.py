@@ -20,7 +20,7 @@ from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback
 _AT_ONCE = 100
 """Rows between two reports of the progress."""
 
-_PATIENCE_MS = 3000
+_TIMEOUT_MS = 3000
 """Time that the end of the program waits for the file to be complete."""
 
 
@@ -65,7 +65,7 @@ class TrafficSaver(FileSaver):
     """Writes rows of one traffic log."""
 
     def __init__(self, traffic: TrafficModel, parent: QObject | None = None) -> None:
-        super().__init__(parent, finishing_ms=_PATIENCE_MS)
+        super().__init__(parent, finishing_ms=_TIMEOUT_MS)
         self._traffic = traffic
 
     def save(self, path: Path, rows: Sequence[Transaction]) -> None:
@@ -77,7 +77,7 @@ class TrafficSaver(FileSaver):
 
 
 def _write(
-    path: Path, traffic: TrafficModel, rows: Sequence[Transaction], tell: ProgressCallback
+    path: Path, traffic: TrafficModel, rows: Sequence[Transaction], progress: ProgressCallback
 ) -> int:
     about = [
         f"TReX Studio {__version__}: traffic on the line",
@@ -89,18 +89,18 @@ def _write(
             # Names of ports may contain undecodable bytes.
             io.TextIOWrapper(data, "utf-8", errors="backslashreplace", newline="") as file,
         ):
-            return write_traffic(file, about, _rows(traffic, rows, tell))
+            return write_traffic(file, about, _rows(traffic, rows, progress))
     except OSError as error:
         reason = error.strerror or str(error)
         raise RecordingError(path.name, f"It was not written: {reason.rstrip('.')}.") from error
 
 
 def _rows(
-    traffic: TrafficModel, rows: Sequence[Transaction], tell: ProgressCallback
+    traffic: TrafficModel, rows: Sequence[Transaction], progress: ProgressCallback
 ) -> Iterator[TrafficRow]:
     for done, row in enumerate(rows):
         if done % _AT_ONCE == 0:
-            tell(done / len(rows))
+            progress(done / len(rows))
         yield row_of(traffic, row)
 
 

@@ -66,7 +66,7 @@ class ScanWorker(WorkerThread):
             self.searched.emit(self._search(index, job))
 
     def _search(self, index: int, job: ScanJob) -> ScanResult:
-        def tell(step: ScanProgress) -> None:
+        def report(step: ScanProgress) -> None:
             self.stepped.emit(index, step)
 
         search = scan_port(
@@ -74,7 +74,7 @@ class ScanWorker(WorkerThread):
             job.probers,
             first=job.first,
             full=self._full,
-            progress=tell,
+            progress=report,
             cancelled=self._cancelled.is_set,
             open_wire=open_transport,
         )

@@ -14,8 +14,8 @@ from trex_gui.ui.workers.line_worker import LineWorker, MakeSession
 NOBODY = 0
 """Number of a request without a handler for its outcome."""
 
-_PATIENCE_MS = 1000
-_PATIENCE_WHILE_WRITING_MS = 3000
+_TIMEOUT_MS = 1000
+_WRITING_TIMEOUT_MS = 3000
 """How long the end waits: line settings and polynomial must be stored together."""
 
 
@@ -127,11 +127,11 @@ class SessionThread(QObject):
         """
         worker, self._worker = self._worker, None
         if worker is None:
-            in_time = all(ending.wait(_PATIENCE_MS) for ending in self._ending)
+            in_time = all(ending.wait(_TIMEOUT_MS) for ending in self._ending)
             self._take_reports()
             return in_time
         self._waiting = {number: self._waiting[number] for number in self._writes}
-        in_time = worker.close(_PATIENCE_WHILE_WRITING_MS if self._writes else _PATIENCE_MS)
+        in_time = worker.close(_WRITING_TIMEOUT_MS if self._writes else _TIMEOUT_MS)
         self._late = worker
         if in_time:
             worker.finished.disconnect(self._on_worker_finished)

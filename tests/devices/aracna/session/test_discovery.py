@@ -61,7 +61,7 @@ def test_robot_reset_by_opening_port_is_found_after_boot(ago: float, *, keeps_la
 
 
 def test_early_build_with_two_motors_is_found() -> None:
-    [found] = search(AracnaStage(motors=2, tells_motors=False)).found
+    [found] = search(AracnaStage(motors=2, reports_motors=False)).found
     assert (found.name, found.motors) == ("Aracna 0", 2)
 
 

@@ -73,7 +73,7 @@ def test_truncated_first_line_is_ignored(tail: bytes) -> None:
 def test_motor_count_is_reported_or_derived_from_version(
     *, motors: int, tells: bool, version: int
 ) -> None:
-    session = ScriptedSession(motors=motors, tells_motors=tells, version=version).until(1.0)
+    session = ScriptedSession(motors=motors, reports_motors=tells, version=version).until(1.0)
     session.run()
     assert [connected.motors for connected in session.of(Connected)] == [motors]
 

@@ -246,4 +246,4 @@ def test_version_0_has_two_motors(line: bytes, reply: bytes) -> None:
 
 
 def test_old_builds_omit_motor_count() -> None:
-    assert AracnaStage(motors=2, tells_motors=False).ask(b".q\n") == b".q0\r\n"
+    assert AracnaStage(motors=2, reports_motors=False).ask(b".q\n") == b".q0\r\n"

@@ -29,7 +29,7 @@ def switch_held_at(*phases: tuple[bool, int]) -> proof.Tested:
 
 def test_result_before_first_sample_reports_no_signal() -> None:
     before = StickTest(4).tested
-    assert not any((before.on, before.off, before.rests, before.forward, before.reverse))
+    assert not any((before.on, before.off, before.is_at_rest, before.forward, before.reverse))
     assert before.text == "No signal comes in."
 
 

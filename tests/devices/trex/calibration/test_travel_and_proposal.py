@@ -391,7 +391,7 @@ def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, see
     wanted = propose(1, neutral, travel, reversed_now=False).calibration
     assert wanted is not None
     (problem,) = Check(1, ChannelCurve(wanted), neutral, travel).problems
-    assert problem.kind is ProblemKind.RESTS_ELSEWHERE
+    assert problem.kind is ProblemKind.NEUTRAL_MOVED
     assert problem_text(problem).startswith("After letting go it rests at 1500 µs, not at ")
     assert "sample it again, or take the new rest" in problem_text(problem)
     taken = replace(wanted, neutral=travel.rest)

@@ -117,7 +117,7 @@ def test_current_history_holds_one_hour(telemetry: Telemetry) -> None:
 def test_setpoints_and_channels_are_kept_with_the_currents(telemetry: Telemetry) -> None:
     motors = Motors()
     take(telemetry, Currents(1.0, (0, 0)))
-    assert math.isnan(telemetry.currents.values(Series.WISHED1)[0])
+    assert math.isnan(telemetry.currents.values(Series.SETPOINT1)[0])
     assert math.isnan(telemetry.currents.values(Series.CHANNEL5)[0])
     telemetry.watch(motors)
     motors.set_available(available=True)
@@ -125,13 +125,13 @@ def test_setpoints_and_channels_are_kept_with_the_currents(telemetry: Telemetry)
     motors.set_speed(1, -90)
     motors.set_brake(2, 127)
     take(telemetry, Remapped(1.0, (10, 20, 30, 40, -50)), Currents(1.0125, (0, 0)))
-    assert telemetry.currents.values(Series.WISHED1)[1] == -90
-    assert telemetry.currents.values(Series.WISHED2)[1] == 0
+    assert telemetry.currents.values(Series.SETPOINT1)[1] == -90
+    assert telemetry.currents.values(Series.SETPOINT2)[1] == 0
     assert telemetry.currents.values(Series.CHANNEL1)[1] == 10
     assert telemetry.currents.values(Series.CHANNEL5)[1] == -50
     motors.stop()
     take(telemetry, Currents(1.025, (0, 0)))
-    assert telemetry.currents.values(Series.WISHED1)[2] == 0
+    assert telemetry.currents.values(Series.SETPOINT1)[2] == 0
 
 
 def test_inputs_are_kept_with_times_and_gaps(telemetry: Telemetry) -> None:

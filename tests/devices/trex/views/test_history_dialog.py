@@ -38,7 +38,7 @@ def dialog(qtbot: QtBot) -> Iterator[HistoryDialog]:
     window = QWidget()
     qtbot.addWidget(window)
     dialog = history_dialog.HistoryDialog(Device(), window)
-    window.addAction("SettingsHistory", dialog.open_history).setObjectName("historyAction")
+    window.addAction("History", dialog.open_history).setObjectName("historyAction")
     yield HistoryDialog(WidgetDriver(window, qtbot))
     dialog.close()
 

@@ -38,9 +38,9 @@ def aracna() -> None:
 @port_option
 @timeout_option
 @json_option
-def query(port: str | None, patience: float, *, as_json: bool) -> None:
+def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
     """Show the firmware version and the number of motors. Moves nothing."""
-    with CommandSession(port_settings(port, patience)) as session:
+    with CommandSession(port_settings(port, extra_timeout)) as session:
         robot = session.robot
     if as_json:
         row = {"port": port, "product": "Aracna", "firmware": robot.version, "motors": robot.motors}
@@ -53,13 +53,13 @@ def query(port: str | None, patience: float, *, as_json: bool) -> None:
 @port_option
 @timeout_option
 @click.argument("values", metavar="SPEED...", nargs=-1, required=True, type=_POSITION)
-def speeds(values: tuple[int, ...], port: str | None, patience: float) -> None:
+def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> None:
     """Set the speed of every motor: one value for all, or one for each.
 
     A unit is 0.67 degrees per second; 0 is not standstill, but unlimited. Prints what the servos
     hold then. They keep it until they lose power.
     """
-    with CommandSession(port_settings(port, patience), _print_speeds) as session:
+    with CommandSession(port_settings(port, extra_timeout), _print_speeds) as session:
         motors = session.robot.motors
         requested = values * motors if len(values) == 1 else values
         _check_count(requested, motors, "speeds")
@@ -93,7 +93,7 @@ def pose(
     *,
     speed: int,
     port: str | None,
-    patience: float,
+    extra_timeout: float,
     no_limits: bool,
 ) -> None:
     """Move every motor to a position, 0 to 1023 (512 is the centre), and wait.
@@ -108,7 +108,7 @@ def pose(
     target = None if name is None else _pose_named(name, file)
     if target is None and not no_limits:
         motion.check_limits(values)
-    settings = port_settings(port, patience)
+    settings = port_settings(port, extra_timeout)
     with Interruption() as interrupted:
         monitor = motion.MotionMonitor(interrupted)
         with CommandSession(settings, monitor.take, interrupted.__bool__) as session:
@@ -146,7 +146,7 @@ def play(
     loop: bool,
     scale: float,
     port: str | None,
-    patience: float,
+    extra_timeout: float,
     no_limits: bool,
 ) -> None:
     """Play a sequence of a pose file (.ppr), after a slow move to its start.
@@ -156,7 +156,7 @@ def play(
     """
     project = _read_project(file)
     sequence = _sequence_named(project, name)
-    settings = port_settings(port, patience)
+    settings = port_settings(port, extra_timeout)
     with Interruption() as interrupted:
         monitor = motion.MotionMonitor(interrupted, motors=False)
         with CommandSession(settings, monitor.take, interrupted.__bool__) as session:

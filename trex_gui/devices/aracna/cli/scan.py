@@ -12,7 +12,7 @@ from trex_gui.devices.aracna.discovery import FoundRobot, find_aracna
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
-    settings = PortSettings(url, timeouts=Timeouts(extra=options["patience"]))
+    settings = PortSettings(url, timeouts=Timeouts(extra=options["extra_timeout"]))
     search = find_aracna(settings, open_wire=host().open_transport)
     if search.found:
         [found] = search.found

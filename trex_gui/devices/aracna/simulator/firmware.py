@@ -88,13 +88,13 @@ class Firmware:
         servos: Sequence[Servo],
         version: int = 1,
         *,
-        tells_motors: bool = True,
+        reports_motors: bool = True,
         boot_loader: float = 0.0,
     ) -> None:
         """Create a board without power; `boot_loader` is in seconds before `.h`."""
         self.servos = tuple(servos)
         self.version = version
-        self.tells_motors = tells_motors
+        self.reports_motors = reports_motors
         self.state = State.OFF
         self.led = False
         self.boots = 0
@@ -148,7 +148,7 @@ class Firmware:
         self.counters["commands"] += 1
         match line[1:2]:
             case b"q":
-                motors = f",{len(self.servos)}" if self.tells_motors else ""
+                motors = f",{len(self.servos)}" if self.reports_motors else ""
                 yield from self._print(f".q{self.version}{motors}\n")
             case b"v":
                 yield from self._set_speeds(parsing.values(line, len(self.servos)))

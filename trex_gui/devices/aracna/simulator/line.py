@@ -176,7 +176,7 @@ class AracnaLine(SimulatedLine):
         version: int | None = None,
         positions: Sequence[int] | None = None,
         margin: int = MARGIN,
-        tells_motors: bool = True,
+        reports_motors: bool = True,
         boot_loader: float = 0.0,
         keeps_last: bool = True,
     ) -> None:
@@ -189,7 +189,7 @@ class AracnaLine(SimulatedLine):
             version: of the firmware; by default 0 with two motors and else 1.
             positions: of the servos, 0-1023; by default all are centred.
             margin: units from its goal at which a servo stops.
-            tells_motors: whether `.q` reports the number of motors.
+            reports_motors: whether `.q` reports the number of motors.
             boot_loader: seconds before each `.h`.
             keeps_last: see `RobotStation`.
         """
@@ -202,7 +202,7 @@ class AracnaLine(SimulatedLine):
             version = 0 if motors == _OLD_MOTORS else 1
         self.servos = tuple(Servo(position, margin) for position in positions)
         firmware = Firmware(
-            self.servos, version, tells_motors=tells_motors, boot_loader=boot_loader
+            self.servos, version, reports_motors=reports_motors, boot_loader=boot_loader
         )
         self.station = RobotStation(firmware, self, keeps_last=keeps_last)
         self.stations = (self.station,)

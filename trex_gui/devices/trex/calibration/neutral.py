@@ -137,12 +137,12 @@ def measure_neutral(samples: Sequence[Sample], source: InputSource) -> Neutral |
         return None
     spread = deviation(counts)
     middle = median(counts)
-    calm, spikes = _without_spikes(counts, max(LIMITS[source].moved, 10 * spread))
-    noise = max(calm) - min(calm)
-    drift = _drift(calm)
+    quiet, spikes = _without_spikes(counts, max(LIMITS[source].moved, 10 * spread))
+    noise = max(quiet) - min(quiet)
+    drift = _drift(quiet)
     problems: list[Problem] = []
     if total >= _JUDGED_FROM:
-        problems += _movement(calm, noise, drift, spread, source)
+        problems += _movement(quiet, noise, drift, spread, source)
         problems += _jitter(invalid, spikes, total)
         if not problems and noise > LIMITS[source].noisy:
             problems.append(_too_noisy(noise, source))

@@ -19,7 +19,7 @@ class ProblemKind(Enum):
     NEUTRAL_OUTSIDE = auto()
     UNEVEN = auto()
     REFUSED = auto()
-    RESTS_ELSEWHERE = auto()
+    NEUTRAL_MOVED = auto()
     USELESS = auto()
     NEVER_FULL = auto()
     SPEEDS_UP = auto()

@@ -27,7 +27,7 @@ class Tested:
     Attributes:
         output: -127 to 127 now; `None` without a signal.
         forward, reverse: full output was reached on that side.
-        rests: it gives 0 since a while.
+        is_at_rest: it has given 0 for a while.
         on, off: a switch was seen active, inactive.
         ignored: the board takes no notice of it, so there is nothing to test.
         passed: everything that the channel is there for was seen, and it rests now.
@@ -38,7 +38,7 @@ class Tested:
     output: int | None = None
     forward: bool = False
     reverse: bool = False
-    rests: bool = False
+    is_at_rest: bool = False
     on: bool = False
     off: bool = False
     ignored: bool = False
@@ -73,7 +73,7 @@ class Tested:
         return f"Full output not reached yet: {' and '.join(missing)}."
 
     def _rest_text(self) -> str:
-        if self.rests:
+        if self.is_at_rest:
             return "Full output reached."
         if self.output == 0:
             return "Full output reached. Let it rest for a moment."
@@ -119,22 +119,22 @@ class StickTest:
             self._zero_since = None
         elif self._zero_since is None:
             self._zero_since = time
-        rests = self._zero_since is not None and time - self._zero_since >= _REST_SECONDS
+        is_at_rest = self._zero_since is not None and time - self._zero_since >= _REST_SECONDS
         on, off = (self._seen[state] >= _HELD for state in (True, False))
         match TASKS[self.channel]:
             case Task.SWITCH:
                 good = on and off and output is not None
             case Task.ONE_WAY:
-                good = rests and any(self._full.values())
+                good = is_at_rest and any(self._full.values())
             case Task.STICK:
-                good = rests and all(self._full.values())
+                good = is_at_rest and all(self._full.values())
         self._was_good |= good and not ignored
         self._tested = Tested(
             self.channel,
             output,
             forward=self._full[True],
             reverse=self._full[False],
-            rests=rests,
+            is_at_rest=is_at_rest,
             on=on,
             off=off,
             ignored=ignored,

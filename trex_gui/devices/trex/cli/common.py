@@ -124,7 +124,7 @@ def link_settings(options: Mapping[str, Any], url: str | None = None) -> Connect
     except BadRequest as error:
         raise UsageError(str(error)) from error
     return ConnectionSettings(
-        url, line, number, polynomial, timeouts=Timeouts(extra=options["patience"])
+        url, line, number, polynomial, timeouts=Timeouts(extra=options["extra_timeout"])
     )
 
 

@@ -67,7 +67,7 @@ class DriveController(QObject):
         connection.closing.connect(self._on_out_of_reach)
         connection.not_responding.connect(self._on_out_of_reach)
         connection.line_closed.connect(self._on_left)
-        connection.ready.connect(self._tell_of_the_lost)
+        connection.ready.connect(self._report_lost)
         connection.motors_stopped.connect(self._on_halted)
 
     @property
@@ -141,7 +141,7 @@ class DriveController(QObject):
             # A setpoint that was sent meanwhile moves a motor again.
             self._may_move = self._motors.armed
             self.confirmed.emit()
-            self._tell_of_the_lost()
+            self._report_lost()
             if self._connection.link is ConnectionState.CONNECTED and not self._by_serial:
                 self._notifier.error.emit(BEYOND_A_STOP)
         elif self._connection.link is not ConnectionState.DISCONNECTING:
@@ -160,7 +160,7 @@ class DriveController(QObject):
         if report.confirmed:
             self._may_move = self._motors.armed
             self.confirmed.emit()
-            self._tell_of_the_lost()
+            self._report_lost()
 
     # --- The board comes and goes -------------------------------------------------------
 
@@ -187,7 +187,7 @@ class DriveController(QObject):
         self._motors.set_available(False)
 
     @Slot()
-    def _tell_of_the_lost(self) -> None:
+    def _report_lost(self) -> None:
         """The board stopped now need not be the one whose line was lost with turning motors."""
         lost, now = self._lost_with, self._connection.settings
         if lost is None or self._may_move or self._connection.link is not ConnectionState.CONNECTED:

@@ -44,11 +44,11 @@ class PowerCycle(QObject):
         self._stage = PowerCycleStage.NONE
         self._takes_long = False
         self._expected: ConnectionSettings | None = None
-        self._patience = runtime().timer(self)
-        self._patience.setSingleShot(True)
-        self._patience.setInterval(_LONG)
+        self._timeout = runtime().timer(self)
+        self._timeout.setSingleShot(True)
+        self._timeout.setInterval(_LONG)
 
-        self._patience.timeout.connect(self._on_patience_ended)
+        self._timeout.timeout.connect(self._on_timeout)
         device.link_changed.connect(self._on_link_changed)
 
     @property
@@ -115,7 +115,7 @@ class PowerCycle(QObject):
                 self._go(PowerCycleStage.UNSURE if self.still_waiting else PowerCycleStage.BACK)
 
     @Slot()
-    def _on_patience_ended(self) -> None:
+    def _on_timeout(self) -> None:
         self._takes_long = True
         self.changed.emit()
 
@@ -123,7 +123,7 @@ class PowerCycle(QObject):
         self._stage = stage
         self._takes_long = False
         if stage in {PowerCycleStage.OFF_WANTED, PowerCycleStage.ON_WANTED}:
-            self._patience.start()
+            self._timeout.start()
         else:
-            self._patience.stop()
+            self._timeout.stop()
         self.changed.emit()

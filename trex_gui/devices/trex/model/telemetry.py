@@ -29,8 +29,8 @@ class Series(IntEnum):
 
     CURRENT1 = 0
     CURRENT2 = auto()
-    WISHED1 = auto()
-    WISHED2 = auto()
+    SETPOINT1 = auto()
+    SETPOINT2 = auto()
     CHANNEL1 = auto()
     CHANNEL2 = auto()
     CHANNEL3 = auto()

@@ -182,8 +182,8 @@ def _spec(number: int, board: Signature | None) -> ParameterSpec | None:
 
 def _parameter(number: int, board: Signature | None) -> str:
     spec = _spec(number, board)
-    whose = "no TReX" if board is None else f"no {board}"
-    return f"parameter {number:#04x}, which {whose} has" if spec is None else spec.name
+    source = "no TReX" if board is None else f"no {board}"
+    return f"parameter {number:#04x}, which {source} has" if spec is None else spec.name
 
 
 def _value(number: int, value: int, board: Signature | None) -> str:

@@ -77,10 +77,10 @@ class CountEditor(QSpinBox):
 
     def fixup(self, text: str) -> str:
         """Say why what was typed is dropped when the editor is left."""
-        self.tell_problem()
+        self.report_problem()
         return super().fixup(text)
 
-    def tell_problem(self) -> None:
+    def report_problem(self) -> None:
         """Emit `rejected` if the text is no value."""
         if self._count(self.text()) is None:
             words = self.tr("{0} is no value here. {1}")

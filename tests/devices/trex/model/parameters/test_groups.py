@@ -126,10 +126,10 @@ def test_restoring_the_stored_value_is_one_undo_step(
 
 def test_each_motor_parameter_has_a_counterpart(model: ParameterModel) -> None:
     for spec in SPECS.readable:
-        twin = model.other_motor_of(spec.key)
-        assert (twin is not None) == (spec.subject in {"motor1", "motor2"})
-        if twin is not None:
-            assert model.other_motor_of(twin) == spec.key
+        other_motor = model.other_motor_of(spec.key)
+        assert (other_motor is not None) == (spec.subject in {"motor1", "motor2"})
+        if other_motor is not None:
+            assert model.other_motor_of(other_motor) == spec.key
     assert other_motor_key("aux_acceleration") is None
     assert motor_name("motor2_acceleration") == "Motor 2"
     assert motor_name("serial_timeout") == ""
@@ -187,9 +187,12 @@ def test_invalid_value_changes_neither_motor(model: ParameterModel) -> None:
 
 
 def test_differing_motor_value_is_shown_and_can_be_copied(model: ParameterModel) -> None:
-    assert model.index_of("motor1_current_limit").data(Role.TWIN) is None
+    assert model.index_of("motor1_current_limit").data(Role.OTHER_MOTOR) is None
     model.edit("motor2_current_limit", 25)
-    assert said(model, "motor1_current_limit", Column.VALUE, Role.TWIN) == "Motor 2 differs: 2 A."
+    assert (
+        said(model, "motor1_current_limit", Column.VALUE, Role.OTHER_MOTOR)
+        == "Motor 2 differs: 2 A."
+    )
     assert "Motor 2 differs: 2 A." in said(model, "motor1_current_limit", Column.VALUE, TIP)
     model.copy_to_other_motor("motor2_current_limit")
     assert model.value_of("motor1_current_limit") == 25

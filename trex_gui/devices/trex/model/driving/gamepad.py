@@ -147,7 +147,7 @@ class Gamepad(QObject):
         self._timer.timeout.connect(self._on_step)
         self._motors.arming_changed.connect(self._on_arming_changed)
         self.destroyed.connect(source.close)
-        self._tell()
+        self._report()
 
     # --- What is known ------------------------------------------------------------------
 
@@ -218,7 +218,7 @@ class Gamepad(QObject):
             self._on = True
             self._timer.start()
             self._look()
-        self._tell()
+        self._report()
         self.changed.emit()
 
     def switch_off(self) -> None:
@@ -232,7 +232,7 @@ class Gamepad(QObject):
             self._pads = ()
             self._take(None)
             self._source.close()
-        self._tell()
+        self._report()
         self.changed.emit()
 
     def choose(self, pad: Pad) -> None:
@@ -241,7 +241,7 @@ class Gamepad(QObject):
             self._store.setValue("gamepad/last", pad.guid)
             self._lose(self.tr("Another gamepad was chosen."))
             self._take(pad)
-            self._tell()
+            self._report()
             self.changed.emit()
 
     def set_profile(self, profile: GamepadProfile) -> None:
@@ -250,7 +250,7 @@ class Gamepad(QObject):
             self._lose(self.tr("The gamepad was set up anew."))
             self._store.setValue(f"gamepad/profiles/{self._pad.guid}", profile.to_text())
             self._use(profile)
-            self._tell()
+            self._report()
             self.changed.emit()
 
     def set_stops_unfocused(self, stops: bool) -> None:
@@ -268,7 +268,7 @@ class Gamepad(QObject):
             if reason:
                 self._lose(reason)
             self._begin()
-            self._tell()
+            self._report()
             self.changed.emit()
 
     # --- As time goes -------------------------------------------------------------------
@@ -278,13 +278,13 @@ class Gamepad(QObject):
         self._look()
         pad = self._pad
         if pad is None:
-            self._tell()
+            self._report()
             return
         state = self._source.read(pad)
         if state is None:  # gone since the last scan, or silent
             self._miss(pad)
             self.changed.emit()
-            self._tell()
+            self._report()
             return
         self._ask = self._pilot.take(state)
         self._looked = True
@@ -295,7 +295,7 @@ class Gamepad(QObject):
         if state != self._state:
             self._state = state
             self.moved.emit()
-        self._tell()
+        self._report()
 
     def _look(self) -> None:
         """Take notice of gamepads that came or went."""
@@ -331,7 +331,7 @@ class Gamepad(QObject):
         if self._motors.armed != self._armed:
             self._armed = self._motors.armed
             self._begin()
-            self._tell()
+            self._report()
 
     def _begin(self) -> None:
         """Require sticks at rest and the button released again."""
@@ -355,7 +355,7 @@ class Gamepad(QObject):
         self._pilot = Pilot(profile)
         self._looked = False
 
-    def _tell(self) -> None:
+    def _report(self) -> None:
         text = self._say()
         if text != self._text:
             self._text = text

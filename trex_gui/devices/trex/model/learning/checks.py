@@ -56,7 +56,7 @@ class Check:
         if self._calibration.deadband < self.neutral.noise / 2:
             values = self.neutral.noise_text, self._source.text(self._calibration.deadband)
             yield Problem(ProblemKind.NOISE, "CREEP", values, fatal=False)
-        elif elsewhere := self._rests_elsewhere():
+        elif elsewhere := self._neutral_moved():
             yield elsewhere
         if (idle := self.travel.idle) is not None and self._aside(idle)[1] > _MUCH:
             place, speed = self._aside(idle)
@@ -92,16 +92,16 @@ class Check:
         variant = names[0] if len(names) == 1 else "BOTH"
         return Problem(ProblemKind.NEVER_FULL, variant, tuple(values), fatal=False)
 
-    def _rests_elsewhere(self) -> Problem | None:
+    def _neutral_moved(self) -> Problem | None:
         rest, sampled, text = self.travel.rest, self.neutral.value, self._source.text
         if abs(rest - self._calibration.neutral) <= self._calibration.deadband:
             return None
         output = f"{self.curve.output(rest):+d}".replace("-", "−")
         if self._calibration.neutral != sampled:
             variant, values = "CHOSEN", (text(rest), output)
-            return Problem(ProblemKind.RESTS_ELSEWHERE, variant, values, fatal=False)
+            return Problem(ProblemKind.NEUTRAL_MOVED, variant, values, fatal=False)
         places = text(rest), text(sampled), output
-        return Problem(ProblemKind.RESTS_ELSEWHERE, "MEASURED", places, fatal=False)
+        return Problem(ProblemKind.NEUTRAL_MOVED, "MEASURED", places, fatal=False)
 
     # --- Switches -----------------------------------------------------------------------
 

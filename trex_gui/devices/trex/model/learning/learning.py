@@ -281,7 +281,7 @@ class Learning(QObject):
             self._taken.wait_for(chosen)
             self.taken.emit()
         else:
-            self._tell_stored(numbers, self.tr("These values are stored already."))
+            self._report_stored(numbers, self.tr("These values are stored already."))
 
     def cancel(self) -> None:
         """End it, whatever the step; the board and the edits are as they were."""
@@ -389,9 +389,9 @@ class Learning(QObject):
     @Slot(object)
     def _on_stored(self, numbers: tuple[int, ...]) -> None:
         if self._step is LearningStep.ENDED:
-            self._tell_stored(numbers, self.tr("What was learned is stored."))
+            self._report_stored(numbers, self.tr("What was learned is stored."))
 
-    def _tell_stored(self, numbers: tuple[int, ...], news: str) -> None:
+    def _report_stored(self, numbers: tuple[int, ...], news: str) -> None:
         self._numbers, self._next_news = numbers, news
         self.stored.emit()
 

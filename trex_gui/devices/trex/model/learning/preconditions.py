@@ -143,7 +143,7 @@ class StandstillCheck(QObject):
         self._since: float | None = None
         self._timer = runtime().timer(self)
         self._timer.setSingleShot(True)
-        self._timer.timeout.connect(self._on_patience_over)
+        self._timer.timeout.connect(self._on_timeout)
         device.telemetry.updated.connect(self._on_updated)
 
     def stop(self) -> None:
@@ -178,7 +178,7 @@ class StandstillCheck(QObject):
             self.stood.emit()
 
     @Slot()
-    def _on_patience_over(self) -> None:
+    def _on_timeout(self) -> None:
         drawing = [
             self.tr("motor {0} draws {1:.1f} A").format(motor, readings[-1])
             for motor, readings in enumerate(self._last(), 1)

@@ -122,10 +122,10 @@ def _texts() -> dict[tuple[ProblemKind, str], str]:
         ),
         (kind.REFUSED, "MEASURED"): _tr("The board would not accept what was measured: {0}."),
         (kind.REFUSED, "CHOSEN"): _tr("The board would not accept these values: {0}."),
-        (kind.RESTS_ELSEWHERE, "CHOSEN"): _tr(
+        (kind.NEUTRAL_MOVED, "CHOSEN"): _tr(
             "It rests at {0}: with this neutral it would give {1} there."
         ),
-        (kind.RESTS_ELSEWHERE, "MEASURED"): _tr(
+        (kind.NEUTRAL_MOVED, "MEASURED"): _tr(
             "After letting go it rests at {0}, not at {1}, and would give {2} there. Was a hand on "
             "it during sampling, or was a trim moved? Go back and sample it again, or take the new "
             "rest."

@@ -38,14 +38,14 @@ class Draft:
 
         With `power_cycled`, what was stored is taken to be in force now.
         """
-        wishes = dict(self.edited) if keep_edits else {}
+        pending = dict(self.edited) if keep_edits else {}
         unwanted = set(self.removed) if keep_edits else set()
         self.open_to = frozenset(open_to)
         self.stored = dict(stored)
         self.active = (
             {} if power_cycled else {k: w for k, w in self.active.items() if stored.get(k) != w}
         )
-        self.edited = {k: w for k, w in wishes.items() if self.takes(k) and stored.get(k) != w}
+        self.edited = {k: w for k, w in pending.items() if self.takes(k) and stored.get(k) != w}
         self.removed = unwanted & self.open_to & stored.keys()
 
     def takes(self, key: str) -> bool:

@@ -81,5 +81,5 @@ class ParameterFilter(QSortFilterProxyModel):
             return False
         if self._not_default_only and index.data(Role.WIRE) in {None, spec.default}:
             return False
-        told = f"{spec.name} {spec.key} {spec.description}".casefold()
-        return all(word in told for word in self._words)
+        searched = f"{spec.name} {spec.key} {spec.description}".casefold()
+        return all(word in searched for word in self._words)

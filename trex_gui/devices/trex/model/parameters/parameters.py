@@ -174,8 +174,12 @@ class ParameterModel(ParameterTree):
 
     def other_motor_of(self, key: str) -> str | None:
         """Return the same parameter of the other motor, if it has one and both are known."""
-        twin = other_motor_key(key)
-        return twin if twin is not None and self.knows(key) and self.knows(twin) else None
+        other_motor = other_motor_key(key)
+        return (
+            other_motor
+            if other_motor is not None and self.knows(key) and self.knows(other_motor)
+            else None
+        )
 
     # --- User actions -----------------------------------------------------------------
 
@@ -202,7 +206,7 @@ class ParameterModel(ParameterTree):
             raise KeyError(key)
         if wire == self._draft.value(key):
             return  # an editor that was opened and left does not edit the other motor either
-        keys = (key,) if alone else self._with_twin(key)
+        keys = (key,) if alone else self._with_other_motor(key)
         for each in keys:
             if wire != self._draft.stored.get(each):
                 self.text.specs[each].check(wire)
@@ -216,19 +220,21 @@ class ParameterModel(ParameterTree):
     def restore(self, key: str) -> None:
         """Go back to what is stored; with its twin, each to its own."""
         if self.knows(key):
-            self._change({each: self._draft.stored.get(each) for each in self._with_twin(key)})
+            self._change(
+                {each: self._draft.stored.get(each) for each in self._with_other_motor(key)}
+            )
 
     def leave_out(self, key: str) -> None:
         """Give a parameter no value; only where it need not have one."""
         if self.can_leave_out(key):
-            keys = [each for each in self._with_twin(key) if self.can_leave_out(each)]
+            keys = [each for each in self._with_other_motor(key) if self.can_leave_out(each)]
             self._change(dict.fromkeys(keys))
 
     def copy_to_other_motor(self, key: str) -> None:
         """Give the other motor the value that this one has."""
-        twin, wire = self.other_motor_of(key), self._draft.value(key)
-        if twin is not None and wire is not None:
-            self._change({twin: wire})
+        other_motor, wire = self.other_motor_of(key), self._draft.value(key)
+        if other_motor is not None and wire is not None:
+            self._change({other_motor: wire})
 
     def discard_edits(self) -> None:
         """Go back to what is stored; this can be undone."""
@@ -238,9 +244,9 @@ class ParameterModel(ParameterTree):
                 self._change({key: self._draft.stored.get(key)})
             self._undo.endMacro()
 
-    def _with_twin(self, key: str) -> tuple[str, ...]:
-        twin = self.other_motor_of(key) if self._both_motors else None
-        return (key,) if twin is None else (key, twin)
+    def _with_other_motor(self, key: str) -> tuple[str, ...]:
+        other_motor = self.other_motor_of(key) if self._both_motors else None
+        return (key,) if other_motor is None else (key, other_motor)
 
     def _change(self, wanted: Mapping[str, int | None]) -> None:
         """Make edits of what would be other values; together one step to undo."""

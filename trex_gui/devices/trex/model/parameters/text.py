@@ -118,7 +118,7 @@ class ParameterText(QObject):
             )
         return text
 
-    def twin(self, spec: ParameterSpec) -> str | None:
+    def other_motor(self, spec: ParameterSpec) -> str | None:
         """What the other motor has, as a sentence; `None` where it has the same, or no such."""
         other = self.specs.get(other_motor_key(spec.key) or "")
         if other is None or self._draft.value(other.key) == self._draft.value(spec.key):
@@ -162,8 +162,10 @@ class ParameterText(QObject):
         return _paragraphs(text)
 
     def _tip(self, spec: ParameterSpec, head: str, *more: str) -> str:
-        told = (head, *more, self.twin(spec) or "", self._problems.get(spec.key, ""))
-        return _paragraphs(f"<b>{escape(spec.name)}</b>", *(escape(text) for text in told if text))
+        text_parts = (head, *more, self.other_motor(spec) or "", self._problems.get(spec.key, ""))
+        return _paragraphs(
+            f"<b>{escape(spec.name)}</b>", *(escape(text) for text in text_parts if text)
+        )
 
     def _frequency(self, spec: ParameterSpec, wire: int) -> float | None:
         """The PWM frequency in Hz that a value makes together with its partner."""

@@ -43,12 +43,12 @@ class Role(IntEnum):
     PROBLEM = Qt.ItemDataRole.UserRole + 4
     GROUP = Qt.ItemDataRole.UserRole + 5
     RESET = Qt.ItemDataRole.UserRole + 6
-    TWIN = Qt.ItemDataRole.UserRole + 7
+    OTHER_MOTOR = Qt.ItemDataRole.UserRole + 7
     STORED_TEXT = Qt.ItemDataRole.UserRole + 8
 
 
 _COLUMNS = len(Column)
-_TOLD = {
+_DESCRIBED = {
     Qt.ItemDataRole.DisplayRole,
     Qt.ItemDataRole.EditRole,
     Qt.ItemDataRole.ToolTipRole,
@@ -197,7 +197,7 @@ class ParameterTree(QAbstractItemModel):
         return flags
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        if role not in _TOLD or not index.isValid():
+        if role not in _DESCRIBED or not index.isValid():
             return None  # quickly: a view asks for much that there is not
         spec = self._spec_at(index)
         if spec is None:
@@ -231,8 +231,8 @@ class ParameterTree(QAbstractItemModel):
                 return self._problems.get(spec.key)
             case Role.RESET:
                 return self._reset_text(spec)
-            case Role.TWIN:
-                return self.text.twin(spec)
+            case Role.OTHER_MOTOR:
+                return self.text.other_motor(spec)
             case Role.STORED_TEXT:
                 return self.text.stored(spec) if self._draft.is_modified(spec.key) else None
         return None
@@ -291,8 +291,8 @@ class ParameterTree(QAbstractItemModel):
 
     def _announce(self, key: str) -> None:
         """Announce a row, the rows whose text refers to it, and its group's heading."""
-        twin = other_motor_key(key)
-        for each in (key, twin, pwm_partner(key), pwm_partner(twin or "")):
+        other_motor = other_motor_key(key)
+        for each in (key, other_motor, pwm_partner(key), pwm_partner(other_motor or "")):
             if each in self._places:
                 group, row = self._places[each]
                 last = self._cell(group, row, len(Column) - 1)

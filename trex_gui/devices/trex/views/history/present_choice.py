@@ -61,7 +61,7 @@ class PresentChoice(QWidget):
         self._device = device
         self._table = table
         self._store = QSettings(self)
-        self._wish = _BOARD
+        self._choice = _BOARD
         self._file: Present | None = None
         self._offered: tuple[str, Present | None, list[Snapshot]] | None = None
 
@@ -89,9 +89,9 @@ class PresentChoice(QWidget):
         """Return what to compare with: another snapshot, what was wished for, or what there is."""
         if other is not None and (found := self._snapshot_as_present(other)):
             return found
-        if self._wish == _FILE and self._file is not None:
+        if self._choice == _FILE and self._file is not None:
             return self._file
-        if found := self._wished_snapshot(snapshot):
+        if found := self._chosen_snapshot(snapshot):
             return found
         if not self.why_not_the_board(snapshot):
             return Present(_BOARD, self.tr("Now, with edits"))
@@ -100,11 +100,11 @@ class PresentChoice(QWidget):
                 return found  # else it is known to be damaged now, and no neighbour any more
         return Present("", "–", replace(settings, parameters={}, calibrations={}))
 
-    def _wished_snapshot(self, beside: Snapshot) -> Present | None:
+    def _chosen_snapshot(self, beside: Snapshot) -> Present | None:
         """Return the snapshot that a person chose, if it is there and another one."""
-        if self._wish in {_BOARD, _FILE, str(beside.path)}:
+        if self._choice in {_BOARD, _FILE, str(beside.path)}:
             return None
-        row = self._table.row_of(Path(self._wish))
+        row = self._table.row_of(Path(self._choice))
         return None if row is None else self._snapshot_as_present(self._table.snapshots[row])
 
     def _snapshot_as_present(self, snapshot: Snapshot) -> Present | None:
@@ -181,7 +181,7 @@ class PresentChoice(QWidget):
     def _on_activated(self, index: int) -> None:
         key = str(self._box.itemData(index) or "")
         if key or self._ask_for_file():
-            self._wish = key or _FILE
+            self._choice = key or _FILE
         self.chosen.emit()
 
     def _ask_for_file(self) -> bool:

@@ -58,7 +58,7 @@ class _Delegate(QStyledItemDelegate):
             and event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab}
             and not watched.hasAcceptableInput()
         ):
-            watched.tell_problem()
+            watched.report_problem()
             return True
         return super().eventFilter(watched, event)
 

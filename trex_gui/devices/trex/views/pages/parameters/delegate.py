@@ -84,7 +84,7 @@ class ParameterDelegate(QStyledItemDelegate):
             and event.key() in _ENTER
         ):
             if isinstance(watched, NumberEditor) and not watched.hasAcceptableInput():
-                watched.tell_problem()
+                watched.report_problem()
                 return True
             if event.key() != Qt.Key.Key_Tab:
                 watched.setProperty(_UNTOUCHED, False)

@@ -55,10 +55,10 @@ class NumberEditor(QSpinBox):
 
     def fixup(self, text: str) -> str:
         """Say why what was typed is dropped when the editor is left."""
-        self.tell_problem()
+        self.report_problem()
         return super().fixup(text)
 
-    def tell_problem(self) -> None:
+    def report_problem(self) -> None:
         """Say why what stands in the editor is no value, if it is none."""
         try:
             self.meant(self.text())

@@ -25,14 +25,14 @@ class ParameterMenu(QObject):
         self._reset.setShortcut(QKeySequence("Ctrl+Backspace"))
         self._restore = self._action("restoreParameter", self.tr("Back to what is stored"))
         self._leave_out = self._action("leaveOutParameter", self.tr("Leave out of the file"))
-        self._to_twin = self._action("copyToTwin", "")
+        self._to_other_motor = self._action("copyToTwin", "")
         self._copy = self._action("copyParameter", self.tr("Copy"), "copy")
         self._copy.setShortcut(QKeySequence.StandardKey.Copy)
         self._menu = QMenu(view)
         self._menu.setObjectName("parameterMenu")
         self._menu.addAction(self._edit)
         self._menu.addSeparator()
-        self._menu.addActions([self._reset, self._restore, self._leave_out, self._to_twin])
+        self._menu.addActions([self._reset, self._restore, self._leave_out, self._to_other_motor])
         self._menu.addSeparator()
         self._menu.addAction(self._copy)
         for action in (self._reset, self._copy):
@@ -43,7 +43,7 @@ class ParameterMenu(QObject):
         self._reset.triggered.connect(lambda: self._with_key(model.reset))
         self._restore.triggered.connect(lambda: self._with_key(model.restore))
         self._leave_out.triggered.connect(lambda: self._with_key(model.leave_out))
-        self._to_twin.triggered.connect(lambda: self._with_key(model.copy_to_other_motor))
+        self._to_other_motor.triggered.connect(lambda: self._with_key(model.copy_to_other_motor))
         self._copy.triggered.connect(self._on_copy)
         view.menu_wanted.connect(self._on_menu_wanted)
 
@@ -84,11 +84,15 @@ class ParameterMenu(QObject):
         self._restore.setText(back)
         self._restore.setEnabled(model.is_modified(key))
         self._leave_out.setVisible(model.can_leave_out(key))
-        twin = model.other_motor_of(key)
-        self._to_twin.setVisible(twin is not None)
-        if twin is not None:
-            self._to_twin.setText(self.tr("Give {0} the same").format(motor_name(twin)))
-            self._to_twin.setEnabled(model.value_of(key) not in {None, model.value_of(twin)})
+        other_motor = model.other_motor_of(key)
+        self._to_other_motor.setVisible(other_motor is not None)
+        if other_motor is not None:
+            self._to_other_motor.setText(
+                self.tr("Give {0} the same").format(motor_name(other_motor))
+            )
+            self._to_other_motor.setEnabled(
+                model.value_of(key) not in {None, model.value_of(other_motor)}
+            )
         self._copy.setText(self.tr("Copy as “{0}”").format(self._line(key)))
         self._copy.setEnabled(model.value_of(key) is not None)
 

@@ -50,7 +50,7 @@ class ParameterTable(QWidget):
         self._rows = ParameterFilter(self._model, self)
         self._place = ""
         self._column = Column.VALUE
-        self._stands_in = False
+        self._is_inside = False
 
         self._filters = ParameterFilters(self._rows, self)
         self._view = ParameterView(self._rows, self)
@@ -106,7 +106,7 @@ class ParameterTable(QWidget):
     @Slot(QModelIndex, QModelIndex)
     def _on_current_changed(self, current: QModelIndex, _previous: QModelIndex) -> None:
         if current.isValid():
-            self._stands_in = False
+            self._is_inside = False
             self._place = self.current_key or str(current.data(Role.GROUP))
             if self.current_key:
                 self._column = Column(current.column())
@@ -119,7 +119,7 @@ class ParameterTable(QWidget):
     def _on_rows_changed(self) -> None:
         """Keep the user's current row while it is shown; else select the first."""
         self._nothing.setVisible(self._model.count > 0 and self._rows.rowCount() == 0)
-        is_lost = self._stands_in or not self._view.currentIndex().isValid()
+        is_lost = self._is_inside or not self._view.currentIndex().isValid()
         if is_lost and self._rows.rowCount() > 0:
             place = self._rows.index_of(self._place, self._column)
             if not place.isValid():
@@ -137,7 +137,7 @@ class ParameterTable(QWidget):
         first = self._rows.index(0, Column.VALUE, heading)
         self._view.setCurrentIndex(first if self._view.isExpanded(heading) else heading)
         self._view.scrollToTop()
-        self._stands_in = bool(wanted)
+        self._is_inside = bool(wanted)
         self._place = wanted or self._place
 
     def _go_to(self, place: QModelIndex) -> None:
@@ -216,11 +216,15 @@ class ParameterHelp(QLabel):
         ]
         if spec.needs_power_cycle:
             lines.append(self.tr("Takes effect when the board is switched off and on."))
-        told = [index.data(Role.STORED_TEXT), index.data(Role.TWIN), index.data(Role.PROBLEM)]
+        lines = [
+            index.data(Role.STORED_TEXT),
+            index.data(Role.OTHER_MOTOR),
+            index.data(Role.PROBLEM),
+        ]
         waiting = index.data(Role.WAITING)
         if waiting is not None:
-            told.append(self.tr("Still active: {0}.").format(spec.text(waiting)))
-        if stand_out := " ".join(escape(text) for text in told if text):
+            lines.append(self.tr("Still active: {0}.").format(spec.text(waiting)))
+        if stand_out := " ".join(escape(text) for text in lines if text):
             lines.append(f"<b>{stand_out}</b>")
         return lines
 

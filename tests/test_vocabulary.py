@@ -1,0 +1,90 @@
+"""Identifiers of the program use the field's terms, not the words that they replace."""
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+PROGRAM = Path(__file__).parents[1] / "trex_gui"
+
+REPLACED = {
+    "advice": "finding",
+    "alien": "other baud rate",
+    "asked": "sent, requested",
+    "calm": "quiet, LineQuality",
+    "desk": "workspace",
+    "furnish": "add_workspaces",
+    "gathered": "loaded",
+    "insist": "retry",
+    "odd": "warning",
+    "owed": "unanswered, pending",
+    "patience": "timeout",
+    "proof": "confirmation",
+    "proved": "confirmed",
+    "resting": "idle",
+    "rests": "is_idle",
+    "seek": "scan, probe",
+    "seeker": "prober",
+    "seeks": "probers",
+    "sighting": "found device",
+    "spoil": "corrupt",
+    "spoilt": "corrupted",
+    "stands": "pending",
+    "tape": "traffic log",
+    "tell": "notify, report",
+    "telling": "evidence",
+    "tells": "reports",
+    "told": "notified, reported",
+    "twin": "other motor",
+    "twins": "motor pair",
+    "unproved": "unconfirmed",
+    "verdict": "diagnosis",
+    "whose": "identify",
+    "wish": "setpoint",
+    "wished": "setpoint",
+    "wishes": "setpoints",
+    "wording": "decoder, text",
+}
+"""Words that no identifier holds, and what to say instead."""
+
+EXCEPTIONS = {"ODD": "a parity"}
+"""Identifiers that hold one all the same, and why."""
+
+FILES = sorted(PROGRAM.rglob("*.py"))
+
+
+def identifiers(tree: ast.AST) -> Iterator[tuple[str, int]]:
+    """Return every name that a module defines, with its line."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.FunctionDef() | ast.ClassDef():
+                yield node.name, node.lineno
+            case ast.arg():
+                yield node.arg, node.lineno
+            case ast.Name(ctx=ast.Store()):
+                yield node.id, node.lineno
+            case ast.Attribute(ctx=ast.Store()):
+                yield node.attr, node.lineno
+
+
+def words(name: str) -> list[str]:
+    """Return the words of an identifier in lower case."""
+    return [word.lower() for word in re.findall(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+", name)]
+
+
+@pytest.mark.parametrize("name", ["is_asked", "AskedTwice", "NOT_ASKED"])
+def test_words_of_every_spelling_are_found(name: str) -> None:
+    assert "asked" in words(name)
+
+
+def test_identifiers_avoid_replaced_words() -> None:
+    found = [
+        f"{path.relative_to(PROGRAM)}:{line}: {name} ({word}: say {REPLACED[word]})"
+        for path in FILES
+        for name, line in identifiers(ast.parse(path.read_text(encoding="utf-8")))
+        for word in words(name)
+        if word in REPLACED and name not in EXCEPTIONS
+    ]
+    assert found == []
