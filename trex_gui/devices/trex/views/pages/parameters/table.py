@@ -216,15 +216,15 @@ class ParameterHelp(QLabel):
         ]
         if spec.needs_power_cycle:
             lines.append(self.tr("Takes effect when the board is switched off and on."))
-        lines = [
+        notes = [
             index.data(Role.STORED_TEXT),
             index.data(Role.OTHER_MOTOR),
             index.data(Role.PROBLEM),
         ]
         waiting = index.data(Role.WAITING)
         if waiting is not None:
-            lines.append(self.tr("Still active: {0}.").format(spec.text(waiting)))
-        if stand_out := " ".join(escape(text) for text in lines if text):
+            notes.append(self.tr("Still active: {0}.").format(spec.text(waiting)))
+        if stand_out := " ".join(escape(text) for text in notes if text):
             lines.append(f"<b>{stand_out}</b>")
         return lines
 
