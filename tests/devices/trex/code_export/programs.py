@@ -142,8 +142,8 @@ class Board:
         stored = self.show()["parameters"]
         memory = Eeprom.open(self._memory, settings.product.key)
         return all(stored[key] == wire for key, wire in settings.parameters.items()) and all(
-            memory.calibration(*place) == calibration
-            for place, calibration in settings.calibrations.items()
+            memory.calibration(key.source, key.channel) == calibration
+            for key, calibration in settings.calibrations.items()
         )
 
 
