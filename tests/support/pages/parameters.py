@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QSpinBox
 
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
-from trex_gui.devices.trex.model.parameters.parameters import Column
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 
@@ -22,7 +22,7 @@ class ParametersPage(WidgetDriver):
         """Return where the value of a parameter is in the view."""
         rows = self.view.model()
         assert isinstance(rows, ParameterFilter)
-        return rows.mapFromSource(self._model.index_of(key, Column.VALUE))
+        return rows.mapFromSource(self._model.index_of(key, ParameterColumn.VALUE))
 
     def type_value(self, key: str, text: str) -> QSpinBox:
         """Open the editor of a parameter with the mouse, type and press Enter."""

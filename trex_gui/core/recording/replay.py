@@ -10,13 +10,13 @@ from trex_gui.core.recording.kinds import HeaderT, RecordT
 from trex_gui.core.recording.store import CHUNK, Recording
 
 
-class State(Protocol):
+class ReplayState(Protocol):
     """Everything known; `copy.copy` of it is independent of later records."""
 
     def take(self, record: Any, /) -> None: ...
 
 
-StateT = TypeVar("StateT", bound=State)
+StateT = TypeVar("StateT", bound=ReplayState)
 ResultT = TypeVar("ResultT")
 
 

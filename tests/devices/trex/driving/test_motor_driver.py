@@ -8,7 +8,7 @@ from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.trex.client.telemetry import StatusReader
 from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL, MotorDriver
-from trex_gui.devices.trex.driving.motor_output import Event, MotorOutput
+from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.driving.setpoints import REPEATS
 from trex_gui.devices.trex.protocol.commands import Drive, DriveAuxiliary, DriveMotor
@@ -108,7 +108,7 @@ def test_no_setpoint_is_pending_after_stop(harness: MotorsHarness) -> None:
     harness.arm()
     harness.drive(20)
     assert harness.driver.seconds_to_drive() is not None
-    harness.motors.handle(Event.NOT_RESPONDING, harness.now)
+    harness.motors.handle(OutputEvent.NOT_RESPONDING, harness.now)
     assert harness.driver.seconds_to_drive() is None
 
 

@@ -7,7 +7,7 @@ import pytest
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.session.messages import Outcome
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.driving.motor_output import Arming, Event, Motion, MotorOutput
+from trex_gui.devices.trex.driving.motor_output import Arming, Motion, MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor, GetMode
 
@@ -43,29 +43,31 @@ def passes_commands(motors: MotorOutput, now: float) -> bool:
 # --- The tables -------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("arming", "event"), list(itertools.product(Arming, Event)))
-def test_only_arming_lets_setpoints_pass_again(arming: Arming, event: Event) -> None:
+@pytest.mark.parametrize(("arming", "event"), list(itertools.product(Arming, OutputEvent)))
+def test_only_arming_lets_setpoints_pass_again(arming: Arming, event: OutputEvent) -> None:
     motors = MotorOutput(lambda _report: None)
     motors.arming = arming
     motors.handle(event, 1.0)
     may_pass = motors.arming in {Arming.INITIAL, Arming.ARMED}
     assert passes_setpoints(motors, 1.0) == may_pass
     if may_pass:
-        assert event is Event.ARM or motors.arming is arming
+        assert event is OutputEvent.ARM or motors.arming is arming
 
 
-@pytest.mark.parametrize(("motion", "event"), list(itertools.product(Motion, Event)))
-def test_only_a_confirmed_stop_ends_motion(motion: Motion, event: Event) -> None:
+@pytest.mark.parametrize(("motion", "event"), list(itertools.product(Motion, OutputEvent)))
+def test_only_a_confirmed_stop_ends_motion(motion: Motion, event: OutputEvent) -> None:
     motors = MotorOutput(lambda _report: None)
     motors.motion = motion
     motors.handle(event, 1.0)
     if motion is not Motion.STOPPED:
-        assert motors.may_move != (event is Event.STOP_CONFIRMED)
+        assert motors.may_move != (event is OutputEvent.STOP_CONFIRMED)
 
 
 @pytest.mark.parametrize("arming", list(Arming))
-@pytest.mark.parametrize("event", [Event.STOP, Event.LOCK_OUT, Event.NOT_RESPONDING])
-def test_every_stop_disarms_and_drops_setpoints(arming: Arming, event: Event) -> None:
+@pytest.mark.parametrize(
+    "event", [OutputEvent.STOP, OutputEvent.LOCK_OUT, OutputEvent.NOT_RESPONDING]
+)
+def test_every_stop_disarms_and_drops_setpoints(arming: Arming, event: OutputEvent) -> None:
     motors = MotorOutput(lambda _report: None)
     motors.take(SETPOINT, 0.0)
     motors.arming = arming
@@ -100,11 +102,11 @@ def test_shorter_lockout_does_not_end_longer_one(motors: MotorOutput) -> None:
 
 
 def test_unreachable_board_cannot_be_armed(motors: MotorOutput) -> None:
-    motors.handle(Event.NOT_RESPONDING, 0.0)
+    motors.handle(OutputEvent.NOT_RESPONDING, 0.0)
     motors.take(Arm(), 1.0)
     assert not motors.is_armed
     assert not passes_commands(motors, 1e9)
-    motors.handle(Event.BOARD_READ, 2.0)
+    motors.handle(OutputEvent.BOARD_READ, 2.0)
     assert not passes_commands(motors, 1e9)
     motors.take(Arm(), 3.0)
     assert passes_commands(motors, 3.0)
@@ -161,8 +163,8 @@ def test_unanswered_stop_is_repeated_only_if_driven(motors: MotorOutput) -> None
 def test_setpoint_ends_repetition_of_stop_but_direct_command_does_not() -> None:
     motors = MotorOutput(lambda _report: None, may_move=True)
     motors.note_stop(1.0, (), confirmed=False, final=False)
-    motors.handle(Event.DIRECT_COMMAND_SENT, 2.0)
+    motors.handle(OutputEvent.DIRECT_COMMAND_SENT, 2.0)
     assert motors.seconds_to_stop_retry(2.0) is not None
-    motors.handle(Event.SETPOINT_SENT, 2.0)
+    motors.handle(OutputEvent.SETPOINT_SENT, 2.0)
     assert motors.seconds_to_stop_retry(2.0) is None
     assert motors.may_move

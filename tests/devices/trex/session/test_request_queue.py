@@ -33,7 +33,7 @@ from trex_gui.devices.trex.session.messages import (
     SetReconnectCandidates,
     Write,
 )
-from trex_gui.devices.trex.session.request_queue import RequestQueue
+from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
 
 modest = examples(40)
 
@@ -50,7 +50,7 @@ class Bag:
         return self.requests.popleft() if self.requests else None
 
 
-class Queue(RequestQueue):
+class Queue(TrexRequestQueue):
     """A queue with the motor output behind it, at time 0."""
 
     def __init__(self, *requests: Request) -> None:

@@ -10,7 +10,7 @@ from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.motors import MotorDirection
-from trex_gui.devices.trex.simulator.physics import CONSTANTS, Drive, Machine
+from trex_gui.devices.trex.simulator.physics import CONSTANTS, DriverOutput, Machine
 from trex_gui.devices.trex.simulator.report import report
 from trex_gui.devices.trex.simulator.signals import Signal
 from trex_gui.devices.trex.simulator.uart import SerialPort
@@ -18,7 +18,7 @@ from trex_gui.devices.trex.simulator.uart import SerialPort
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
 TREX = CONSTANTS["trex"]
 TICK = 0.0025
-IDLE = Drive()
+IDLE = DriverOutput()
 
 
 def weaken(board: Board) -> None:
@@ -46,12 +46,16 @@ def currents(board: Board, seconds: float) -> list[float]:
 class TestMachine:
     def test_battery_without_load_has_full_voltage(self) -> None:
         machine = Machine("trex", 0.15, 0)
-        machine.advance(TICK, [IDLE, Drive(brake=1.0)])
+        machine.advance(TICK, [IDLE, DriverOutput(brake=1.0)])
         assert machine.volts == TREX.battery
 
     def test_supply_sags_with_each_starting_motor(self) -> None:
         volts = []
-        for drives in ([IDLE, IDLE], [Drive(1.0), IDLE], [Drive(1.0), Drive(-1.0)]):
+        for drives in (
+            [IDLE, IDLE],
+            [DriverOutput(1.0), IDLE],
+            [DriverOutput(1.0), DriverOutput(-1.0)],
+        ):
             machine = Machine("trex", 0.15, 0)
             machine.advance(TICK, drives)
             volts.append(machine.volts)
@@ -63,29 +67,29 @@ class TestMachine:
     def test_starting_motor_slows_other_motor(self) -> None:
         machine = Machine("trex", 0.15, 0)
         for _ in range(800):
-            machine.advance(TICK, [Drive(1.0), IDLE])
+            machine.advance(TICK, [DriverOutput(1.0), IDLE])
         before = machine.motors[0].speed
         for _ in range(20):
-            machine.advance(TICK, [Drive(1.0), Drive(1.0)])
+            machine.advance(TICK, [DriverOutput(1.0), DriverOutput(1.0)])
         assert 0 < machine.motors[0].speed < before
 
     def test_running_motor_does_not_feed_battery(self) -> None:
         machine = Machine("trex", 0.15, 0)
         for _ in range(800):
-            machine.advance(TICK, [Drive(1.0), Drive(1.0)])
-        machine.advance(TICK, [Drive(0.2), Drive(0.2)])
+            machine.advance(TICK, [DriverOutput(1.0), DriverOutput(1.0)])
+        machine.advance(TICK, [DriverOutput(0.2), DriverOutput(0.2)])
         assert machine.volts == TREX.battery
 
     def test_half_duty_draws_quarter_of_battery_current(self) -> None:
         machine = Machine("trex", 0.15, 0)
-        machine.advance(TICK, [Drive(0.5), IDLE])
+        machine.advance(TICK, [DriverOutput(0.5), IDLE])
         drawn = (TREX.battery - machine.volts) / TREX.battery_resistance
         assert drawn == pytest.approx(0.25 * machine.volts / TREX.resistance)
 
     def test_faulty_driver_draws_no_current(self) -> None:
         machine = Machine("trex", 0.15, 0)
         machine.motors[0].fault = True
-        machine.advance(TICK, [Drive(1.0), IDLE])
+        machine.advance(TICK, [DriverOutput(1.0), IDLE])
         assert machine.volts == TREX.battery
 
     @pytest.mark.parametrize("model", CONSTANTS)

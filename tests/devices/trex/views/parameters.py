@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
-from trex_gui.devices.trex.model.parameters.parameters import Column, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, Role
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.settings.document import Settings
@@ -76,11 +76,11 @@ class ParametersDriver(WidgetDriver):
         self.view.scrollTo(index)
         return self.view.visualRect(index).center()
 
-    def click_cell(self, key: str, column: Column) -> None:
+    def click_cell(self, key: str, column: ParameterColumn) -> None:
         place = self.place_of(self.rows.index_of(key, column))
         QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
 
-    def go_to(self, key: str, column: Column = Column.VALUE) -> None:
+    def go_to(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> None:
         self.view.setCurrentIndex(self.rows.index_of(key, column))
 
     def press(self, key: Qt.Key, modifier: Qt.KeyboardModifier | None = None) -> None:
@@ -93,7 +93,7 @@ class ParametersDriver(WidgetDriver):
 
     # --- Editors ------------------------------------------------------------------------
 
-    def open_with_mouse(self, key: str, column: Column = Column.VALUE) -> QWidget:
+    def open_with_mouse(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> QWidget:
         """Double-click a cell; return the editor that opens."""
         place = self.place_of(self.rows.index_of(key, column))
         QTest.mouseClick(self.view.viewport(), LEFT, pos=place)

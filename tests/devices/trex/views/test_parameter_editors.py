@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
 from tests.support.window import WidgetDriver
-from trex_gui.devices.trex.model.parameters.parameters import Column
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import channels_in
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -191,7 +191,7 @@ def test_return_keeps_the_acceleration(parameters: ParametersDriver) -> None:
 
 def test_editor_stays_within_the_table(parameters: ParametersDriver) -> None:
     parameters.table.resize(700, 500)
-    editor = parameters.open_with_mouse("uart_settings", Column.NAME)
+    editor = parameters.open_with_mouse("uart_settings", ParameterColumn.NAME)
     assert editor.geometry().right() < parameters.view.viewport().width()
     assert editor.width() >= editor.sizeHint().width()
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
-from trex_gui.devices.trex.model.parameters.parameters import Column, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, Role
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 
 SPECS = parameters_of("trexjr", "1.2")
@@ -65,7 +65,7 @@ def test_closed_group_stays_closed(parameters: ParametersDriver) -> None:
     parameters.load(SPECS)
     assert parameters.open_groups == ["motors", "serial"]
     assert parameters.current == "serial_timeout"
-    assert view.currentIndex().column() == Column.VALUE
+    assert view.currentIndex().column() == ParameterColumn.VALUE
     view.expand(parameters.headings[CHANNELS])
 
     view.collapse(parameters.headings[SERIAL])
@@ -109,7 +109,7 @@ def test_search_opens_groups_until_it_ends(parameters: ParametersDriver) -> None
     assert headings_span(parameters)
 
     parameters.search("timeout")
-    parameters.click_cell("serial_timeout", Column.NAME)
+    parameters.click_cell("serial_timeout", ParameterColumn.NAME)
     parameters.search("")
     assert parameters.current == "serial_timeout", "the row that was found stays in sight"
     assert parameters.open_groups == ["channels", "serial"]
@@ -152,19 +152,19 @@ def test_board_of_older_firmware_lacks_parameters(parameters: ParametersDriver) 
 
 
 def test_click_on_reset_restores_the_default(parameters: ParametersDriver) -> None:
-    parameters.click_cell("serial_timeout", Column.RESET)
-    parameters.click_cell("serial_timeout", Column.DEFAULT)
+    parameters.click_cell("serial_timeout", ParameterColumn.RESET)
+    parameters.click_cell("serial_timeout", ParameterColumn.DEFAULT)
     assert not parameters.draft.undo.canUndo(), "nothing differs from the default"
 
     parameters.load(SPECS, serial_timeout=15)
-    parameters.click_cell("serial_timeout", Column.RESET)
+    parameters.click_cell("serial_timeout", ParameterColumn.RESET)
     assert dict(parameters.model.pending) == {"serial_timeout": 0}
     assert parameters.draft.undo.undoText() == "Serial Timeout"
     parameters.draft.undo.undo()
     assert not parameters.model.pending
 
     parameters.table.set_rows_enabled(False)
-    parameters.click_cell("serial_timeout", Column.RESET)
+    parameters.click_cell("serial_timeout", ParameterColumn.RESET)
     parameters.press(Qt.Key.Key_Backspace, CONTROL)
     assert not parameters.model.pending, "disabled rows cannot be reset"
 
@@ -174,11 +174,11 @@ def test_keys_reset_to_the_default(parameters: ParametersDriver) -> None:
     for key in (Qt.Key.Key_Return, Qt.Key.Key_Space):
         parameters.go_to("serial_timeout")
         parameters.press(Qt.Key.Key_Right)
-        assert parameters.view.currentIndex().column() == Column.RESET
+        assert parameters.view.currentIndex().column() == ParameterColumn.RESET
         parameters.press(key)
         assert dict(parameters.model.pending) == {"serial_timeout": 0}, key
         parameters.press(Qt.Key.Key_Left)
-        assert parameters.view.currentIndex().column() == Column.VALUE
+        assert parameters.view.currentIndex().column() == ParameterColumn.VALUE
         parameters.draft.undo.undo()
 
     assert not parameters.model.pending
@@ -214,14 +214,19 @@ def test_keys_navigate_collapse_expand_and_edit(parameters: ParametersDriver) ->
 
 
 def test_value_is_edited_from_any_column(parameters: ParametersDriver) -> None:
-    for column in (Column.NAME, Column.WIRE, Column.RESET, Column.EFFECT):
+    for column in (
+        ParameterColumn.NAME,
+        ParameterColumn.WIRE,
+        ParameterColumn.RESET,
+        ParameterColumn.EFFECT,
+    ):
         parameters.go_to("serial_timeout", column)
         parameters.press(Qt.Key.Key_F2)
         assert parameters.is_editing("serial_timeout"), column
         parameters.close_editor("serial_timeout")
-    for column in (Column.NAME, Column.DEFAULT, Column.SOURCE):
+    for column in (ParameterColumn.NAME, ParameterColumn.DEFAULT, ParameterColumn.SOURCE):
         parameters.open_with_mouse("serial_timeout", column)
-        assert parameters.view.currentIndex().column() == Column.VALUE, column
+        assert parameters.view.currentIndex().column() == ParameterColumn.VALUE, column
         parameters.close_editor("serial_timeout")
 
 
@@ -248,7 +253,7 @@ def menu_of(parameters: ParametersDriver, key: str) -> dict[str, QAction]:
 
 @with_menu
 def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> None:
-    parameters.go_to("serial_timeout", Column.WIRE)
+    parameters.go_to("serial_timeout", ParameterColumn.WIRE)
     corner = parameters.view.pos()
     keyboard = QContextMenuEvent.Reason.Keyboard
     event = QContextMenuEvent(keyboard, corner, parameters.view.mapToGlobal(corner))
@@ -319,7 +324,7 @@ def test_both_motors_are_edited_as_one(parameters: ParametersDriver, qtbot: QtBo
     QTest.keyClick(editor, Qt.Key.Key_Return)
     parameters.wait_for_value("motor2_current_limit", 25)
     assert parameters.draft.undo.count() == 1
-    parameters.click_cell("motor2_current_limit", Column.RESET)
+    parameters.click_cell("motor2_current_limit", ParameterColumn.RESET)
     assert not parameters.model.pending
 
     other = ParametersDriver(qtbot)
@@ -351,7 +356,7 @@ def test_help_follows_the_parameter_and_its_edits(parameters: ParametersDriver) 
 def test_rows_of_every_kind_are_painted(parameters: ParametersDriver) -> None:
     """Rows are marked, inferred, disabled and current; a fault in painting is a warning."""
     parameters.model.edit("motor1_acceleration", 4)
-    parameters.go_to("motor1_acceleration", Column.RESET)
+    parameters.go_to("motor1_acceleration", ParameterColumn.RESET)
     parameters.focus_view()
     assert not parameters.table.grab().isNull()
     parameters.table.set_rows_enabled(False)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
-from trex_gui.devices.trex.driving.motor_output import Event, MotorOutput
+from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import packets
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
@@ -205,7 +205,7 @@ class MotorDriver:
         if output.stops:
             self.serve_stops()
         elif _is_due(output.seconds_to_heartbeat_timeout(now)):
-            output.handle(Event.LOCK_OUT, now)
+            output.handle(OutputEvent.LOCK_OUT, now)
             output.end_heartbeat_stop(answered=self._stop(_ATTEMPTS))
         elif _is_due(self.seconds_to_stop_retry()):
             self._stop(_RETRY_ATTEMPTS)
@@ -268,7 +268,7 @@ class MotorDriver:
             PortUnavailable: the line is gone.
         """
         self.output.idle.on_direct_command()
-        self.output.handle(Event.DIRECT_COMMAND_SENT, self._now())
+        self.output.handle(OutputEvent.DIRECT_COMMAND_SENT, self._now())
         return self.client.request(command)
 
     def _is_quiet(self) -> bool:

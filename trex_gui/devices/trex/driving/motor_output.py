@@ -57,7 +57,7 @@ class Motion(Enum):
     """A motor may be moving although a stop was sent; the stop is repeated."""
 
 
-class Event(Enum):
+class OutputEvent(Enum):
     """What changes the state."""
 
     ARM = auto()
@@ -90,41 +90,44 @@ _DROP = (Action.DROP_SETPOINTS,)
 _LOCK = (Action.DROP_SETPOINTS, Action.EXTEND_LOCKOUT)
 _UNREACHABLE = (*_LOCK, Action.FAIL_NOISY_STOPS)
 
-_ARMING: Mapping[tuple[Arming, Event], tuple[Arming, tuple[Action, ...]]] = {
-    (Arming.INITIAL, Event.ARM): (Arming.ARMED, _ARM),
-    (Arming.INITIAL, Event.STOP): (Arming.DISARMED, _DROP),
-    (Arming.INITIAL, Event.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
-    (Arming.INITIAL, Event.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
-    (Arming.ARMED, Event.ARM): (Arming.ARMED, _ARM),
-    (Arming.ARMED, Event.STOP): (Arming.DISARMED, _DROP),
-    (Arming.ARMED, Event.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
-    (Arming.ARMED, Event.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
-    (Arming.DISARMED, Event.ARM): (Arming.ARMED, _ARM),
-    (Arming.DISARMED, Event.STOP): (Arming.DISARMED, _DROP),
-    (Arming.DISARMED, Event.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
-    (Arming.DISARMED, Event.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
-    (Arming.LOCKED_OUT, Event.ARM): (Arming.ARMED, _ARM),
-    (Arming.LOCKED_OUT, Event.STOP): (Arming.LOCKED_OUT, _DROP),
-    (Arming.LOCKED_OUT, Event.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
-    (Arming.LOCKED_OUT, Event.LOCKOUT_OVER): (Arming.DISARMED, ()),
-    (Arming.LOCKED_OUT, Event.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
-    (Arming.UNREACHABLE, Event.STOP): (Arming.UNREACHABLE, _DROP),
-    (Arming.UNREACHABLE, Event.LOCK_OUT): (Arming.UNREACHABLE, _DROP),
-    (Arming.UNREACHABLE, Event.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
-    (Arming.UNREACHABLE, Event.BOARD_READ): (Arming.LOCKED_OUT, ()),
+_ARMING: Mapping[tuple[Arming, OutputEvent], tuple[Arming, tuple[Action, ...]]] = {
+    (Arming.INITIAL, OutputEvent.ARM): (Arming.ARMED, _ARM),
+    (Arming.INITIAL, OutputEvent.STOP): (Arming.DISARMED, _DROP),
+    (Arming.INITIAL, OutputEvent.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
+    (Arming.INITIAL, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
+    (Arming.ARMED, OutputEvent.ARM): (Arming.ARMED, _ARM),
+    (Arming.ARMED, OutputEvent.STOP): (Arming.DISARMED, _DROP),
+    (Arming.ARMED, OutputEvent.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
+    (Arming.ARMED, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
+    (Arming.DISARMED, OutputEvent.ARM): (Arming.ARMED, _ARM),
+    (Arming.DISARMED, OutputEvent.STOP): (Arming.DISARMED, _DROP),
+    (Arming.DISARMED, OutputEvent.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
+    (Arming.DISARMED, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
+    (Arming.LOCKED_OUT, OutputEvent.ARM): (Arming.ARMED, _ARM),
+    (Arming.LOCKED_OUT, OutputEvent.STOP): (Arming.LOCKED_OUT, _DROP),
+    (Arming.LOCKED_OUT, OutputEvent.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
+    (Arming.LOCKED_OUT, OutputEvent.LOCKOUT_OVER): (Arming.DISARMED, ()),
+    (Arming.LOCKED_OUT, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
+    (Arming.UNREACHABLE, OutputEvent.STOP): (Arming.UNREACHABLE, _DROP),
+    (Arming.UNREACHABLE, OutputEvent.LOCK_OUT): (Arming.UNREACHABLE, _DROP),
+    (Arming.UNREACHABLE, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
+    (Arming.UNREACHABLE, OutputEvent.BOARD_READ): (Arming.LOCKED_OUT, ()),
 }
 """What each event does to each state; an event that is not listed changes nothing."""
 
-_MOTION: Mapping[tuple[Motion, Event], tuple[Motion, tuple[Action, ...]]] = {
-    (Motion.STOPPED, Event.SETPOINT_SENT): (Motion.DRIVEN, ()),
-    (Motion.STOPPED, Event.DIRECT_COMMAND_SENT): (Motion.DRIVEN, ()),
+_MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] = {
+    (Motion.STOPPED, OutputEvent.SETPOINT_SENT): (Motion.DRIVEN, ()),
+    (Motion.STOPPED, OutputEvent.DIRECT_COMMAND_SENT): (Motion.DRIVEN, ()),
     # Where it was heard, one of its packets may have become another one.
-    (Motion.STOPPED, Event.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
-    (Motion.DRIVEN, Event.STOP_CONFIRMED): (Motion.STOPPED, ()),
-    (Motion.DRIVEN, Event.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
-    (Motion.DRIVEN, Event.STOP_NOT_ANSWERED): (Motion.STOP_UNCONFIRMED, ()),
-    (Motion.STOP_UNCONFIRMED, Event.STOP_CONFIRMED): (Motion.STOPPED, ()),
-    (Motion.STOP_UNCONFIRMED, Event.SETPOINT_SENT): (Motion.DRIVEN, (Action.FAIL_NOISY_STOPS,)),
+    (Motion.STOPPED, OutputEvent.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
+    (Motion.DRIVEN, OutputEvent.STOP_CONFIRMED): (Motion.STOPPED, ()),
+    (Motion.DRIVEN, OutputEvent.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
+    (Motion.DRIVEN, OutputEvent.STOP_NOT_ANSWERED): (Motion.STOP_UNCONFIRMED, ()),
+    (Motion.STOP_UNCONFIRMED, OutputEvent.STOP_CONFIRMED): (Motion.STOPPED, ()),
+    (Motion.STOP_UNCONFIRMED, OutputEvent.SETPOINT_SENT): (
+        Motion.DRIVEN,
+        (Action.FAIL_NOISY_STOPS,),
+    ),
 }
 """The same for `Motion`. A direct command does not end the repetition of a stop."""
 
@@ -173,7 +176,7 @@ class MotorOutput:
         """Whether a motor was driven and no stop was confirmed since."""
         return self.motion is not Motion.STOPPED
 
-    def handle(self, event: Event, now: float, lockout: float = math.inf) -> None:
+    def handle(self, event: OutputEvent, now: float, lockout: float = math.inf) -> None:
         """Change the state as the tables say, and perform the actions.
 
         A lock-out of `lockout` seconds does not shorten an earlier one; without an end it lasts
@@ -202,9 +205,9 @@ class MotorOutput:
         match request:
             case Stop(lockout=lockout):
                 self.stops.append(request)
-                self.handle(Event.LOCK_OUT if lockout > 0 else Event.STOP, now, lockout)
+                self.handle(OutputEvent.LOCK_OUT if lockout > 0 else OutputEvent.STOP, now, lockout)
             case Arm():
-                self.handle(Event.ARM, now)
+                self.handle(OutputEvent.ARM, now)
             case Heartbeat(sent=sent):
                 self._heartbeat_received(now if sent is None else sent)
             case _:
@@ -219,7 +222,7 @@ class MotorOutput:
             BadRequest: it does.
         """
         if self.arming is Arming.LOCKED_OUT and now >= self._lockout_end:
-            self.handle(Event.LOCKOUT_OVER, now)
+            self.handle(OutputEvent.LOCKOUT_OVER, now)
         if command.moves and self.arming in {Arming.LOCKED_OUT, Arming.UNREACHABLE}:
             raise TrexRequestError(ErrorCode.LOCKED_OUT)
 
@@ -265,7 +268,7 @@ class MotorOutput:
         elif self._retry.due is not None and self._retry.due <= now:
             setpoints = self._retry.take(now)
         if setpoints:
-            self.handle(Event.SETPOINT_SENT, now)
+            self.handle(OutputEvent.SETPOINT_SENT, now)
             self.idle.note_setpoints(setpoints, now)
         return setpoints
 
@@ -308,11 +311,11 @@ class MotorOutput:
         for latched in statuses:
             self.quality.note_status(latched)
         if not confirmed:
-            self.handle(Event.STOP_NOT_ANSWERED, now)
+            self.handle(OutputEvent.STOP_NOT_ANSWERED, now)
         elif final or self.quality.is_quiet:
-            self.handle(Event.STOP_CONFIRMED, now)
+            self.handle(OutputEvent.STOP_CONFIRMED, now)
         else:
-            self.handle(Event.STOP_CLEAN_BUT_NOISY, now)
+            self.handle(OutputEvent.STOP_CLEAN_BUT_NOISY, now)
 
     def end_stops(self, stops: Sequence[Stop], now: float, *, answered: bool) -> None:
         """Report the outcome of stops that were sent.

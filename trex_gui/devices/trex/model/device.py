@@ -23,7 +23,7 @@ from trex_gui.devices.trex.model.drive_controller import (
 from trex_gui.devices.trex.model.errors import ErrorLog
 from trex_gui.devices.trex.model.event_watch import EventWatch
 from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.devices.trex.model.parameters.parameters import Column
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn
 from trex_gui.devices.trex.model.settings.apply import Apply, PendingReset
 from trex_gui.devices.trex.model.settings.draft import EditBackup, SettingsDraft
 from trex_gui.devices.trex.model.telemetry import Telemetry
@@ -147,7 +147,7 @@ class Device(QObject):
         """Return the name of a parameter or of a calibrated channel."""
         if key in CALIBRATION_KEYS:
             return CALIBRATION_KEYS[key].label
-        index = self.parameters.index_of(key, Column.NAME)
+        index = self.parameters.index_of(key, ParameterColumn.NAME)
         return str(index.data()) if index.isValid() else key
 
     @property

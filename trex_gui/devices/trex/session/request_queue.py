@@ -26,7 +26,7 @@ from trex_gui.devices.trex.session.messages import (
 )
 
 
-class RequestQueue:
+class TrexRequestQueue:
     """Sorts requests by urgency.
 
     Attributes:

@@ -23,7 +23,7 @@ from trex_gui.devices.trex.client.telemetry import (
 )
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
-from trex_gui.devices.trex.driving.motor_output import Event, MotorOutput
+from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, TrexError, TrexNoReplyError
@@ -43,7 +43,7 @@ from trex_gui.devices.trex.session.messages import (
 )
 from trex_gui.devices.trex.session.polling import Polling, SampleBatcher
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
-from trex_gui.devices.trex.session.request_queue import RequestQueue
+from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
 
 log = logging.getLogger(__name__)
 
@@ -74,7 +74,7 @@ class TrexSession:
         self._open_transport = open_transport
         self._client: TrexClient | None = None
         self._motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
-        self._queue = RequestQueue(inbox, self._motors, emit, self._now)
+        self._queue = TrexRequestQueue(inbox, self._motors, emit, self._now)
         self._batcher = SampleBatcher(emit)
         self._liveness = LivenessMonitor(settings.timeouts)
         self._polling = Polling()
@@ -283,15 +283,15 @@ class TrexSession:
         goes on sending setpoints; when it does, every motor is stopped and has to be armed again.
         """
         if occasion.power_cycled:
-            self._motors.handle(Event.LOCK_OUT, self._now())
+            self._motors.handle(OutputEvent.LOCK_OUT, self._now())
         self._state = read_everything(self._request, self._progress)
         if occasion is not ReadReason.RELOADED:
             if occasion.power_cycled or self._motors.is_armed:
-                self._motors.handle(Event.LOCK_OUT, self._now())
+                self._motors.handle(OutputEvent.LOCK_OUT, self._now())
             self._stop_if_moving()
         self._polling.start(self._state.source, self._now())
         self._liveness.begin()
-        self._motors.handle(Event.BOARD_READ, self._now())
+        self._motors.handle(OutputEvent.BOARD_READ, self._now())
         self._flush()
         client = self._line
         self._emit(
@@ -351,7 +351,7 @@ class TrexSession:
 
     def _note_failure(self, error: StudioError) -> None:
         if self._liveness.note_failure(self._now()):
-            self._motors.handle(Event.NOT_RESPONDING, self._now())
+            self._motors.handle(OutputEvent.NOT_RESPONDING, self._now())
             self._driver.stop_without_reply()
             self._flush()
             self._emit(NotResponding(str(error), replace(self._line.counters)))

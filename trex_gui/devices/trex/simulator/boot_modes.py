@@ -22,7 +22,7 @@ _UNSTEADY = {InputSource.RC: 100, InputSource.ANALOG: 40}
 """Inferred: range in counts above which a stick is not at rest."""
 
 
-class Host(Protocol):
+class BootHost(Protocol):
     """What a boot mode uses of its board."""
 
     mix: bool
@@ -54,11 +54,11 @@ class BootMode(Protocol):
         """Return the reply to a byte on the serial line."""
 
 
-def boot_mode(board: Host) -> BootMode | None:
+def boot_mode(board: BootHost) -> BootMode | None:
     """Return the boot mode that the jumpers select at power-up."""
     if not (board.mix and board.so_ground):
         return None
-    return BootLoader(board) if board.mode.is_serial else Learning(board)
+    return BootLoader(board) if board.mode.is_serial else LearningMode(board)
 
 
 class BootLoader:
@@ -70,7 +70,7 @@ class BootLoader:
 
     is_over = False
 
-    def __init__(self, board: Host) -> None:
+    def __init__(self, board: BootHost) -> None:
         self._board = board
         self._confirmed = False
         self._ready = False
@@ -111,14 +111,14 @@ class _Step(Enum):
     DONE = "learning: done"
 
 
-class Learning:
+class LearningMode:
     """Learns neutral and extremes of every channel from the sticks.
 
     Inferred: how steady a neutral must be, the deadband (the default, or the noise if that is
     larger), and that a channel that fails keeps its values.
     """
 
-    def __init__(self, board: Host) -> None:
+    def __init__(self, board: BootHost) -> None:
         self.is_over = False
         self._board = board
         self._step = _Step.READY

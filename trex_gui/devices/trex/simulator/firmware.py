@@ -21,7 +21,7 @@ from trex_gui.devices.trex.simulator.motors import (
     MotorDirection,
     MotorSettings,
 )
-from trex_gui.devices.trex.simulator.physics import Drive, Machine
+from trex_gui.devices.trex.simulator.physics import DriverOutput, Machine
 from trex_gui.devices.trex.simulator.serial_control import SerialControl
 
 MODE_JUMPERS = ("serial", "rc", "analog")
@@ -304,9 +304,9 @@ class Board:
                 self.serial.status |= flag
 
 
-def _drive(motor: Motor) -> Drive:
+def _drive(motor: Motor) -> DriverOutput:
     """Return the drive of a motor; inferred: duty is speed / 127."""
     share = motor.speed / FULL_SPEED
     if motor.direction is MotorDirection.BRAKE:
-        return Drive(brake=share)
-    return Drive(share if motor.direction is MotorDirection.FORWARD else -share)
+        return DriverOutput(brake=share)
+    return DriverOutput(share if motor.direction is MotorDirection.FORWARD else -share)

@@ -160,7 +160,7 @@ class MotorPhysics:
 
 
 @dataclass(frozen=True, slots=True)
-class Drive:
+class DriverOutput:
     """Share of the supply at a motor (-1 to 1), or of braking (0-1)."""
 
     share: float = 0.0
@@ -196,13 +196,13 @@ class Machine:
         """Whether the board browns out."""
         return self.volts < self.constants.brown_out
 
-    def advance(self, seconds: float, drives: Sequence[Drive]) -> None:
+    def advance(self, seconds: float, drives: Sequence[DriverOutput]) -> None:
         """Let time pass with a drive for each motor."""
         self.volts = self._volts(drives)
         for motor, drive in zip(self.motors, drives, strict=True):
             motor.advance(seconds, drive.share * self.volts, drive.brake)
 
-    def _volts(self, drives: Sequence[Drive]) -> float:
+    def _volts(self, drives: Sequence[DriverOutput]) -> float:
         """Return the voltage at the board under the currents that it drives.
 
         Motor current is (share * volts - emf) / R, and the battery gives `share` of it; the

@@ -5,7 +5,7 @@ from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
-from trex_gui.devices.trex.model.parameters.parameters import Column, ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, ParameterModel, Role
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 
 SPECS = parameters_of("trex", "1.2")
@@ -27,7 +27,7 @@ def rows(model: ParameterModel) -> ParameterFilter:
 def shown(rows: ParameterFilter) -> list[str]:
     headings = [rows.index(group, 0) for group in range(rows.rowCount())]
     return [
-        rows.index(row, Column.VALUE, heading).data(Role.SPEC).key
+        rows.index(row, ParameterColumn.VALUE, heading).data(Role.SPEC).key
         for heading in headings
         for row in range(rows.rowCount(heading))
     ]

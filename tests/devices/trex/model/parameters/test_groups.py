@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.linter import SettingsLinter
-from trex_gui.devices.trex.model.parameters.parameters import Column, ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, ParameterModel, Role
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.parameter_keys import motor_name, other_motor_key
 from trex_gui.devices.trex.protocol.parameters import parameters_of
@@ -43,7 +43,7 @@ def file(undo: QUndoStack) -> ParameterModel:
     return model
 
 
-def said(model: ParameterModel, key: str, column: Column, role: int = 0) -> str:
+def said(model: ParameterModel, key: str, column: ParameterColumn, role: int = 0) -> str:
     return str(model.index_of(key, column).data(role))
 
 
@@ -74,9 +74,9 @@ def test_heading_has_no_parameter_data_and_is_read_only(model: ParameterModel) -
     for role in Role:
         if role is not Role.GROUP:
             assert heading.data(role) is None
-    assert heading.siblingAtColumn(Column.VALUE).data() is None
+    assert heading.siblingAtColumn(ParameterColumn.VALUE).data() is None
     assert not heading.flags() & Qt.ItemFlag.ItemIsEditable
-    assert not model.setData(heading.siblingAtColumn(Column.VALUE), 3)
+    assert not model.setData(heading.siblingAtColumn(ParameterColumn.VALUE), 3)
     assert not model.index_of_group("nonsense").isValid()
 
 
@@ -102,7 +102,10 @@ def test_grouped_model_passes_qt_model_tester(
 
 def test_reset_to_default_is_an_edit(model: ParameterModel, undo: QUndoStack) -> None:
     model.load(SPECS, FACTORY | {"serial_timeout": 15}, {}, power_cycled=True)
-    assert said(model, "serial_timeout", Column.RESET, Role.RESET) == "Back to default: 0 (off)"
+    assert (
+        said(model, "serial_timeout", ParameterColumn.RESET, Role.RESET)
+        == "Back to default: 0 (off)"
+    )
     model.reset("serial_timeout")
     assert dict(model.pending) == {"serial_timeout": 0}
     assert model.index_of("serial_timeout").data(Role.RESET) is None
@@ -114,7 +117,7 @@ def test_restoring_the_stored_value_is_one_undo_step(
     model: ParameterModel, undo: QUndoStack
 ) -> None:
     model.edit("device_number", 9)
-    assert "Stored: 7." in said(model, "device_number", Column.VALUE, TIP)
+    assert "Stored: 7." in said(model, "device_number", ParameterColumn.VALUE, TIP)
     model.restore("device_number")
     assert not model.pending
     undo.undo()
@@ -190,10 +193,12 @@ def test_differing_motor_value_is_shown_and_can_be_copied(model: ParameterModel)
     assert model.index_of("motor1_current_limit").data(Role.OTHER_MOTOR) is None
     model.edit("motor2_current_limit", 25)
     assert (
-        said(model, "motor1_current_limit", Column.VALUE, Role.OTHER_MOTOR)
+        said(model, "motor1_current_limit", ParameterColumn.VALUE, Role.OTHER_MOTOR)
         == "Motor 2 differs: 2 A."
     )
-    assert "Motor 2 differs: 2 A." in said(model, "motor1_current_limit", Column.VALUE, TIP)
+    assert "Motor 2 differs: 2 A." in said(
+        model, "motor1_current_limit", ParameterColumn.VALUE, TIP
+    )
     model.copy_to_other_motor("motor2_current_limit")
     assert model.value_of("motor1_current_limit") == 25
 
@@ -232,14 +237,14 @@ def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
 
 
 def test_adding_a_parameter_to_a_file_can_be_undone(file: ParameterModel, undo: QUndoStack) -> None:
-    assert said(file, "motor_mode", Column.VALUE) == "not given"
-    assert said(file, "motor_mode", Column.WIRE) == ""
+    assert said(file, "motor_mode", ParameterColumn.VALUE) == "not given"
+    assert said(file, "motor_mode", ParameterColumn.WIRE) == ""
     assert file.index_of("motor_mode").data(Role.RESET) is None
     file.edit("motor_mode", 0)
     assert dict(file.pending) == {"motor_mode": 0}
     assert file.all_shown["motor_mode"] == 0
     undo.undo()
-    assert said(file, "motor_mode", Column.VALUE) == "not given"
+    assert said(file, "motor_mode", ParameterColumn.VALUE) == "not given"
     assert not file.modified
     assert "motor_mode" not in file.all_shown
 
@@ -317,14 +322,14 @@ def test_values_are_shown_in_physical_units(model: ParameterModel) -> None:
         ("required_channels", 5, "channels 1, 3"),
     ):
         model.edit(key, wire)
-        assert said(model, key, Column.VALUE) == text
-        assert said(model, key, Column.WIRE) == str(wire)
+        assert said(model, key, ParameterColumn.VALUE) == text
+        assert said(model, key, ParameterColumn.WIRE) == str(wire)
 
 
 def test_prescaler_edit_updates_the_pwm_maximum_row(model: ParameterModel) -> None:
     told: list[str] = []
     model.dataChanged.connect(
-        lambda first, _last: told.append(first.siblingAtColumn(Column.NAME).data())
+        lambda first, _last: told.append(first.siblingAtColumn(ParameterColumn.NAME).data())
     )
     model.edit("motor1_pwm_prescaler", 0)
     assert "Motor 1 PWM Maximum" in told
@@ -332,8 +337,8 @@ def test_prescaler_edit_updates_the_pwm_maximum_row(model: ParameterModel) -> No
 
 def test_unknown_prescaler_shows_no_frequency(model: ParameterModel) -> None:
     model.load(SPECS, FACTORY | {"motor1_pwm_prescaler": 9}, {}, power_cycled=True)
-    assert said(model, "motor1_pwm_maximum", Column.VALUE) == "127"
-    assert said(model, "motor1_pwm_prescaler", Column.VALUE) == "wire 9"
+    assert said(model, "motor1_pwm_maximum", ParameterColumn.VALUE) == "127"
+    assert said(model, "motor1_pwm_prescaler", ParameterColumn.VALUE) == "wire 9"
 
 
 def test_source_column_names_what_is_inferred(model: ParameterModel) -> None:
@@ -343,8 +348,8 @@ def test_source_column_names_what_is_inferred(model: ParameterModel) -> None:
         ("motor1_current_limit", "inferred", "the board has the last word"),
         ("uart_settings", "inferred", "So is what a wire value means"),
     ):
-        assert said(model, key, Column.SOURCE) == text
-        assert told in said(model, key, Column.SOURCE, TIP)
+        assert said(model, key, ParameterColumn.SOURCE) == text
+        assert told in said(model, key, ParameterColumn.SOURCE, TIP)
 
 
 def test_fully_confirmed_parameter_has_vendor_as_source(model: ParameterModel) -> None:
@@ -355,14 +360,16 @@ def test_fully_confirmed_parameter_has_vendor_as_source(model: ParameterModel) -
 
 
 def test_tool_tips_give_details_of_each_column(model: ParameterModel) -> None:
-    assert "wire value 0 to 127" in said(model, "motor1_acceleration", Column.RANGE, TIP)
-    assert "0.1 to 12.7 s" in said(model, "motor1_acceleration", Column.RANGE, TIP)
-    assert "5 (19200 baud" in said(model, "uart_settings", Column.DEFAULT, TIP)
-    assert "off and on" in said(model, "motor_mode", Column.EFFECT, TIP)
-    assert "as soon as" in said(model, "serial_timeout", Column.EFFECT, TIP)
-    assert "Motor 1 Current Limit" in said(model, "motor1_current_limit", Column.NAME, TIP)
-    assert model.index_of("serial_timeout", Column.RESET).data(TIP) is None
+    assert "wire value 0 to 127" in said(model, "motor1_acceleration", ParameterColumn.RANGE, TIP)
+    assert "0.1 to 12.7 s" in said(model, "motor1_acceleration", ParameterColumn.RANGE, TIP)
+    assert "5 (19200 baud" in said(model, "uart_settings", ParameterColumn.DEFAULT, TIP)
+    assert "off and on" in said(model, "motor_mode", ParameterColumn.EFFECT, TIP)
+    assert "as soon as" in said(model, "serial_timeout", ParameterColumn.EFFECT, TIP)
+    assert "Motor 1 Current Limit" in said(model, "motor1_current_limit", ParameterColumn.NAME, TIP)
+    assert model.index_of("serial_timeout", ParameterColumn.RESET).data(TIP) is None
     model.edit("serial_timeout", 15)
-    assert said(model, "serial_timeout", Column.RESET, TIP) == "Back to default: 0 (off)"
+    assert said(model, "serial_timeout", ParameterColumn.RESET, TIP) == "Back to default: 0 (off)"
     spoken = Qt.ItemDataRole.AccessibleTextRole
-    assert said(model, "serial_timeout", Column.RESET, spoken) == "Back to default: 0 (off)"
+    assert (
+        said(model, "serial_timeout", ParameterColumn.RESET, spoken) == "Back to default: 0 (off)"
+    )

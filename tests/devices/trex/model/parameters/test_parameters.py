@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.parameters.parameters import Column, ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, ParameterModel, Role
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
 
@@ -41,7 +41,7 @@ def model(qtbot: QtBot) -> ParameterModel:
     return model
 
 
-def text(model: ParameterModel, key: str, column: Column = Column.VALUE) -> str:
+def text(model: ParameterModel, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> str:
     return str(model.index_of(key, column).data())
 
 
@@ -80,12 +80,12 @@ def test_each_parameter_has_a_row_and_each_column_a_name(
 ) -> None:
     assert model.count == len(SPECS.readable)
     assert sum(model.rowCount(model.index(row, 0)) for row in range(3)) == model.count
-    assert model.columnCount() == len(Column)
+    assert model.columnCount() == len(ParameterColumn)
     horizontal = Qt.Orientation.Horizontal
-    named = [column for column in Column if column is not Column.RESET]
+    named = [column for column in ParameterColumn if column is not ParameterColumn.RESET]
     assert all(model.headerData(column, horizontal) for column in named)
     spoken = Qt.ItemDataRole.AccessibleTextRole
-    assert model.headerData(Column.RESET, horizontal, spoken) == "Back to default"
+    assert model.headerData(ParameterColumn.RESET, horizontal, spoken) == "Back to default"
     assert model.headerData(0, Qt.Orientation.Vertical) is None
 
 
@@ -95,7 +95,7 @@ def test_model_is_empty_before_a_board_is_read(qtbot: QtBot) -> None:
 
 def test_parameters_have_no_children(model: ParameterModel) -> None:
     for spec in SPECS.readable:
-        assert model.rowCount(model.index_of(spec.key, Column.NAME)) == 0
+        assert model.rowCount(model.index_of(spec.key, ParameterColumn.NAME)) == 0
 
 
 def test_unknown_key_has_no_index(model: ParameterModel) -> None:
@@ -108,14 +108,14 @@ def test_unknown_key_has_no_index(model: ParameterModel) -> None:
 
 def test_row_shows_value_wire_default_and_effect(model: ParameterModel) -> None:
     load(model, factory() | {"serial_timeout": 15})
-    assert text(model, "serial_timeout", Column.NAME) == "Serial Timeout"
+    assert text(model, "serial_timeout", ParameterColumn.NAME) == "Serial Timeout"
     assert text(model, "serial_timeout") == "1.5 s"
-    assert text(model, "serial_timeout", Column.WIRE) == "15"
-    assert text(model, "serial_timeout", Column.EFFECT) == "at once"
-    assert text(model, "motor_mode", Column.EFFECT) == "power cycle"
+    assert text(model, "serial_timeout", ParameterColumn.WIRE) == "15"
+    assert text(model, "serial_timeout", ParameterColumn.EFFECT) == "at once"
+    assert text(model, "motor_mode", ParameterColumn.EFFECT) == "power cycle"
     default = SPECS["serial_timeout"]
-    assert text(model, "serial_timeout", Column.DEFAULT) == default.text(default.default)
-    assert text(model, "serial_timeout", Column.RANGE) == default.short_range()
+    assert text(model, "serial_timeout", ParameterColumn.DEFAULT) == default.text(default.default)
+    assert text(model, "serial_timeout", ParameterColumn.RANGE) == default.short_range()
 
 
 def test_each_cell_except_reset_has_a_text(qtbot: QtBot) -> None:
@@ -123,9 +123,9 @@ def test_each_cell_except_reset_has_a_text(qtbot: QtBot) -> None:
         model = ParameterModel()
         load(model, factory(specs), specs)
         for spec in specs.readable:
-            for column in Column:
+            for column in ParameterColumn:
                 empty = model.index_of(spec.key, column).data() in {None, ""}
-                assert empty == (column is Column.RESET)
+                assert empty == (column is ParameterColumn.RESET)
 
 
 def test_pwm_maximum_shows_the_resulting_frequency(model: ParameterModel) -> None:
@@ -145,7 +145,7 @@ def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
     del stored["serial_timeout"]
     load(model, stored, unread={"serial_timeout": "No answer to 9F 07."})
     assert text(model, "serial_timeout") == "not read"
-    assert text(model, "serial_timeout", Column.WIRE) == ""
+    assert text(model, "serial_timeout", ParameterColumn.WIRE) == ""
     assert of(model, "serial_timeout", Role.PROBLEM) == "No answer to 9F 07."
     assert "No answer to 9F 07." in str(
         model.index_of("serial_timeout").data(Qt.ItemDataRole.ToolTipRole)
@@ -202,8 +202,10 @@ def test_non_numeric_value_is_rejected(
     assert model.pending == ()
 
 
-@pytest.mark.parametrize("column", [column for column in Column if column is not Column.VALUE])
-def test_only_the_value_column_is_editable(model: ParameterModel, column: Column) -> None:
+@pytest.mark.parametrize(
+    "column", [column for column in ParameterColumn if column is not ParameterColumn.VALUE]
+)
+def test_only_the_value_column_is_editable(model: ParameterModel, column: ParameterColumn) -> None:
     index = model.index_of("serial_timeout", column)
     assert not index.flags() & Qt.ItemFlag.ItemIsEditable
     assert not model.setData(index, 9)

@@ -9,7 +9,7 @@ from PySide6.QtCore import (
     QSortFilterProxyModel,
 )
 
-from trex_gui.devices.trex.model.parameters.parameters import Column, ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, ParameterModel, Role
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 
 
@@ -44,7 +44,7 @@ class ParameterFilter(QSortFilterProxyModel):
         """Whether any filter is active."""
         return bool(self._words or self._group or self._modified_only or self._not_default_only)
 
-    def index_of(self, key: str, column: Column = Column.VALUE) -> QModelIndex:
+    def index_of(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> QModelIndex:
         """Return the cell of a parameter, invalid when it is not shown."""
         return self.mapFromSource(self._parameters.index_of(key, column))
 
@@ -71,7 +71,7 @@ class ParameterFilter(QSortFilterProxyModel):
     def filterAcceptsRow(
         self, source_row: int, source_parent: QModelIndex | QPersistentModelIndex
     ) -> bool:
-        index = self.sourceModel().index(source_row, Column.VALUE, source_parent)
+        index = self.sourceModel().index(source_row, ParameterColumn.VALUE, source_parent)
         spec = cast("ParameterSpec | None", index.data(Role.SPEC))
         if spec is None:
             return False  # a heading is there for the rows below it

@@ -8,12 +8,18 @@ from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.parameters.tree import GROUPS, Column, Index, ParameterTree, Role
+from trex_gui.devices.trex.model.parameters.tree import (
+    GROUPS,
+    Index,
+    ParameterColumn,
+    ParameterTree,
+    Role,
+)
 from trex_gui.devices.trex.protocol.parameter_keys import motor_name, other_motor_key
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec
 from trex_gui.ui.devices.undo import Edit
 
-__all__ = ["GROUPS", "Column", "Index", "ParameterModel", "Role"]
+__all__ = ["GROUPS", "Index", "ParameterColumn", "ParameterModel", "Role"]
 
 
 class ParameterModel(ParameterTree):

@@ -16,7 +16,7 @@ Index = QModelIndex | QPersistentModelIndex
 GROUPS = ("motors", "channels", "serial", "system")
 
 
-class Column(IntEnum):
+class ParameterColumn(IntEnum):
     """The columns, left to right."""
 
     NAME = 0
@@ -47,7 +47,7 @@ class Role(IntEnum):
     STORED_TEXT = Qt.ItemDataRole.UserRole + 8
 
 
-_COLUMNS = len(Column)
+_COLUMNS = len(ParameterColumn)
 _DESCRIBED = {
     Qt.ItemDataRole.DisplayRole,
     Qt.ItemDataRole.EditRole,
@@ -123,7 +123,7 @@ class ParameterTree(QAbstractItemModel):
 
     # --- Qt -----------------------------------------------------------------------------
 
-    def index_of(self, key: str, column: Column = Column.VALUE) -> QModelIndex:
+    def index_of(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> QModelIndex:
         """Return the cell of a parameter, invalid when there is none."""
         place = self._places.get(key)
         return QModelIndex() if place is None else self._cell(*place, column)
@@ -172,14 +172,14 @@ class ParameterTree(QAbstractItemModel):
         orientation: Qt.Orientation,
         role: int = Qt.ItemDataRole.DisplayRole,
     ) -> Any:
-        if orientation is not Qt.Orientation.Horizontal or section >= len(Column):
+        if orientation is not Qt.Orientation.Horizontal or section >= len(ParameterColumn):
             return None
         match role:
             case Qt.ItemDataRole.DisplayRole:
                 return self._headers[section]
-            case Qt.ItemDataRole.TextAlignmentRole if section == Column.WIRE:
+            case Qt.ItemDataRole.TextAlignmentRole if section == ParameterColumn.WIRE:
                 return int(Qt.AlignmentFlag.AlignCenter)
-            case Qt.ItemDataRole.AccessibleTextRole if section == Column.RESET:
+            case Qt.ItemDataRole.AccessibleTextRole if section == ParameterColumn.RESET:
                 return self.tr("Back to default")
         return None
 
@@ -192,7 +192,11 @@ class ParameterTree(QAbstractItemModel):
             flags |= Qt.ItemFlag.ItemNeverHasChildren
         if self._editable:
             flags |= Qt.ItemFlag.ItemIsEnabled
-            if spec is not None and index.column() == Column.VALUE and self.knows(spec.key):
+            if (
+                spec is not None
+                and index.column() == ParameterColumn.VALUE
+                and self.knows(spec.key)
+            ):
                 flags |= Qt.ItemFlag.ItemIsEditable
         return flags
 
@@ -202,7 +206,7 @@ class ParameterTree(QAbstractItemModel):
         spec = self._spec_at(index)
         if spec is None:
             return self._heading_data(index.row(), index.column(), role)
-        column = Column(index.column())
+        column = ParameterColumn(index.column())
         match role:
             case Qt.ItemDataRole.DisplayRole:
                 return self._cell_text(spec, column)
@@ -210,9 +214,9 @@ class ParameterTree(QAbstractItemModel):
                 return self._tool_tip(spec, column)
             case Qt.ItemDataRole.EditRole:
                 return self._draft.value(spec.key)
-            case Qt.ItemDataRole.AccessibleTextRole if column is Column.RESET:
+            case Qt.ItemDataRole.AccessibleTextRole if column is ParameterColumn.RESET:
                 return self._reset_text(spec)
-            case Qt.ItemDataRole.TextAlignmentRole if column is Column.WIRE:
+            case Qt.ItemDataRole.TextAlignmentRole if column is ParameterColumn.WIRE:
                 return int(Qt.AlignmentFlag.AlignCenter)
         return self._fact(spec, role)
 
@@ -255,35 +259,35 @@ class ParameterTree(QAbstractItemModel):
     def _count_modified(self, specs: Sequence[ParameterSpec]) -> int:
         return sum(self._draft.is_modified(spec.key) for spec in specs)
 
-    def _cell_text(self, spec: ParameterSpec, column: Column) -> str:
+    def _cell_text(self, spec: ParameterSpec, column: ParameterColumn) -> str:
         match column:
-            case Column.NAME:
+            case ParameterColumn.NAME:
                 return spec.name
-            case Column.VALUE:
+            case ParameterColumn.VALUE:
                 return self.text.value(spec)
-            case Column.WIRE:
+            case ParameterColumn.WIRE:
                 wire = self._draft.value(spec.key)
                 return "" if wire is None else str(wire)
-            case Column.RESET:
+            case ParameterColumn.RESET:
                 return ""
-            case Column.DEFAULT:
+            case ParameterColumn.DEFAULT:
                 return spec.text(spec.default)
-            case Column.RANGE:
+            case ParameterColumn.RANGE:
                 return self.text.range(spec)
-            case Column.SOURCE:
+            case ParameterColumn.SOURCE:
                 return self.text.source(spec)
-            case Column.EFFECT:
+            case ParameterColumn.EFFECT:
                 return self.text.effect(spec)
 
-    def _tool_tip(self, spec: ParameterSpec, column: Column) -> str | None:
-        if column is Column.RESET:
+    def _tool_tip(self, spec: ParameterSpec, column: ParameterColumn) -> str | None:
+        if column is ParameterColumn.RESET:
             return self._reset_text(spec)
-        tips: dict[Column, Callable[[ParameterSpec], str]] = {
-            Column.NAME: self.text.tip_of_name,
-            Column.DEFAULT: self.text.tip_of_default,
-            Column.RANGE: self.text.tip_of_range,
-            Column.SOURCE: self.text.tip_of_source,
-            Column.EFFECT: self.text.tip_of_effect,
+        tips: dict[ParameterColumn, Callable[[ParameterSpec], str]] = {
+            ParameterColumn.NAME: self.text.tip_of_name,
+            ParameterColumn.DEFAULT: self.text.tip_of_default,
+            ParameterColumn.RANGE: self.text.tip_of_range,
+            ParameterColumn.SOURCE: self.text.tip_of_source,
+            ParameterColumn.EFFECT: self.text.tip_of_effect,
         }
         return tips.get(column, self.text.tip_of_value)(spec)
 
@@ -295,15 +299,15 @@ class ParameterTree(QAbstractItemModel):
         for each in (key, other_motor, pwm_partner(key), pwm_partner(other_motor or "")):
             if each in self._places:
                 group, row = self._places[each]
-                last = self._cell(group, row, len(Column) - 1)
+                last = self._cell(group, row, len(ParameterColumn) - 1)
                 self.dataChanged.emit(self._cell(group, row, 0), last)
         heading = self.index(self._places[key][0], 0)
         self.dataChanged.emit(heading, heading)
 
     def _announce_all(self) -> None:
         for number, (_, members) in enumerate(self._groups):
-            first, last = (0, 0), (len(members) - 1, len(Column) - 1)
+            first, last = (0, 0), (len(members) - 1, len(ParameterColumn) - 1)
             self.dataChanged.emit(self._cell(number, *first), self._cell(number, *last))
         if self._groups:
-            last_heading = self.index(len(self._groups) - 1, len(Column) - 1)
+            last_heading = self.index(len(self._groups) - 1, len(ParameterColumn) - 1)
             self.dataChanged.emit(self.index(0, 0), last_heading)

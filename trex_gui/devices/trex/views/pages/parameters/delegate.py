@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.parameters.parameters import Column, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, Role
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, NumberEditor, editor_for
 from trex_gui.ui.theme.icons import icon
@@ -128,14 +128,14 @@ class ParameterDelegate(QStyledItemDelegate):
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
         match index.column():
-            case Column.NAME:
+            case ParameterColumn.NAME:
                 self._show_name(option, index)
-            case Column.VALUE | Column.WIRE:
+            case ParameterColumn.VALUE | ParameterColumn.WIRE:
                 if index.data(Role.DIRTY):
                     _embolden(option)
                 if index.data(Role.WIRE) is None:
                     _mute(option)
-            case Column.SOURCE:
+            case ParameterColumn.SOURCE:
                 spec = index.data(Role.SPEC)
                 if spec is not None and not (spec.limits_confirmed and spec.default_confirmed):
                     _mute(option)

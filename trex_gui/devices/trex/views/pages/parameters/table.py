@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
-from trex_gui.devices.trex.model.parameters.parameters import Column, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, Role
 from trex_gui.devices.trex.model.parameters.text import ParameterText
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
@@ -49,7 +49,7 @@ class ParameterTable(QWidget):
         self._model = draft.parameters
         self._rows = ParameterFilter(self._model, self)
         self._place = ""
-        self._column = Column.VALUE
+        self._column = ParameterColumn.VALUE
         self._is_inside = False
 
         self._filters = ParameterFilters(self._rows, self)
@@ -109,10 +109,10 @@ class ParameterTable(QWidget):
             self._is_inside = False
             self._place = self.current_key or str(current.data(Role.GROUP))
             if self.current_key:
-                self._column = Column(current.column())
+                self._column = ParameterColumn(current.column())
             self._view.scrollTo(current)
             # Which row it is, above all.
-            self._view.scrollTo(current.siblingAtColumn(Column.NAME))
+            self._view.scrollTo(current.siblingAtColumn(ParameterColumn.NAME))
         self._show_help()
 
     @Slot()
@@ -134,7 +134,7 @@ class ParameterTable(QWidget):
         """Select the first row, but remember the user's row."""
         wanted = self._place
         heading = self._rows.index(0, 0)
-        first = self._rows.index(0, Column.VALUE, heading)
+        first = self._rows.index(0, ParameterColumn.VALUE, heading)
         self._view.setCurrentIndex(first if self._view.isExpanded(heading) else heading)
         self._view.scrollToTop()
         self._is_inside = bool(wanted)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
-from trex_gui.devices.trex.model.parameters.parameters import Column, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, Role
 from trex_gui.devices.trex.views.pages.parameters.delegate import ParameterDelegate, ResetDelegate
 from trex_gui.ui.widgets.behaviour import name_headers
 
@@ -19,13 +19,13 @@ Index = QModelIndex | QPersistentModelIndex
 
 _PRESS = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space, Qt.Key.Key_Select}
 _WIDTHS = {
-    Column.NAME: 47,
-    Column.WIRE: 7,
-    Column.RESET: 5,
-    Column.DEFAULT: 16,
-    Column.RANGE: 26,
-    Column.SOURCE: 17,
-    Column.EFFECT: 14,
+    ParameterColumn.NAME: 47,
+    ParameterColumn.WIRE: 7,
+    ParameterColumn.RESET: 5,
+    ParameterColumn.DEFAULT: 16,
+    ParameterColumn.RANGE: 26,
+    ParameterColumn.SOURCE: 17,
+    ParameterColumn.EFFECT: 14,
 }
 """Widths in average characters; what is left is the value's."""
 
@@ -58,7 +58,7 @@ class ParameterView(QTreeView):
         delegate = ParameterDelegate(self)
         delegate.rejected.connect(self.rejected)
         self.setItemDelegate(delegate)
-        self.setItemDelegateForColumn(Column.RESET, ResetDelegate(self))
+        self.setItemDelegateForColumn(ParameterColumn.RESET, ResetDelegate(self))
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setEditTriggers(
@@ -93,8 +93,8 @@ class ParameterView(QTreeView):
         for column, width in _WIDTHS.items():
             header.resizeSection(column, width * character)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        header.setSectionResizeMode(Column.RESET, QHeaderView.ResizeMode.Fixed)
-        header.setSectionResizeMode(Column.VALUE, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(ParameterColumn.RESET, QHeaderView.ResizeMode.Fixed)
+        header.setSectionResizeMode(ParameterColumn.VALUE, QHeaderView.ResizeMode.Stretch)
 
     # --- Groups -------------------------------------------------------------------------
 
@@ -127,16 +127,16 @@ class ParameterView(QTreeView):
 
     def begin_edit(self, index: QModelIndex) -> None:
         """Open the editor of the row of a cell."""
-        value = index.siblingAtColumn(Column.VALUE)
+        value = index.siblingAtColumn(ParameterColumn.VALUE)
         self.setCurrentIndex(value)
         self.edit(value)
 
     def _on_clicked(self, index: QModelIndex) -> None:
-        if index.column() == Column.RESET:
+        if index.column() == ParameterColumn.RESET:
             self._press_reset(index)
 
     def _on_double_clicked(self, index: QModelIndex) -> None:
-        is_other = index.column() not in {Column.VALUE, Column.RESET}
+        is_other = index.column() not in {ParameterColumn.VALUE, ParameterColumn.RESET}
         if is_other and index.data(Role.SPEC) is not None:
             self.begin_edit(index)
 
@@ -167,23 +167,23 @@ class ParameterView(QTreeView):
         elif not self._act(current, event):
             typed = event.text()
             if event.key() == Qt.Key.Key_F2 or (typed and typed.isprintable()):
-                self.setCurrentIndex(current.siblingAtColumn(Column.VALUE))
+                self.setCurrentIndex(current.siblingAtColumn(ParameterColumn.VALUE))
             super().keyPressEvent(event)
 
     def _act(self, current: QModelIndex, event: QKeyEvent) -> bool:
         """Do what a key means in the row of a parameter; return whether it means anything."""
-        at_reset = current.column() == Column.RESET
+        at_reset = current.column() == ParameterColumn.RESET
         match event.key():
             case key if key in _PRESS and at_reset:
                 self._press_reset(current)
             case key if key in _PRESS:
                 self.begin_edit(current)
-            case Qt.Key.Key_Right if not at_reset and current.siblingAtColumn(Column.RESET).data(
-                Role.RESET
-            ):
-                self.setCurrentIndex(current.siblingAtColumn(Column.RESET))
+            case Qt.Key.Key_Right if not at_reset and current.siblingAtColumn(
+                ParameterColumn.RESET
+            ).data(Role.RESET):
+                self.setCurrentIndex(current.siblingAtColumn(ParameterColumn.RESET))
             case Qt.Key.Key_Left if at_reset:
-                self.setCurrentIndex(current.siblingAtColumn(Column.VALUE))
+                self.setCurrentIndex(current.siblingAtColumn(ParameterColumn.VALUE))
             case _:
                 return False
         return True
