@@ -56,7 +56,7 @@ class SettingsWrite:
         assert all(stored[key] == self.before.parameters[key] for key in untried)
         assert len(given - named_stored - untried) <= 1
         assert re.search(r"\d+ of \d+ changes are stored and read back", said)
-        assert "not everything was stored" in said.lower()
+        assert "not all settings were stored" in said.lower()
 
     def differs(self, key: str) -> bool:
         return self.wanted.parameters[key] != self.before.parameters[key]
