@@ -204,6 +204,18 @@ def test_check_settings_prints_findings_as_json(trexcmd: RunCommand, saved: Path
     assert isinstance(finding["line"], int)
 
 
+def test_check_settings_prints_warnings_as_json(trexcmd: RunCommand, saved: Path) -> None:
+    path = changed(saved, motor1_current_limit=20, motor1_current_limit_p=0)
+    result = trexcmd("check-settings", str(path), "--json")
+    assert result.exit_code == 0, result.stderr
+    report = json.loads(result.stdout)
+    assert report["usable"]
+    assert report["findings"] == []
+    warning = report["warnings"][0]
+    assert set(warning) == {"rule", "keys", "message"}
+    assert warning["keys"] == ["motor1_current_limit", "motor1_current_limit_p"]
+
+
 def test_check_settings_writes_checked_file(
     trexcmd: RunCommand, saved: Path, tmp_path: Path
 ) -> None:

@@ -138,7 +138,7 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
                 }
                 for finding in findings
             ],
-            "advice": [
+            "warnings": [
                 {"rule": found.rule, "keys": list(found.keys), "message": found.message}
                 for found in lint_findings
             ],
