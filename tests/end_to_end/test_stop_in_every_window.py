@@ -69,7 +69,7 @@ def test_stop_button_of_every_window_stops_motors(
     page = MotorsPage(connected_window, quick_simulator)
     page.motors.lockout = 0
     page.motors.accelerate = False
-    assert spoken(page.button("stopButton")) == "Stop motor"
+    assert spoken(page.button("stopButton")) == "Stop motors"
     opened: list[tuple[QWidget, QPushButton]] = []
     for open_window in (
         open_playback,
@@ -83,7 +83,7 @@ def test_stop_button_of_every_window_stops_motors(
         window = open_window(page, tmp_path)
         page.wait(window.isVisible)
         button = stop_button(WidgetDriver(window, page.qtbot))
-        assert spoken(button) == "Stop motor", case
+        assert spoken(button) == "Stop motors", case
         page.motors.arm()
         page.motors.set_speed(1, 60)
         page.wait_for_targets(("forward", 60), None, case)

@@ -71,7 +71,7 @@ def _frame_menus() -> Mapping[Menu, _FrameMenu]:
                 ActionInfo("line", tr("&Line settings…"), "", "settings"),
                 ActionInfo("find", tr("&Find a board…"), "Ctrl+Shift+F", "find"),
                 SEPARATOR,
-                ActionInfo("stop", tr("&Stop motor"), "Esc", "stop"),
+                ActionInfo("stop", tr("&Stop motors"), "Esc", "stop"),
             ),
         ),
         Menu.WINDOW: _FrameMenu(

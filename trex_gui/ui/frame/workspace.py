@@ -75,7 +75,7 @@ class Workspace(QWidget):
     @property
     def stop_text(self) -> str:
         """Menu entry of Esc."""
-        return self.tr("&Stop motor")
+        return self.tr("&Stop motors")
 
     @property
     def help_title(self) -> str:

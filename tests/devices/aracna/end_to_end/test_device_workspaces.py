@@ -48,7 +48,7 @@ def test_workspace_follows_port(window: RobotWindow, qtbot: QtBot) -> None:
     )
     window.choose_demo("trex")
     assert_trex_workspace(window)
-    assert window.action("stop").text() == "&Stop motor"
+    assert window.action("stop").text() == "&Stop motors"
     press_control(window, Qt.Key.Key_2)
     assert (board_tabs.currentIndex(), robot_tabs.currentIndex()) == (1, 0)
 
@@ -62,7 +62,7 @@ def test_workspace_follows_port(window: RobotWindow, qtbot: QtBot) -> None:
 
     window.choose_demo("trex")
     assert_trex_workspace(window)
-    assert window.action("stop").text() == "&Stop motor"
+    assert window.action("stop").text() == "&Stop motors"
 
 
 def test_escape_stops_robot_from_each_page(connected_window: RobotWindow) -> None:

@@ -88,7 +88,10 @@ class StopButton(RedButton):
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
         """Stop the motors of `device`; `name` is what the button is found by."""
         super().__init__(name, device.motors.press_stop, parent)
-        self.describe(self.tr("Stop motor"), self.tr("Brake both motors, now (Esc, anywhere)"))
+        self.describe(
+            self.tr("Stop motors"),
+            self.tr("Stop both motors and the auxiliary now (Esc, anywhere)"),
+        )
         self._device = device
         device.link_changed.connect(self._on_link_changed)
         self._on_link_changed()
@@ -106,7 +109,7 @@ class StopButton(RedButton):
 
 
 class ActionBar(QWidget):
-    """Stop motor in red, Run motor in green, what state they are in, Apply settings.
+    """Stop motors in red, Run motor in green, what state they are in, Apply settings.
 
     Signals:
         apply_requested: the user wants the edits written.
