@@ -85,7 +85,7 @@ def main(argv: list[str] | None = None) -> int:
     from trex_gui.core.timing import Timeouts  # noqa: PLC0415
     from trex_gui.supervisor import SafetySupervisor  # noqa: PLC0415
     from trex_gui.ui.theme.theme import theme  # noqa: PLC0415
-    from trex_gui.ui.workers.garbage_collection import GuiThreadCollector  # noqa: PLC0415
+    from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
 
     QApplication.setApplicationName("TReX Studio")
     QApplication.setOrganizationName("TReX Studio")

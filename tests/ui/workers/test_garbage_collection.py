@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.workers.garbage_collection import GuiThreadCollector
+from trex_gui.ui.workers.threads import GuiThreadCollector
 
 
 class Cycle:

@@ -20,7 +20,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.session.messages import Batch, Connected, Report, RunCommand, Write
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.ui.runtime import now, open_transport
-from trex_gui.ui.workers.line_worker import LineWorker
+from trex_gui.ui.workers.session_thread import LineWorker
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)

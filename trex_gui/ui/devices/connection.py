@@ -11,8 +11,7 @@ from trex_gui.core.transport.transactions import Decoder
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.traffic.model import TrafficModel
-from trex_gui.ui.workers.line_worker import MakeSession
-from trex_gui.ui.workers.session_thread import SessionThread
+from trex_gui.ui.workers.session_thread import MakeSession, SessionThread
 
 SettingsT = TypeVar("SettingsT", bound=PortSettings)
 

@@ -11,8 +11,8 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.simulator_process import Simulator
-from trex_gui.ui.workers import orphaned_threads
 from trex_gui.ui.workers.scan_worker import ScanJob, ScanResult, ScanWorker
+from trex_gui.ui.workers.threads import adopt_orphan
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,7 +149,7 @@ class DeviceScanner(QObject):
         worker.finished.disconnect(self._on_worker_finished)
         in_time = worker.close()
         if not in_time:
-            orphaned_threads.adopt(worker)
+            adopt_orphan(worker)
         return in_time
 
     def _job(self, port: Port) -> ScanJob:

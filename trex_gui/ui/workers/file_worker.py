@@ -11,8 +11,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.ui.runtime import now, runtime
-from trex_gui.ui.workers import orphaned_threads
-from trex_gui.ui.workers.thread import WorkerThread
+from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
 
 log = logging.getLogger(__name__)
 
@@ -141,7 +140,7 @@ class FileTask(QObject):
         if worker is not None and not worker.wait(finish_ms):
             worker.cancel()
             if not worker.wait(timeout_ms):
-                orphaned_threads.adopt(worker)
+                adopt_orphan(worker)
                 self._abandoned, worker = worker, None
         if worker is not None:
             worker.deleteLater()

@@ -14,8 +14,7 @@ from trex_gui.core.recording.kinds import HeaderT, Marker, RecordingFormat, Reco
 from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.runtime import now, runtime
-from trex_gui.ui.workers import orphaned_threads
-from trex_gui.ui.workers.thread import WorkerThread
+from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan
 
 log = logging.getLogger(__name__)
 
@@ -209,7 +208,7 @@ class RecordThread(QObject, Generic[RecordT]):
         if worker.wait(0 if self._abandoned else _SHUTDOWN_TIMEOUT_MS):
             return True
         self._abandoned = True
-        orphaned_threads.adopt(worker)
+        adopt_orphan(worker)
         return False
 
     @Slot(object)
@@ -227,7 +226,7 @@ class RecordThread(QObject, Generic[RecordT]):
     def _on_finished(self) -> None:
         worker, self._worker = self._worker, None
         if worker is not None:
-            orphaned_threads.release(worker)
+            release_orphan(worker)
             worker.deleteLater()
         self.changed.emit()
         if not self._has_failed:

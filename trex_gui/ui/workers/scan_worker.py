@@ -10,16 +10,16 @@ from trex_gui.core.discovery.prober import ProberInfo, ScanProgress
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.runtime import open_transport
-from trex_gui.ui.workers.thread import WorkerThread
+from trex_gui.ui.workers.threads import WorkerThread
 
 
 @dataclass(frozen=True, slots=True)
 class ScanJob:
-    """One port, and what to look for.
+    """Scan of one port.
 
     Attributes:
-        probers: how to look for each kind of device, by its key, the most common first.
-        first: key of the kind that the port is known to have.
+        probers: the prober of each device kind by its key, the most common kind first.
+        first: key of the kind to probe first.
     """
 
     settings: PortSettings
@@ -39,11 +39,11 @@ class ScanWorker(WorkerThread):
     """Runs one scan.
 
     The object lives in the GUI thread; only `run` executes in the new one. `cancel` and `close`
-    may be called from any thread. Its owner keeps it until it is finished.
+    may be called from any thread. Its owner keeps it until it has ended.
 
     Signals:
-        stepped: index of the port, and the `ScanProgress` that comes next.
-        searched: a `ScanResult`, once for each port until it is cancelled.
+        stepped: index of the port and the `ScanProgress` of its next step.
+        searched: a `ScanResult`, once for each port until the scan is cancelled.
     """
 
     stepped = Signal(int, object)
@@ -54,13 +54,13 @@ class ScanWorker(WorkerThread):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("ScanWorker")
-        self._errands = tuple(jobs)
+        self._jobs = tuple(jobs)
         self._full = full
         self._cancelled = threading.Event()
 
     def run(self) -> None:
         """Scan; called by Qt in the new thread."""
-        for index, job in enumerate(self._errands):
+        for index, job in enumerate(self._jobs):
             if self._cancelled.is_set():
                 break
             self.searched.emit(self._search(index, job))
@@ -81,7 +81,7 @@ class ScanWorker(WorkerThread):
         return ScanResult(index, search)
 
     def cancel(self) -> None:
-        """End after the current probe: half a second, more behind a network."""
+        """End after the current probe: within half a second, later over a network."""
         self._cancelled.set()
 
     def close(self, timeout_ms: int = 1000) -> bool:

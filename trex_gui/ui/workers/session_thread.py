@@ -2,35 +2,84 @@
 
 import itertools
 from collections.abc import Callable
+from typing import Protocol
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session.messages import Close, Closed, Outcome
+from trex_gui.core.session.request_queue import RequestQueue
 from trex_gui.core.transport.traffic_log import TrafficLog
-from trex_gui.ui.workers import orphaned_threads
-from trex_gui.ui.workers.line_worker import LineWorker, MakeSession
+from trex_gui.ui.runtime import runtime
+from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan
 
-NOBODY = 0
+NO_HANDLER = 0
 """Number of a request without a handler for its outcome."""
 
 _TIMEOUT_MS = 1000
 _WRITING_TIMEOUT_MS = 3000
-"""How long the end waits: line settings and polynomial must be stored together."""
+"""How long `shut_down` waits: line settings and polynomial must be stored together."""
+
+
+class Session(Protocol):
+    """A line session of any device."""
+
+    def run(self) -> None:
+        """Serve the line until it is lost or `Close` comes; never raise."""
+        ...
+
+
+MakeSession = Callable[[RequestQueue, Callable[[object], None]], Session]
+"""Makes a session from the queue of its requests and the function that receives its reports."""
+
+
+class LineWorker(WorkerThread):
+    """Runs one line session.
+
+    The object lives in the GUI thread; only `run` executes in the new one. `submit` and
+    `close` may be called from any thread. Its owner keeps it until it has ended.
+
+    Signals:
+        reported: a report of the session, emitted in the new thread. The last one is `Closed`.
+    """
+
+    reported = Signal(object)
+
+    def __init__(self, make_session: MakeSession, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("LineWorker")
+        self._requests = RequestQueue(runtime().condition())
+        self._session = make_session(self._requests, self._report)
+
+    def run(self) -> None:
+        """Serve the line; called by Qt in the new thread."""
+        self._session.run()
+
+    def submit(self, request: object) -> None:
+        """Queue a request for the session."""
+        self._requests.put(request)
+
+    def close(self, timeout_ms: int = _TIMEOUT_MS) -> bool:
+        """Close the session and wait for it; return whether it ended in time."""
+        self.submit(Close())
+        return self.wait(timeout_ms)
+
+    def _report(self, report: object) -> None:
+        self.reported.emit(report)
 
 
 class SessionThread(QObject):
-    """One session after another, never two at a time.
+    """Runs one session after another, never two at a time.
 
     Attributes:
-        log: traffic log, if `traffic_log.logged` opens the line.
+        log: traffic log, filled if `traffic_log.logged` opens the line.
 
     Signals:
         started: a session starts.
-        reported: a report that is neither an outcome nor the last one.
-        closed: the port is closed; the `Closed` of the session. After an internal error it says
-            that motors may move if any was driven. Not emitted for a session that ends within
-            `shut_down`.
+        reported: a report other than `Outcome` and `Closed`.
+        closed: the port is closed; the `Closed` of the session. After an internal error
+            `may_move` is true if any motor was driven. Not emitted for a session that ends
+            within `shut_down`.
     """
 
     started = Signal()
@@ -50,18 +99,18 @@ class SessionThread(QObject):
         self._writes: set[int] = set()
 
     def moves(self, request: object) -> bool:
-        """Return whether a motor may turn because of this request; if unknown, it may."""
+        """Return whether this request may start a motor; true unless a device overrides it."""
         del request
         return True
 
     def writes(self, request: object) -> bool:
-        """Return whether this request stores something; the end of the program waits for it."""
+        """Return whether this request writes to the device; `shut_down` waits for its outcome."""
         del request
         return False
 
     @property
     def is_open(self) -> bool:
-        """Whether a session owns the port, or is about to."""
+        """Whether a session owns the port or is about to open it."""
         return self._worker is not None
 
     @property
@@ -80,7 +129,7 @@ class SessionThread(QObject):
         self.started.emit()
 
     def submit(self, request: object) -> bool:
-        """Hand a request to the session; return whether there is one."""
+        """Queue a request; return whether there is a session."""
         if (worker := self._worker) is None:
             return False
         self._may_move = self._may_move or self.moves(request)
@@ -88,18 +137,18 @@ class SessionThread(QObject):
         return True
 
     def submit_now(self, *requests: object) -> None:
-        """Submit requests that move nothing to the same session, if there is one.
+        """Queue requests that start no motor, all for the same session, if there is one.
 
-        For emergencies, from any thread: the session may end, and another start, meanwhile.
+        For emergencies, from any thread: meanwhile the session may end and another one start.
         """
         if (worker := self._worker) is not None:
             for request in requests:
                 worker.submit(request)
 
     def ask(self, make: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
-        """Submit the request that `make` returns for a number; `then` gets its outcome.
+        """Queue the request that `make` returns for a number; `then` gets its outcome.
 
-        Return whether there is a session; where there is none, `then` is not called.
+        Return whether there is a session; without one, `then` is not called.
         """
         if (worker := self._worker) is None:
             return False
@@ -113,16 +162,15 @@ class SessionThread(QObject):
         return True
 
     def close(self) -> None:
-        """Let the session end; `closed` follows."""
+        """Close the session without waiting; `closed` follows."""
         self.submit(Close())
 
     def shut_down(self) -> bool:
-        """Close and wait for it, at most a second; return whether it ended in time.
+        """Close the session and wait at most a second; return whether it ended in time.
 
-        While something is written it waits for up to three seconds, and the outcome of a write is
-        delivered before this returns, if it comes in time. `last` says how the session ended;
-        nothing else is reported. A thread that does not end in time is kept, and the process must
-        end without destroying it: `closed` follows if it ends after all, and calling this again
+        Waits up to three seconds for pending writes; an outcome that arrives in time is delivered
+        before this returns. `last` says how the session ended; nothing else is reported. A thread
+        that does not end in time is orphaned: `closed` follows if it ends later, and another call
         waits again.
         """
         worker, self._worker = self._worker, None
@@ -147,7 +195,7 @@ class SessionThread(QObject):
 
     def _keep(self, worker: LineWorker) -> None:
         self._ending.append(worker)
-        orphaned_threads.adopt(worker)
+        adopt_orphan(worker)
 
     def _take_reports(self) -> None:
         """Deliver queued reports; no event loop may be running any more."""
@@ -157,7 +205,7 @@ class SessionThread(QObject):
     def _on_reported(self, report: object) -> None:
         worker = self.sender()
         if worker is None or worker not in {self._worker, self._late}:
-            return  # of an orphaned session; another may have started
+            return  # from an orphaned session; another one may have started
         match report:
             case Outcome(id=number):
                 self._writes.discard(number)
@@ -166,9 +214,9 @@ class SessionThread(QObject):
             case Closed() if self._worker is None:
                 self._last = report
             case _ if self._worker is None:
-                pass  # it was on its way when the line was shut down
+                pass  # sent before the line was shut down
             case Closed():
-                self._leave(report)
+                self._end(report)
             case _:
                 self.reported.emit(report)
 
@@ -181,7 +229,7 @@ class SessionThread(QObject):
         error = StudioError(self.tr("Internal error: the connection was closed."))
         return Closed(error, self._may_move)
 
-    def _leave(self, last: Closed) -> None:
+    def _end(self, last: Closed) -> None:
         if self._worker is not None:
             self._keep(self._worker)
             self._worker = None
@@ -195,11 +243,11 @@ class SessionThread(QObject):
         if not isinstance(worker, LineWorker):
             return
         if worker is self._worker:
-            self._leave(self._fault())  # the line is closed all the same
+            self._end(self._fault())
         elif worker is self._late and worker in self._ending:
             self._late = None
             self.closed.emit(self._last or self._fault())
         if worker in self._ending:
             self._ending.remove(worker)
-            orphaned_threads.release(worker)
+            release_orphan(worker)
             worker.deleteLater()

@@ -33,7 +33,7 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
 from trex_gui.ui.runtime import open_transport
-from trex_gui.ui.workers.line_worker import LineWorker
+from trex_gui.ui.workers.session_thread import LineWorker
 
 KindT = TypeVar("KindT")
 

@@ -9,7 +9,7 @@ from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.session.messages import Outcome
 from trex_gui.core.transport.serial_port import latency_of
-from trex_gui.devices.trex.client.telemetry import LatchedStatus, Raw, Topic
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, Raw
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
     Arm,
@@ -21,7 +21,13 @@ from trex_gui.devices.trex.protocol.commands import Drive, GetRawChannels
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.session.messages import Connected, Write
-from trex_gui.devices.trex.session.polling import longest_pause, silence, survives_a_loss, too_slow
+from trex_gui.devices.trex.session.polling import (
+    Topic,
+    longest_pause,
+    silence,
+    survives_a_loss,
+    too_slow,
+)
 
 
 def opening(baud: int) -> float:

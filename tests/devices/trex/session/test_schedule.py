@@ -9,9 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.matrix import examples
-from trex_gui.devices.trex.client.telemetry import Topic
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.session.polling import Schedule, rates
+from trex_gui.devices.trex.session.polling import Schedule, Topic, rates
 
 modest = examples(40)
 

@@ -42,7 +42,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.event_log import EventKind, EventLog
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
-from trex_gui.ui.workers.line_worker import MakeSession
+from trex_gui.ui.workers.session_thread import MakeSession
 
 
 class Robot(DeviceConnection[PortSettings]):

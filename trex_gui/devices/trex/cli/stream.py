@@ -26,12 +26,11 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
     Sample,
     StatusReader,
-    poll,
 )
 from trex_gui.devices.trex.protocol.commands import GetMode
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.recording import measured_columns, sample_kinds
-from trex_gui.devices.trex.session.polling import Schedule, rates
+from trex_gui.devices.trex.session.polling import Schedule, poll, rates
 
 _FLUSH = 0.25
 """Seconds after which what was written can be read by others."""

@@ -1,44 +1,13 @@
-"""Polled values and their samples."""
+"""Samples of polled values, and reading the latched status bits."""
 
 import contextlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from enum import Enum, auto
 
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.client import Requester
-from trex_gui.devices.trex.protocol.commands import (
-    Command,
-    GetCurrents,
-    GetMode,
-    GetRawChannels,
-    GetRemappedChannels,
-    GetSerialControl,
-    GetStatus,
-    GetUartErrors,
-)
-from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError
-
-
-class Topic(Enum):
-    """One polled value."""
-
-    CURRENTS = auto()
-    RAW = auto()
-    REMAPPED = auto()
-    STATUS = auto()
-    CONTROL = auto()
-    MODE = auto()
-
-
-QUERIES: Mapping[Topic, Command[object]] = {
-    Topic.CURRENTS: GetCurrents(),
-    Topic.RAW: GetRawChannels(),
-    Topic.REMAPPED: GetRemappedChannels(),
-    Topic.STATUS: GetStatus(),
-    Topic.CONTROL: GetSerialControl(),
-    Topic.MODE: GetMode(),
-}
+from trex_gui.devices.trex.protocol.commands import GetStatus, GetUartErrors
+from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,32 +103,3 @@ class StatusReader:
                 uart = request(GetUartErrors())
                 self._uart_due = False
         return LatchedStatus(self._clock(), status, uart) if status or uart else None
-
-
-def poll(
-    request: Requester, topic: Topic, clock: Callable[[], float], reader: StatusReader
-) -> Sample | None:
-    """Read one topic; return its sample with the time of its reply, `None` if no bit was latched.
-
-    Raises:
-        NoReply, BadReply: as every transaction.
-        PortUnavailable: the line is gone.
-    """
-    match topic:
-        case Topic.CURRENTS:
-            currents = request(GetCurrents())
-            return Currents(clock(), currents)
-        case Topic.RAW:
-            raw = request(GetRawChannels())
-            return Raw(clock(), tuple(raw[channel] for channel in CHANNELS))
-        case Topic.REMAPPED:
-            remapped = request(GetRemappedChannels())
-            return Remapped(clock(), tuple(remapped[channel] for channel in CHANNELS))
-        case Topic.CONTROL:
-            by_serial = request(GetSerialControl())
-            return Control(clock(), by_serial)
-        case Topic.MODE:
-            mode = request(GetMode())
-            return ModeSample(clock(), mode)
-        case Topic.STATUS:
-            return reader.read(request)

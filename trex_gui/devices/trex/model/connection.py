@@ -25,8 +25,7 @@ from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.ui.devices.connection import DeviceConnection
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.workers.line_worker import MakeSession
-from trex_gui.ui.workers.session_thread import NOBODY
+from trex_gui.ui.workers.session_thread import NO_HANDLER, MakeSession
 
 log = logging.getLogger(__name__)
 
@@ -85,7 +84,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         For emergencies, from any thread: does not wait and reports nothing by itself. Setpoints
         that are queued behind it are dropped until motors are armed again.
         """
-        stop = Stop(NOBODY, lockout=math.inf)
+        stop = Stop(NO_HANDLER, lockout=math.inf)
         self.submit_now(*((stop, Close()) if ending else (stop,)))
 
     def follow(self, settings: ConnectionSettings) -> None:

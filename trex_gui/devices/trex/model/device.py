@@ -105,7 +105,11 @@ class Device(QObject):
         self.connection.ready.connect(self._on_settled)
         self.connection.not_responding.connect(self._on_silenced)
         self.connection.line_closed.connect(self._on_left)
+        # In this order: the models have taken a batch before the device reports it.
         self.connection.sampled.connect(self._on_sampled)
+        self.connection.sampled.connect(self.telemetry.take)
+        self.connection.sampled.connect(self._follow_control)
+        self.connection.sampled.connect(self.sampled)
         self.connection.progressed.connect(self.progressed)
         self.connection.failed.connect(self._on_connection_failed)
         self._driving.confirmed.connect(self.link_changed)
@@ -371,17 +375,15 @@ class Device(QObject):
             if isinstance(sample, LatchedStatus):
                 self.errors.take(sample)
                 self._follow_board_stop(sample)
-        self.telemetry.take(batch)
-        self._follow_control()
-        self.sampled.emit(batch)
 
     def _follow_board_stop(self, news: LatchedStatus) -> None:
-        """Wish nothing any more of motors that the board has stopped by itself."""
+        """Drop the setpoints of motors that the board has stopped by itself."""
         errors_stop = bool(self._state and self._state.parameters.get(SHUTDOWN))
         why = why_the_board_stopped(news, errors_stop=errors_stop)
         if why and self.motors.text:
             self.motors.stop(why)
 
+    @Slot()
     def _follow_control(self) -> None:
         self._driving.follow(by_serial=bool(self.telemetry.serial_controls))
 

@@ -1,9 +1,9 @@
-"""What the board reports again and again: inputs, currents, who is in control."""
+"""Polled values: inputs, currents, source of control."""
 
 import math
 from enum import IntEnum, auto
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.client.telemetry import (
     Control,
@@ -88,6 +88,7 @@ class Telemetry(QObject):
         """Take who controls the motors from a reading of everything."""
         self.serial_controls = by_serial
 
+    @Slot(object)
     def take(self, batch: Batch) -> None:
         """Take the samples of one batch."""
         for sample in batch.samples:

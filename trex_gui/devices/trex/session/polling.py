@@ -1,4 +1,4 @@
-"""Which value to poll next, and batches of the samples. Pure.
+"""Which value to poll next, reading it, and batches of the samples.
 
 Each value is polled as often as the board renews it, in fair shares.
 Polling faster reads the same value again, and costs the time in
@@ -12,13 +12,52 @@ one query and the first byte of the next one.
 import math
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
+from enum import Enum, auto
 
-from trex_gui.devices.trex.client.client import Counters
-from trex_gui.devices.trex.client.telemetry import QUERIES, Sample, Topic
-from trex_gui.devices.trex.protocol.commands import Command
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.client.client import Counters, Requester
+from trex_gui.devices.trex.client.telemetry import (
+    Control,
+    Currents,
+    ModeSample,
+    Raw,
+    Remapped,
+    Sample,
+    StatusReader,
+)
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    GetCurrents,
+    GetMode,
+    GetRawChannels,
+    GetRemappedChannels,
+    GetSerialControl,
+    GetStatus,
+)
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import Batch
+
+
+class Topic(Enum):
+    """One polled value."""
+
+    CURRENTS = auto()
+    RAW = auto()
+    REMAPPED = auto()
+    STATUS = auto()
+    CONTROL = auto()
+    MODE = auto()
+
+
+QUERIES: Mapping[Topic, Command[object]] = {
+    Topic.CURRENTS: GetCurrents(),
+    Topic.RAW: GetRawChannels(),
+    Topic.REMAPPED: GetRemappedChannels(),
+    Topic.STATUS: GetStatus(),
+    Topic.CONTROL: GetSerialControl(),
+    Topic.MODE: GetMode(),
+}
+
 
 _LONGEST_LAG = 0.1
 """Seconds by which the schedule may be late before it stops catching up."""
@@ -176,6 +215,36 @@ class Polling:
 
 
 # --- Samples ----------------------------------------------------------------------------
+
+
+def poll(
+    request: Requester, topic: Topic, clock: Callable[[], float], reader: StatusReader
+) -> Sample | None:
+    """Read one topic; return its sample with the time of its reply, `None` if no bit was latched.
+
+    Raises:
+        NoReply, BadReply: as every transaction.
+        PortUnavailable: the line is gone.
+    """
+    match topic:
+        case Topic.CURRENTS:
+            currents = request(GetCurrents())
+            return Currents(clock(), currents)
+        case Topic.RAW:
+            raw = request(GetRawChannels())
+            return Raw(clock(), tuple(raw[channel] for channel in CHANNELS))
+        case Topic.REMAPPED:
+            remapped = request(GetRemappedChannels())
+            return Remapped(clock(), tuple(remapped[channel] for channel in CHANNELS))
+        case Topic.CONTROL:
+            by_serial = request(GetSerialControl())
+            return Control(clock(), by_serial)
+        case Topic.MODE:
+            mode = request(GetMode())
+            return ModeSample(clock(), mode)
+        case Topic.STATUS:
+            return reader.read(request)
+
 
 FRAME = 1 / 60
 """Least seconds between two batches of samples."""

@@ -18,8 +18,6 @@ from trex_gui.devices.trex.client.telemetry import (
     LatchedStatus,
     ModeSample,
     StatusReader,
-    Topic,
-    poll,
 )
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
@@ -41,7 +39,7 @@ from trex_gui.devices.trex.session.messages import (
     Write,
     Written,
 )
-from trex_gui.devices.trex.session.polling import Polling, SampleBatcher
+from trex_gui.devices.trex.session.polling import Polling, SampleBatcher, Topic, poll
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
 

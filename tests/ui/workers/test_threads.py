@@ -1,4 +1,4 @@
-"""Threads that did not end when they were to."""
+"""Threads that outlive their owner."""
 
 import threading
 
@@ -6,14 +6,19 @@ import pytest
 from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.workers import orphaned_threads
-from trex_gui.ui.workers.thread import WorkerThread
+from trex_gui.ui.workers.threads import (
+    WorkerThread,
+    adopt_orphan,
+    has_running_orphans,
+    release_orphan,
+    wait_for_orphans,
+)
 
 pytestmark = pytest.mark.realtime
 
 
 class Held(WorkerThread):
-    """Runs until it is let go."""
+    """Runs until `go` is set."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -24,26 +29,26 @@ class Held(WorkerThread):
 
 
 def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: not orphaned_threads.any_running())  # of the tests before
+    qtbot.waitUntil(lambda: not has_running_orphans())  # of the tests before
     owner = QObject()
     thread = Held(owner)
     thread.start()
-    orphaned_threads.adopt(thread)
-    orphaned_threads.adopt(thread)
+    adopt_orphan(thread)
+    adopt_orphan(thread)
     go = thread.go
     del owner, thread
-    assert orphaned_threads.any_running()
-    assert not orphaned_threads.wait(1)
+    assert has_running_orphans()
+    assert not wait_for_orphans(1)
     go.set()
-    assert orphaned_threads.wait(15_000)
-    assert not orphaned_threads.any_running()
+    assert wait_for_orphans(15_000)
+    assert not has_running_orphans()
 
 
 def test_orphaned_thread_can_be_released_once(qtbot: QtBot) -> None:
     thread = Held()
     thread.start()
-    orphaned_threads.adopt(thread)
+    adopt_orphan(thread)
     thread.go.set()
     assert thread.wait(15_000)
-    assert orphaned_threads.release(thread)
-    assert not orphaned_threads.release(thread)
+    assert release_orphan(thread)
+    assert not release_orphan(thread)

@@ -1,0 +1,92 @@
+"""Worker threads: their base class, those that outlive their owner, and garbage collection.
+
+Qt aborts when a running thread is destroyed. An owner therefore hands a thread that does not end in
+time to `adopt_orphan`. While one is running, the process must not exit normally.
+"""
+
+import gc
+
+from PySide6.QtCore import QObject, QThread, QTimer, Slot
+
+from trex_gui.ui.runtime import now, runtime
+
+FOREVER = -1
+_COLLECT_INTERVAL_MS = 1000
+
+
+class WorkerThread(QThread):
+    """A thread that starts and ends with the runtime.
+
+    The object lives in the GUI thread; only `run` executes in the new one. Connect its signals with
+    `Qt.ConnectionType.QueuedConnection`.
+    """
+
+    def start(self, priority: QThread.Priority = QThread.Priority.InheritPriority) -> None:
+        runtime().start(self, priority)
+
+    def wait(self, milliseconds: int = FOREVER) -> bool:  # type: ignore[override]
+        """Wait for the end of the thread; return whether it ended in time.
+
+        Takes no `QDeadlineTimer`, unlike Qt's, which would run on another clock.
+        """
+        return runtime().wait(self, milliseconds)
+
+
+_orphans: list[WorkerThread] = []
+
+
+def adopt_orphan(thread: WorkerThread) -> None:
+    """Keep a thread until it has ended; its owner may be destroyed from now on.
+
+    Call this in the thread in which the object lives.
+    """
+    thread.setParent(None)
+    if thread not in _orphans:
+        _orphans.append(thread)
+
+
+def release_orphan(thread: WorkerThread) -> bool:
+    """Release a thread that has ended; return whether it was kept."""
+    if thread not in _orphans:
+        return False
+    _orphans.remove(thread)
+    return True
+
+
+def has_running_orphans() -> bool:
+    """Return whether an orphaned thread is still running; release those that have ended."""
+    return not wait_for_orphans(0)
+
+
+def wait_for_orphans(timeout_ms: int) -> bool:
+    """Wait for all orphaned threads together; return whether they ended in time."""
+    end = now() + timeout_ms / 1000
+    _orphans[:] = [
+        thread for thread in _orphans if not thread.wait(max(0, round((end - now()) * 1000)))
+    ]
+    return not _orphans
+
+
+class GuiThreadCollector(QObject):
+    """Runs Python's garbage collector in the GUI thread only, as long as it lives.
+
+    Python collects in whichever thread creates enough objects, usually that of a busy line. A
+    widget that is destroyed outside the GUI thread crashes the process.
+    """
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        gc.disable()
+        self._timer = QTimer(self)
+        self._timer.setInterval(_COLLECT_INTERVAL_MS)
+        self._timer.timeout.connect(self.collect)
+        self._timer.start()
+
+    @Slot()
+    def collect(self) -> None:
+        """Collect the oldest generation that is due by Python's own thresholds."""
+        counts, thresholds = gc.get_count(), gc.get_threshold()
+        for generation in (2, 1, 0):
+            if counts[generation] > thresholds[generation]:
+                gc.collect(generation)
+                return
