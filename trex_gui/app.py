@@ -10,7 +10,7 @@ from pathlib import Path
 from trex_gui import __version__, composition
 
 UNCONFIRMED_STOP = 1
-"""The exit code where motors may still turn: they were driven, and no stop is proved."""
+"""Exit code if motors may still turn: they were driven and no stop was confirmed."""
 
 _LOAD_PLOTS_MS = 100
 """Milliseconds in which the window is painted for the first time."""
@@ -49,7 +49,7 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         metavar="FILE",
         type=Path,
         help="show what this settings file would change once a board is connected; with neither "
-        "--port nor --demo open the file itself; poses (.ppr) open on the desk of the robot",
+        "--port nor --demo open the file itself; poses (.ppr) open in the workspace of the robot",
     )
     parser.add_argument(
         "--timeout",

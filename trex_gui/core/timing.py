@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Timeouts:
-    """Seconds, all of them; whoever waits for something is given these.
+    """Time limits in seconds.
 
     Attributes:
         extra: added to the deadline of every reply, for slow adapters, hosts and networks.

@@ -8,7 +8,7 @@ FAR = 0.5
 
 
 class InputDetector:
-    """Compares with how the gamepad stood when it was asked; triggers rest at an end."""
+    """Compares with the state of the gamepad at the start; triggers rest at an end."""
 
     def __init__(self, start: PadState) -> None:
         self._start = start

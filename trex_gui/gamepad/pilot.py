@@ -1,4 +1,4 @@
-"""What a gamepad asks for: nothing before its sticks were at rest and its button was pressed."""
+"""Setpoints of a gamepad: none before its sticks were centred and its button was pressed."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -19,7 +19,7 @@ class Waits(Enum):
 
 @dataclass(frozen=True, slots=True)
 class PilotRequest:
-    """What a gamepad asks for at a moment.
+    """The setpoints of a gamepad at one moment.
 
     Attributes:
         forward: -1 to 1.

@@ -1,1 +1,1 @@
-"""What the system tells a program that drives motors: signals, sleep, a locked screen, mistakes."""
+"""Reasons of the system to stop motors: signals, sleep, locked screen, uncaught exceptions."""

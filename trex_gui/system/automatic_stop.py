@@ -93,7 +93,7 @@ def _reason(error: BaseException | None) -> str:
 
 
 def slept_so_far() -> float:
-    """Return seconds that this computer has slept since it was started, as far as it tells.
+    """Return seconds that this computer has slept since it was started, if the system reports it.
 
     Linux has a clock that stands still meanwhile and one that does not. Elsewhere 0. On Windows
     Python's monotonic clock goes on, so that the line session misses its signs of life. On macOS

@@ -1,4 +1,4 @@
-"""A locked screen, sleep and the end of a session, as Windows tells a window.
+"""A locked screen, sleep and the end of a session, as Windows reports them to a window.
 
 Ref: Microsoft's documentation of WM_POWERBROADCAST, WM_WTSSESSION_CHANGE, WM_QUERYENDSESSION.
 Written after it; seen on no Windows machine yet.

@@ -27,7 +27,7 @@ class CommandFailed(click.ClickException):
 
 
 class UsageError(click.UsageError):
-    """What was asked for makes no sense: exit code 2."""
+    """Wrong usage: exit code 2."""
 
 
 def say(message: object) -> None:
@@ -84,7 +84,7 @@ class ProgressLine:
 
 
 class Interruption:
-    """Notes that the program was asked to end (Ctrl-C, SIGTERM, a closed terminal).
+    """Notes requests to end the program (Ctrl-C, SIGTERM, a closed terminal).
 
     It is only noted, so that no transaction breaks off in the middle. Unless the work is too
     `precious` for that, a second request ends the program as usual. What is precious is not

@@ -22,7 +22,7 @@ class Inbox(Protocol[RequestT_co]):
         ...
 
 
-class Closing(Exception):  # noqa: N818 - no error: the session was asked to end
+class Closing(Exception):  # noqa: N818 - no error: the session was closed
     """Raised where a session finds a `Close`."""
 
 

@@ -1,4 +1,4 @@
-"""Which baud rates a port can really do, as its driver tells it (Linux only).
+"""Which baud rates a port can really do, as its driver reports it (Linux only).
 
 A driver that cannot divide its clock to a rate takes the nearest one it has and says so when
 asked. Other systems only tell when bytes arrive as nonsense.

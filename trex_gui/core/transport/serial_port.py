@@ -209,9 +209,7 @@ class SerialTransport:
                 stale += self._port.read(waiting)
                 reads += 1
                 if reads > _MANY_READS and self._clock() > deadline:
-                    raise BadReply(
-                        f"It sends without being asked ({stale[:12].hex(' ').upper()} …)."
-                    )
+                    raise BadReply(f"It sends without a request ({stale[:12].hex(' ').upper()} …).")
         except PORT_ERRORS as error:
             raise self._gone(error) from error
         return bytes(stale)

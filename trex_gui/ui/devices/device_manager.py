@@ -140,7 +140,7 @@ class DeviceManager(QObject):
     def shut_down(self) -> bool:
         """Close every line and end a scan; return whether all ended in time.
 
-        All are told to end before the first is waited for.
+        All start to end before the first is waited for.
         """
         self._next = None
         for controller in self._controllers.values():

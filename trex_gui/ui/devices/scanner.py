@@ -32,7 +32,7 @@ class ScanFinding:
 
 
 class DeviceScanner(QObject):
-    """Searches ports one after the other; asks only, and moves nothing.
+    """Scans one port after the other; requests only, moves nothing.
 
     Signals:
         changed: `running`, `findings` or `summary`.
@@ -86,7 +86,7 @@ class DeviceScanner(QObject):
 
     @property
     def done(self) -> int:
-        """How many of the `total` questions are over, or need not be asked any more."""
+        """How many of the `total` probes are done or no longer needed."""
         return self._done
 
     @property

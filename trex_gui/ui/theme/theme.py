@@ -79,7 +79,7 @@ class Theme(QObject):
 
     @property
     def choice(self) -> Scheme:
-        """What was asked for, `system` included."""
+        """The chosen scheme, `system` included."""
         return self._choice
 
     @property

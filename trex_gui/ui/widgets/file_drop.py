@@ -41,7 +41,7 @@ class FileDrop(QObject):
 class AnyFileDrop(QObject):
     """Takes every dropped file that no other widget takes, so that none is ignored silently.
 
-    To be made before the others: what was installed last is asked first.
+    Create it before other event filters: Qt calls the last one first.
 
     Signals:
         dropped: a tuple of `Path`s, at least one.

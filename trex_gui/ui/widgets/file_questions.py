@@ -1,4 +1,4 @@
-"""What is asked before a settings file is written over or lost, and where files lie."""
+"""Questions before a settings file is overwritten or lost, and the folder of files."""
 
 from enum import Enum, auto
 from pathlib import Path

@@ -37,7 +37,7 @@ def _nothing() -> None:
 
 
 class InlinePrompt(QFrame):
-    """A row across the window with an answer a button; hidden while nothing is asked.
+    """A row across the window with a button for each answer; hidden without a question.
 
     Cancel is beside every answer and does nothing. A new question replaces the present one,
     which counts as cancelled.
@@ -101,12 +101,12 @@ class InlinePrompt(QFrame):
 
     @property
     def text(self) -> str:
-        """What is asked; empty while nothing is."""
+        """The question; empty if there is none."""
         return self._text.text()
 
     @Slot()
     def withdraw(self) -> None:
-        """Ask no longer, and do nothing of what was asked."""
+        """Withdraw the question without an answer."""
         otherwise = self._otherwise
         self._close()
         otherwise()

@@ -18,7 +18,7 @@ def tr(text: str) -> str:
 
 
 def help_text(menus: Menus) -> str:
-    """Return rich text; keys and names come from the `menus` of the desk."""
+    """Return rich text; keys and names come from the `menus` of the workspace."""
     parts = [
         _section(tr("The pages"), _pages()),
         _section(tr("What this robot's link cannot do"), _limits()),

@@ -231,8 +231,8 @@ class Device(QObject):
     def set_serial_timeout(self, seconds: float) -> None:
         """Write how long the board waits for a byte before it stops its motors, 0 for ever.
 
-        Only that is written, at once, after a snapshot, and read back; `applied` tells how it
-        went.
+        Only that is written, at once, after a snapshot, and read back; `applied` reports the
+        result.
 
         Raises:
             BadRequest: the board cannot wait so long.
@@ -252,8 +252,8 @@ class Device(QObject):
     def apply(self, only: Collection[str] | None = None) -> None:
         """Write every edit, or those with these keys, and read it back; see `Apply.start`.
 
-        `applied` tells how it went. Before the first byte the line session is told where else
-        to look for the board, since its power may fail right behind the write.
+        `applied` reports the result. Before the first byte the session gets the settings at which
+        the board may be afterwards, since its power may fail right behind the write.
         """
         if self._state is not None and self.connection.is_open and not self.reset_ordered:
             self._expect_after(self.parameters.all_shown)
@@ -262,8 +262,8 @@ class Device(QObject):
     def reset_to_factory(self) -> None:
         """Let the board put every parameter back at its next start; a snapshot is saved first.
 
-        Edits that wait are dropped: they were made to what will be gone. `applied` tells how it
-        went.
+        Pending edits are discarded: the values they change will be gone. `applied` reports the
+        result.
         """
         if self._state is None or not self.connection.is_open or self.applying:
             return
@@ -289,7 +289,7 @@ class Device(QObject):
         self.expect(reconnect_candidates(self.settings, self._state.parameters, stored, firmware))
 
     def expect(self, settings: tuple[ConnectionSettings, ...]) -> None:
-        """Name where else to look for the board when it falls silent; replaces what was named."""
+        """Set where to look for the board if it stops responding."""
         self.connection.submit(SetReconnectCandidates(settings))
 
     @property

@@ -139,7 +139,7 @@ def beyond_input(calibration: Calibration, source: InputSource) -> str:
 
 
 def _exactly(count: int, source: InputSource) -> str:
-    """A count as text that tells it from its neighbours."""
+    """A count as text that differs from its neighbours."""
     if source is InputSource.RC:
         return f"{source.physical(count):.1f}".removesuffix(".0") + " µs"
     return f"{source.physical(count):.3f} V"

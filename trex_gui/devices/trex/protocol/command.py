@@ -65,7 +65,7 @@ class Command(ABC, Generic[ReplyT_co]):
         """
 
     def reply_size(self, head: bytes = b"") -> int:
-        """Return how long the reply is, in bytes, as far as its `head` tells; 0 is no reply."""
+        """Return how long the reply is, in bytes, judging by its `head`; 0 is no reply."""
         del head
         return self.fixed_reply
 

@@ -32,7 +32,7 @@ class TrexRequestQueue:
     Attributes:
         jobs: first come, first served.
         candidates: settings at which to look for a board that does not respond.
-        is_closing: whether the session was asked to end.
+        is_closing: whether a `Close` came.
     """
 
     def __init__(

@@ -63,7 +63,7 @@ def settings_of(state: DeviceState) -> Settings:
 def factory_settings(product: Model, firmware: str | None) -> Settings:
     """Return the default parameters; a reset does not change the calibrations.
 
-    `ParameterSpec.default_confirmed` tells which defaults no source confirms.
+    `ParameterSpec.default_confirmed` says which defaults no source confirms.
     """
     specs = specs_for(product, firmware).readable
     return Settings(product, firmware, {spec.key: spec.default for spec in specs})

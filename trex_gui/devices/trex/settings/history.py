@@ -56,7 +56,7 @@ class Snapshot:
         device_number: the board's number then; `None` when the file does not say.
         adapter: through which port, for the user.
         reason: what it was taken before.
-        problem: why it is of no use, as far as its head tells; empty for a sound one.
+        problem: why it cannot be used, judging by its head; empty if it can.
     """
 
     path: Path

@@ -1,4 +1,4 @@
-"""The desk of a TReX: its pages, its dialogs, and what its menus do."""
+"""The workspace of a TReX: pages, dialogs and menus."""
 
 from collections.abc import Callable, Mapping, Sequence
 

@@ -14,7 +14,7 @@ _ENOUGH = 5
 
 
 def is_mixed(outputs: tuple[int, int], answered: tuple[int, int]) -> bool | None:
-    """Return whether channels 1 and 2 were mixed; `None` where that cannot be told.
+    """Return whether channels 1 and 2 were mixed; `None` if unknown.
 
     `outputs` is what each channel makes of its input by itself, `answered` what the board says.
     At neutral both are the same, mixed or not.

@@ -328,7 +328,7 @@ class SafeStartWatch(QObject):
 
     @property
     def may_hold(self) -> bool:
-        """Whether a channel asks for something, no current flows and nothing shows why."""
+        """Whether a channel commands a speed, no current flows and nothing shows why."""
         values, currents = self._values(), self._device.telemetry.motor_currents
         return (
             bool(values) and currents is not None and not self._over and not self._device.is_joint

@@ -185,12 +185,12 @@ class Gamepad(QObject):
 
     @property
     def ask(self) -> PilotRequest:
-        """What it asks for, whether the motors listen or not."""
+        """Its setpoints, whether the motors follow or not."""
         return self._ask
 
     @property
     def drives(self) -> bool:
-        """Whether the motors do what it asks for now."""
+        """Whether the motors follow it now."""
         return self._drive_with.held
 
     @property

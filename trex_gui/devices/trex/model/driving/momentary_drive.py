@@ -63,7 +63,7 @@ def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, in
     Motor 1 is the left one: turning right (positive) adds to it. That is the board's own mixing
     of channels (forward plus turn, forward minus turn; inferred there, reference section 3), so a
     robot turns the same way by pad and by stick. Where a sum is beyond full speed both are made
-    smaller in proportion: the robot keeps the curve that was asked for, instead of losing it as
+    smaller in proportion: the robot keeps the requested curve, instead of losing it as
     by clipping. `ceiling` (1 to 127) is the speed of full deflection.
     """
     left, right = forward + turn, forward - turn

@@ -1,4 +1,4 @@
-"""What is asked of a motor, and what the board says of it, in few words."""
+"""Setpoints of the motors and what the board reports of them, as short texts."""
 
 from PySide6.QtCore import QCoreApplication
 
@@ -8,7 +8,7 @@ from trex_gui.devices.trex.protocol.commands import Drive
 
 
 def setpoint_text(drive: Drive | None) -> str:
-    """What is asked of motor 1 or 2; `None`: nothing since it was armed."""
+    """Setpoint of motor 1 or 2; `None`: none since it was armed."""
     if drive is None:
         return _tr("Setpoint: none")
     if drive.is_brake:
@@ -70,7 +70,7 @@ def control_text(device: Device) -> str:
 
 
 def _waiting_text(device: Device, channel: int) -> str | None:
-    """What a channel asks for while serial overrides it; in serial mode it drives nothing."""
+    """Command of a channel while serial overrides it; in serial mode it drives nothing."""
     state, value = device.state, device.telemetry.remapped_of(channel)
     overrides = device.telemetry.serial_controls and state is not None and not state.mode.is_serial
     if not overrides or value is None:

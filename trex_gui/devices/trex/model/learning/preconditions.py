@@ -13,7 +13,7 @@ class CalibrationPreconditions(QObject):
     """Watches a board whose channels are learned or tested.
 
     In RC and analog mode the sticks drive the motors, and the board takes no settings: there
-    is no learning there, asked or not. Serial override (channel 5) changes nothing about that;
+    is no learning there at all. Serial override (channel 5) changes nothing about that;
     the next move of its switch gives the motors back to the sticks.
     Ref: Pololu TReX User's Guide 4.a; command documentation 0x82, 0xA0-0xA4, 0xAF.
 

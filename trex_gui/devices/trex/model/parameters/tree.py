@@ -202,7 +202,7 @@ class ParameterTree(QAbstractItemModel):
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         if role not in _DESCRIBED or not index.isValid():
-            return None  # quickly: a view asks for much that there is not
+            return None  # early: views query many roles that do not exist
         spec = self._spec_at(index)
         if spec is None:
             return self._heading_data(index.row(), index.column(), role)

@@ -88,7 +88,7 @@ class GamepadDialog(QDialog):
         form.addRow(self.tr("Finer in the middle:"), self._expo)
         for name in ("hold", "stop"):
             form.addRow(self._labels[name], self._rows[name])
-        form.addRow(self.tr("It asks for:"), self._motors[0])
+        form.addRow(self.tr("Setpoints:"), self._motors[0])
         form.addRow("", self._motors[1])
         halves = ui.row((self._live, 2), (uses, 3))
         ui.column(self._name, (halves, 1), self._note, buttons, into=self)

@@ -60,9 +60,11 @@ class SnapshotPane(QWidget):
         self._restore = button(
             self,
             "restoreButton",
-            self.tr("&Restore ticked as edits"),
+            self.tr("&Restore selected as edits"),
             icon="undo",
-            tip=self.tr("Make the ticked values edits and review them; only Apply writes them"),
+            tip=self.tr(
+                "Turn the selected values into edits and review them; only Apply writes them"
+            ),
             default=False,
         )
 
@@ -110,7 +112,7 @@ class SnapshotPane(QWidget):
         self._rows.show_nothing(why)
 
     def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> None:
-        """Show what a snapshot would bring back, from another one or what was wished for."""
+        """Show what a snapshot would bring back, from another one or the chosen one."""
         self._describe(snapshot)
         settings = self._load(snapshot)
         if settings is None or (other is not None and self._load(other) is None):

@@ -86,7 +86,7 @@ class PresentChoice(QWidget):
     def present_for(
         self, snapshot: Snapshot, settings: Settings, other: Snapshot | None
     ) -> Present:
-        """Return what to compare with: another snapshot, what was wished for, or what there is."""
+        """Return what to compare with: another snapshot, the chosen one, or what there is."""
         if other is not None and (found := self._snapshot_as_present(other)):
             return found
         if self._choice == _FILE and self._file is not None:

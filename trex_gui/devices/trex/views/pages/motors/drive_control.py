@@ -302,7 +302,7 @@ class DriveControl(QWidget):
         self._brake.setAccessibleDescription(tip)
 
     def set_channel_driven(self, driven: bool) -> None:
-        """Show the bar of a channel in place of everything that asks for a speed."""
+        """Show the bar of a channel in place of the controls that set a speed."""
         for widget in (self._slider, self._entry, self._zero):
             widget.setVisible(not driven)
         self._brake.setVisible(self._two_way and not driven)

@@ -101,7 +101,7 @@ class ParameterView(QTreeView):
     def arrange(self) -> None:
         """Span the headings, and open the groups that are to be open.
 
-        That of the current row is: whoever found a row by searching may look around there.
+        The group of the current row stays open after a search.
         """
         self._arranging = True
         self._closed.discard(str(self.currentIndex().parent().data(Role.GROUP)))
