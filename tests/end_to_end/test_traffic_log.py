@@ -149,7 +149,7 @@ def test_polling_is_shown_on_demand_and_log_can_be_paused(
     count = page.rows
     page.wait_for_traffic()
     assert page.rows == count
-    assert "held still" in page.summary
+    assert "paused" in page.summary
     page.check("transcriptFaults")
     page.check("transcriptFaults", on=False)
     assert page.rows == count, "nor does a search bring in what is newer"

@@ -1,4 +1,4 @@
-"""What is kept of a line, and what is told of it."""
+"""Rows that the traffic model keeps, and their text."""
 
 from pathlib import Path
 
@@ -17,106 +17,106 @@ POLL, ANSWER = b"\x8f", b"\x02\x00"
 WRITE, STORED = b"\xaf\x07\x0f\x55\x2a", b"\x00"
 
 
-class TranscriptSetup:
-    """A transcript of a line whose traffic a test writes."""
+class TrafficSetup:
+    """A traffic model with a log that the test writes."""
 
     def __init__(self) -> None:
         self.line = SessionThread()
-        self.wording = TrexDecoder()
-        self.traffic = TrafficModel(self.line, self.wording)
+        self.decoder = TrexDecoder()
+        self.traffic = TrafficModel(self.line, self.decoder)
         self._now = 0.0
 
-    def say(self, sent: bytes, received: bytes = b"") -> None:
+    def log(self, sent: bytes, received: bytes = b"") -> None:
         self._now += 0.01
         self.line.log.note(TrafficEvent(self._now, TrafficDirection.SENT, sent))
         if received:
             self.line.log.note(TrafficEvent(self._now + 0.005, TrafficDirection.RECEIVED, received))
 
     @property
-    def told(self) -> list[str]:
+    def texts(self) -> list[str]:
         self.traffic.pull()
         return [self.traffic.decoded(row).text for row in self.traffic.without_polling.rows]
 
 
 @pytest.fixture
-def setup(qtbot: QtBot) -> TranscriptSetup:
+def setup(qtbot: QtBot) -> TrafficSetup:
     del qtbot
-    return TranscriptSetup()
+    return TrafficSetup()
 
 
-def test_polls_are_separated_from_commands(setup: TranscriptSetup) -> None:
-    setup.say(POLL, ANSWER)
-    setup.say(WRITE, STORED)
-    setup.say(POLL, ANSWER)
-    assert setup.told == ["set Serial Timeout to 1.5 s (15) → stored"]
+def test_polls_are_separated_from_commands(setup: TrafficSetup) -> None:
+    setup.log(POLL, ANSWER)
+    setup.log(WRITE, STORED)
+    setup.log(POLL, ANSWER)
+    assert setup.texts == ["set Serial Timeout to 1.5 s (15) → stored"]
     assert setup.traffic.everything.count == 3
     assert setup.traffic.faults == 0
 
 
-def test_failed_poll_is_listed_in_its_place(setup: TranscriptSetup) -> None:
-    setup.say(WRITE, STORED)
-    setup.say(POLL)
-    setup.say(POLL, ANSWER)
-    setup.say(WRITE, STORED)
-    told = setup.told
-    assert told[1] == "get currents of both motors → no answer"
-    assert [text.startswith("set") for text in told] == [True, False, True]
+def test_failed_poll_is_listed_in_its_place(setup: TrafficSetup) -> None:
+    setup.log(WRITE, STORED)
+    setup.log(POLL)
+    setup.log(POLL, ANSWER)
+    setup.log(WRITE, STORED)
+    texts = setup.texts
+    assert texts[1] == "get currents of both motors → no answer"
+    assert [text.startswith("set") for text in texts] == [True, False, True]
     assert setup.traffic.faults == 1
 
 
-def test_failed_poll_between_two_pulls_is_listed_once(setup: TranscriptSetup) -> None:
-    setup.say(POLL)
-    assert setup.told == []
-    setup.say(POLL, ANSWER)
-    assert setup.told == ["get currents of both motors → no answer"]
-    setup.say(POLL, ANSWER)
-    assert len(setup.told) == 1
+def test_failed_poll_between_two_pulls_is_listed_once(setup: TrafficSetup) -> None:
+    setup.log(POLL)
+    assert setup.texts == []
+    setup.log(POLL, ANSWER)
+    assert setup.texts == ["get currents of both motors → no answer"]
+    setup.log(POLL, ANSWER)
+    assert len(setup.texts) == 1
 
 
-def test_telemetry_does_not_displace_a_write(setup: TranscriptSetup) -> None:
-    setup.say(WRITE, STORED)
+def test_telemetry_does_not_displace_a_write(setup: TrafficSetup) -> None:
+    setup.log(WRITE, STORED)
     for count in range(MOST_KEPT):
-        setup.say(POLL, ANSWER)
+        setup.log(POLL, ANSWER)
         if count % 100 == 0:
             setup.traffic.pull()
-    assert setup.told == ["set Serial Timeout to 1.5 s (15) → stored"]
+    assert setup.texts == ["set Serial Timeout to 1.5 s (15) → stored"]
     everything = setup.traffic.everything
     assert everything.count == MOST_KEPT + 1
-    assert len(everything.rows) == 0.9 * MOST_KEPT, "many rows go at a time"
+    assert len(everything.rows) == 0.9 * MOST_KEPT, "many rows are dropped at a time"
     newest = [row.number for row in everything.since(MOST_KEPT - 1)]
     assert newest == [MOST_KEPT, MOST_KEPT + 1]
     assert len(everything.since(0)) == len(everything.rows)
 
 
-def test_units_follow_the_identified_board(setup: TranscriptSetup) -> None:
-    setup.say(POLL, ANSWER)
-    setup.say(POLL, ANSWER)
+def test_units_follow_the_identified_board(setup: TrafficSetup) -> None:
+    setup.log(POLL, ANSWER)
+    setup.log(POLL, ANSWER)
     setup.traffic.pull()
     row = setup.traffic.everything.rows[0]
     assert "2 counts" in setup.traffic.decoded(row).text
-    setup.wording.board = Signature(device_table().model("trex"), "1.2")
-    setup.traffic.forget_words()
+    setup.decoder.board = Signature(device_table().model("trex"), "1.2")
+    setup.traffic.decode_again()
     assert " A," in setup.traffic.decoded(row).text
 
 
-def test_clear_empties_the_transcript(setup: TranscriptSetup, qtbot: QtBot) -> None:
-    setup.say(POLL)
-    setup.say(WRITE, STORED)
+def test_clear_drops_every_row(setup: TrafficSetup, qtbot: QtBot) -> None:
+    setup.log(POLL)
+    setup.log(WRITE, STORED)
     setup.traffic.pull()
     with qtbot.waitSignal(setup.traffic.cleared):
         setup.traffic.clear()
-    assert setup.told == []
+    assert setup.texts == []
     assert setup.traffic.faults == 0
-    setup.say(WRITE, STORED)
-    assert len(setup.told) == 1
+    setup.log(WRITE, STORED)
+    assert len(setup.texts) == 1
 
 
 def test_saved_rows_include_bytes_and_meaning(
-    setup: TranscriptSetup, qtbot: QtBot, tmp_path: Path
+    setup: TrafficSetup, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    setup.say(WRITE, STORED)
-    setup.say(POLL)
-    setup.say(POLL, ANSWER)
+    setup.log(WRITE, STORED)
+    setup.log(POLL)
+    setup.log(POLL, ANSWER)
     setup.traffic.pull()
     saver, path = TrafficSaver(setup.traffic), tmp_path / "line.txt"
     with qtbot.waitSignal(saver.saved, timeout=15_000) as saved:
@@ -133,9 +133,9 @@ def test_saved_rows_include_bytes_and_meaning(
 
 
 def test_failed_save_is_reported_and_leaves_no_file(
-    setup: TranscriptSetup, qtbot: QtBot, tmp_path: Path
+    setup: TrafficSetup, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    setup.say(WRITE, STORED)
+    setup.log(WRITE, STORED)
     setup.traffic.pull()
     saver = TrafficSaver(setup.traffic)
     with qtbot.waitSignal(saver.failed, timeout=15_000) as failed:

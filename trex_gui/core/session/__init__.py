@@ -1,1 +1,1 @@
-"""The frame of a session on one line: request queue and common messages."""
+"""Shared parts of line sessions: loop, request queue and messages."""

@@ -1,4 +1,4 @@
-"""The frame of a line session: it serves requests until it is closed or the line is lost."""
+"""The loop of a line session, which runs until it is closed or the line is lost."""
 
 import logging
 from collections.abc import Callable
@@ -11,19 +11,19 @@ log = logging.getLogger(__name__)
 RequestT_co = TypeVar("RequestT_co", covariant=True)
 
 SHORTEST_WAIT = 1e-5
-"""Seconds: a rounding error in a sum of times must not become a busy loop."""
+"""Seconds; keeps rounding errors of times from causing a busy loop."""
 
 
 class Inbox(Protocol[RequestT_co]):
-    """Where the requests of a session come from."""
+    """Source of the requests of a session."""
 
     def get(self, seconds: float) -> RequestT_co | None:
-        """Return the next request, waiting up to `seconds` for one; else `None`."""
+        """Return the next request, waiting up to `seconds`; `None` if none came."""
         ...
 
 
 class Closing(Exception):  # noqa: N818 - no error: the session was closed
-    """Raised where a session finds a `Close`."""
+    """Raised when a session receives `Close`."""
 
 
 def run_until_closed(
@@ -31,13 +31,13 @@ def run_until_closed(
     step: Callable[[], None],
     internal_error: Callable[[str], StudioError],
 ) -> StudioError | None:
-    """Call `begin`, then `step` again and again; return the error that ended it.
+    """Call `begin`, then `step` repeatedly; return the error that ended the loop.
 
-    Never raises: whatever happens, the session goes on to leave the device in a safe state.
+    Never raises, so that the session can then bring the device into a safe state.
 
     Returns:
-        `None` where `Closing` was raised; the result of `internal_error` for an exception that is
-        no `StudioError`.
+        `None` after `Closing`; the result of `internal_error` for any exception other than
+        `StudioError`.
     """
     try:
         begin()

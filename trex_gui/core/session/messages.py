@@ -1,4 +1,4 @@
-"""Requests and reports that the sessions of every device share; frozen and picklable."""
+"""Requests and reports shared by the sessions of all devices; frozen and picklable."""
 
 from dataclasses import dataclass
 
@@ -7,12 +7,12 @@ from trex_gui.core.errors import StudioError
 
 @dataclass(frozen=True, slots=True)
 class Close:
-    """Request: stop whatever moves, close the port, end."""
+    """Request: stop all motors, close the port and end the session."""
 
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Report: a long operation is at step `done` of `total`; `what` comes next."""
+    """Report: `done` of `total` steps are complete; `what` is the next one."""
 
     done: int
     total: int
@@ -21,7 +21,7 @@ class Progress:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """Report: the end of a request; exactly one for each that has an `id`."""
+    """Report: the result of a request; exactly one for each request with an `id`."""
 
     id: int
     value: object = None
@@ -33,7 +33,7 @@ class Closed:
     """Report, the last one: the session has ended and the port is free.
 
     Attributes:
-        error: why the line was lost; `None` after `Close`.
+        error: reason why the line was lost; `None` after `Close`.
         may_move: motors were driven and no stop has been confirmed since.
     """
 

@@ -1,4 +1,4 @@
-"""Where the requests of other threads wait for the session of a line."""
+"""Queue of requests from other threads to a line session."""
 
 import threading
 from collections import deque
@@ -7,7 +7,7 @@ from typing import Any, Protocol
 
 
 class Condition(Protocol):
-    """The part of `threading.Condition` that queues between threads need."""
+    """The part of `threading.Condition` that queues need."""
 
     def __enter__(self) -> bool: ...
 
@@ -29,11 +29,11 @@ class Condition(Protocol):
 
 
 class RequestQueue:
-    """An inbox that any thread may put requests into, of whatever kind its session takes.
+    """An inbox into which any thread may put requests.
 
-    Not on `queue.SimpleQueue`: in Python 3.11 its `get` waits without end where its time is over
-    before its first look at an empty queue has ended. A session often waits for microseconds, and
-    one such wait in a thousand ended so.
+    Does not use `queue.SimpleQueue`: in Python 3.11 its `get` never returns if the timeout expires
+    before its first check of an empty queue ends. Sessions often wait for microseconds; one such
+    wait in a thousand hung.
     """
 
     def __init__(self, condition: Condition | None = None) -> None:
@@ -41,13 +41,12 @@ class RequestQueue:
         self._requests: deque[object] = deque()
 
     def put(self, request: object) -> None:
-        """Leave a request for the session."""
         with self._changed:
             self._requests.append(request)
             self._changed.notify()
 
     def get(self, seconds: float) -> Any:
-        """Return the next request, waiting up to `seconds` for one; else `None`."""
+        """Return the next request, waiting up to `seconds`; `None` if none came."""
         with self._changed:
             if not self._requests and seconds > 0:
                 self._changed.wait(seconds)

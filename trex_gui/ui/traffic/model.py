@@ -1,4 +1,4 @@
-"""What went over a device's line: the newest rows, for a page and for a file."""
+"""The newest transactions of a line, for a page and for a file."""
 
 import time
 from collections.abc import Sequence
@@ -11,60 +11,58 @@ from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.session_thread import SessionThread
 
 MOST_KEPT = 20_000
-"""Rows of each shelf; at full telemetry those of all bytes reach back for less than a minute."""
+"""Rows of each buffer; at full telemetry all transactions of less than a minute."""
 
 _TRIMMED = MOST_KEPT * 9 // 10
 _INTERVAL_MS = 100
 
 
-class Shelf:
-    """The newest rows of one kind, oldest first, and how many went before them."""
+class RowBuffer:
+    """The newest rows of one kind, oldest first, and the number of rows dropped before them."""
 
     def __init__(self) -> None:
         self._rows: list[Transaction] = []
-        self._gone = 0
+        self._dropped = 0
 
     @property
     def rows(self) -> Sequence[Transaction]:
-        """What is kept."""
         return self._rows
 
     @property
     def count(self) -> int:
-        """How many rows there ever were."""
-        return self._gone + len(self._rows)
+        """Number of rows added since the last `clear`."""
+        return self._dropped + len(self._rows)
 
     def since(self, count: int) -> Sequence[Transaction]:
-        """Return the rows behind the first `count`, as far as they are kept."""
-        return self._rows[max(count - self._gone, 0) :]
+        """Return the rows after the first `count`, as far as they are kept."""
+        return self._rows[max(count - self._dropped, 0) :]
 
     def add(self, transaction: Transaction) -> None:
-        """Add a row; the oldest go, many at a time."""
+        """Add a row; drop the oldest ones, many at a time."""
         self._rows.append(transaction)
         if len(self._rows) > MOST_KEPT:
-            self._gone += len(self._rows) - _TRIMMED
+            self._dropped += len(self._rows) - _TRIMMED
             del self._rows[:-_TRIMMED]
 
     def clear(self) -> None:
-        """Forget all."""
         self._rows.clear()
-        self._gone = 0
+        self._dropped = 0
 
 
 class TrafficModel(QObject):
-    """Reads the tape of a session thread a few times a second while there is a line.
+    """Reads the traffic log of a session thread ten times a second while a session runs.
 
-    Two shelves: on one lies everything, on the other what is not polled all the time, and what
-    went wrong with that; so a write of ten minutes ago is not pushed out by telemetry.
+    Rows other than successful polls have a buffer of their own, so that telemetry does not
+    displace a write of ten minutes ago.
 
     Signals:
         changed: there are more rows, or the last one has more bytes.
-        cleared: all were forgotten.
+        cleared: all rows were dropped.
 
     Attributes:
-        everything: the newest rows.
-        without_polling: the newest ones that are not just polling.
-        faults: how many rows went wrong since the last `clear`.
+        everything: the newest transactions.
+        without_polling: the newest ones other than successful polls.
+        faults: number of faulty rows since the last `clear`.
     """
 
     changed = Signal()
@@ -72,8 +70,8 @@ class TrafficModel(QObject):
 
     def __init__(self, line: SessionThread, decoder: Decoder) -> None:
         super().__init__(line)
-        self.everything = Shelf()
-        self.without_polling = Shelf()
+        self.everything = RowBuffer()
+        self.without_polling = RowBuffer()
         self.faults = 0
         self._log = line.log
         self._decoder = decoder
@@ -88,16 +86,16 @@ class TrafficModel(QObject):
 
     @property
     def lost(self) -> int:
-        """Pieces that were never read, because the window stood still for too long."""
+        """Events that were dropped because the GUI thread was blocked for too long."""
         return self._log.lost
 
     def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
-        """Know how the line is set, where the device has said more than the port knows."""
+        """Set line settings that the device reported and the port does not know."""
         self.pull()
         self._assembler.note_settings(settings, echo=echo)
 
-    def forget_words(self) -> None:
-        """Say everything anew: more is known of the device."""
+    def decode_again(self) -> None:
+        """Decode every row again, after the decoder has learned more about the device."""
         for transaction in self.everything.rows:
             transaction.words = None
         for transaction in self.without_polling.rows:
@@ -105,19 +103,19 @@ class TrafficModel(QObject):
         self.changed.emit()
 
     def decoded(self, transaction: Transaction) -> Decoded:
-        """Return what a row means."""
+        """Return the meaning of a row."""
         return self._decoder.decoded(transaction)
 
     def shown(self, data: bytes) -> str:
-        """Return bytes as a person reads them."""
+        """Return bytes as text."""
         return self._decoder.shown(data)
 
     def wall_time(self, transaction: Transaction) -> float:
-        """Return when a row was, in seconds since 1970."""
+        """Return the time of a row in seconds since 1970."""
         return self._epoch + transaction.time
 
     def clear(self) -> None:
-        """Forget every row."""
+        """Drop every row."""
         self.pull()
         self.everything.clear()
         self.without_polling.clear()
@@ -126,14 +124,14 @@ class TrafficModel(QObject):
 
     @Slot()
     def pull(self) -> None:
-        """Read what was noted."""
+        """Take the new events from the traffic log."""
         rows = self._assembler.feed(self._log.take())
         for transaction in rows:
-            self._put_away(transaction)
+            self._add(transaction)
         if rows:
             self.changed.emit()
 
-    def _put_away(self, transaction: Transaction) -> None:
+    def _add(self, transaction: Transaction) -> None:
         is_new = transaction.number > self._newest
         if is_new:
             self._newest = transaction.number

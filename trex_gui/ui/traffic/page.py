@@ -1,4 +1,4 @@
-"""The page that shows what goes over the line, byte by byte and in words."""
+"""Page of the traffic log: every byte on the line, and its meaning."""
 
 from pathlib import Path
 
@@ -29,7 +29,7 @@ _TYPING_MS = 200
 
 
 class TrafficPage(QWidget):
-    """A table of what was sent and received, what of it is shown, and the chosen row in full."""
+    """The table of transactions with its filters, and details of the selected row."""
 
     def __init__(
         self,
@@ -39,7 +39,7 @@ class TrafficPage(QWidget):
         notifier: Notifier,
         parent: QWidget | None = None,
     ) -> None:
-        """Show a transcript; `key` names the page and its settings, `who` the device."""
+        """Show traffic; `key` names the page and its settings, `who` the device."""
         super().__init__(parent)
         self.setObjectName(f"{key}Page")
         self._traffic = traffic
@@ -50,30 +50,32 @@ class TrafficPage(QWidget):
         self._table = TrafficTable(traffic, self)
         self._saver = TrafficSaver(traffic, self)
 
-        self._words = QLineEdit(self)
-        self._words.setObjectName(f"{key}Search")
-        self._words.setAccessibleName(self.tr("Search the transcript"))
-        self._words.setPlaceholderText(self.tr("Search bytes and words (Ctrl+F)"))
-        self._words.setClearButtonEnabled(True)
-        self._polling = self._tick(
+        self._search = QLineEdit(self)
+        self._search.setObjectName(f"{key}Search")
+        self._search.setAccessibleName(self.tr("Search the traffic log"))
+        self._search.setPlaceholderText(self.tr("Search bytes and meanings (Ctrl+F)"))
+        self._search.setClearButtonEnabled(True)
+        self._polling = self._check_box(
             "Polling",
             self.tr("Show polling"),
-            self.tr("Show the questions, too, that the program repeats many times a second"),
+            self.tr("Also show the requests that the program repeats many times a second"),
         )
-        self._faults = self._tick(
-            "Faults", self.tr("Only faults"), self.tr("Show only what went wrong")
+        self._faults = self._check_box(
+            "Faults",
+            self.tr("Only faults"),
+            self.tr("Show only failed transactions and line errors"),
         )
-        self._paused = self._tick(
+        self._paused = self._check_box(
             "Pause",
-            self.tr("Hold still"),
-            self.tr("Show nothing new for now; it is noted all the same"),
+            self.tr("Pause"),
+            self.tr("Do not add rows for now; the traffic is still logged"),
         )
         copy = self._button("Copy", self.tr("Copy"), "copy", self._copy)
-        copy.setToolTip(self.tr("Copy the chosen rows (Ctrl+C), or all that are shown"))
+        copy.setToolTip(self.tr("Copy the selected rows (Ctrl+C), or all rows shown"))
         save = self._button("Save", self.tr("Save…"), "save", self._ask_and_save)
-        save.setToolTip(self.tr("Save the rows that are shown as text"))
+        save.setToolTip(self.tr("Save the rows shown as text"))
         clear = self._button("Clear", self.tr("Clear"), "clear", traffic.clear)
-        clear.setToolTip(self.tr("Forget every row"))
+        clear.setToolTip(self.tr("Remove every row"))
         self._view = TrafficView(self._table, self)
         self._view.setObjectName(f"{key}View")
         self._details = RowDetails(traffic, self._table, self)
@@ -85,9 +87,9 @@ class TrafficPage(QWidget):
         self._typing.setInterval(_TYPING_MS)
 
         above = QHBoxLayout()
-        above.addWidget(self._words, 1)
-        for tick in (self._polling, self._faults, self._paused):
-            above.addWidget(tick)
+        above.addWidget(self._search, 1)
+        for box in (self._polling, self._faults, self._paused):
+            above.addWidget(box)
         above.addSpacing(above.spacing())
         for button in (copy, save, clear):
             above.addWidget(button)
@@ -104,10 +106,10 @@ class TrafficPage(QWidget):
         copying.triggered.connect(self._copy)
         self._view.addAction(copying)
         self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-        self._words.textChanged.connect(self._typing.start)
-        self._typing.timeout.connect(self._choose)
-        self._polling.toggled.connect(self._choose)
-        self._faults.toggled.connect(self._choose)
+        self._search.textChanged.connect(self._typing.start)
+        self._typing.timeout.connect(self._apply_filter)
+        self._polling.toggled.connect(self._apply_filter)
+        self._faults.toggled.connect(self._apply_filter)
         self._paused.toggled.connect(self._on_paused)
         self._view.selectionModel().currentRowChanged.connect(self._on_current_changed)
         self._table.modelReset.connect(self._on_reset)
@@ -116,9 +118,9 @@ class TrafficPage(QWidget):
         traffic.changed.connect(self._refresh)
         traffic.cleared.connect(self._refresh)
         self._polling.setChecked(self._store.value(f"{key}/polling", False, bool) is True)
-        self._choose()
+        self._apply_filter()
 
-    def _tick(self, name: str, text: str, tip: str) -> QCheckBox:
+    def _check_box(self, name: str, text: str, tip: str) -> QCheckBox:
         box = QCheckBox(text, self)
         box.setObjectName(f"{self._key}{name}")
         box.setToolTip(tip)
@@ -131,20 +133,20 @@ class TrafficPage(QWidget):
         button.clicked.connect(slot)
         return button
 
-    # --- What is shown ------------------------------------------------------------------
+    # --- Rows shown ---------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._refresh()
 
     @Slot()
-    def _choose(self) -> None:
+    def _apply_filter(self) -> None:
         self._typing.stop()
         self._store.setValue(f"{self._key}/polling", self._polling.isChecked())
-        self._table.choose(
+        self._table.set_filter(
             polling=self._polling.isChecked(),
             faults=self._faults.isChecked(),
-            text=self._words.text(),
+            text=self._search.text(),
         )
         if not self._paused.isChecked():
             self._view.scrollToBottom()
@@ -152,7 +154,7 @@ class TrafficPage(QWidget):
 
     @Slot(bool)
     def _on_paused(self, paused: bool) -> None:
-        self._table.hold(still=paused)
+        self._table.set_paused(paused)
         self._refresh()
 
     @Slot()
@@ -167,32 +169,30 @@ class TrafficPage(QWidget):
         self._summarize()
 
     def _summarize(self) -> None:
-        """Say what is there, and what of it is not shown."""
         traffic = self._traffic
         faults = traffic.faults
         parts = [
             self.tr("shown: {0}").format(f"{self._table.rowCount():,}"),
-            self.tr("exchanges in all: {0}").format(f"{traffic.everything.count:,}"),
+            self.tr("transactions: {0}").format(f"{traffic.everything.count:,}"),
             self.tr("faults: {0}").format(f"{faults:,}"),
         ]
         if not self._polling.isChecked():
             parts.append(self.tr("polling is hidden"))
         if self._paused.isChecked():
-            parts.append(self.tr("held still"))
+            parts.append(self.tr("paused"))
         if traffic.lost:
-            parts.append(self.tr("pieces lost: {0}").format(f"{traffic.lost:,}"))
+            parts.append(self.tr("events lost: {0}").format(f"{traffic.lost:,}"))
         self._summary.setText(" · ".join(parts))
         self._view.set_empty_text(self._empty_text())
 
     def _empty_text(self) -> str:
-        """Say why there is nothing in the table."""
-        if self._traffic.everything.rows and self._words.text().strip():
-            return self.tr("No row that is listed has this in it.")
+        if self._traffic.everything.rows and self._search.text().strip():
+            return self.tr("No row matches the search.")
         if self._traffic.everything.rows and self._faults.isChecked():
-            return self.tr("Nothing went wrong so far.")
+            return self.tr("No faults so far.")
         return self.tr(
-            "Nothing to show yet. When {0} is connected, everything that goes over the line "
-            "stands here, with what it means."
+            "No traffic yet. While {0} is connected, this page lists every byte on the line and "
+            "its meaning."
         ).format(self._who)
 
     @Slot(QModelIndex)
@@ -209,19 +209,19 @@ class TrafficPage(QWidget):
 
     @Slot()
     def _on_find(self) -> None:
-        self._words.setFocus()
-        self._words.selectAll()
+        self._search.setFocus()
+        self._search.selectAll()
 
-    # --- What is taken away -------------------------------------------------------------
+    # --- Copy and save ------------------------------------------------------------------
 
     @Slot()
     def _copy(self) -> None:
-        """Copy the chosen rows, or all."""
-        chosen = sorted(index.row() for index in self._view.selectionModel().selectedRows())
+        """Copy the selected rows, or all."""
+        selected = sorted(index.row() for index in self._view.selectionModel().selectedRows())
         rows = self._table.rows
-        wanted = [rows[row] for row in chosen] if chosen else rows
+        wanted = [rows[row] for row in selected] if selected else rows
         if not wanted:
-            self._notifier.error.emit(self.tr("There is nothing to copy."))
+            self._notifier.error.emit(self.tr("No rows to copy."))
             return
         lines = [row_of(self._traffic, row).text() for row in wanted]
         QGuiApplication.clipboard().setText("\n".join(lines) + "\n")
@@ -230,18 +230,18 @@ class TrafficPage(QWidget):
     @Slot()
     def _ask_and_save(self) -> None:
         if not self._table.rows:
-            self._notifier.error.emit(self.tr("There is nothing to save."))
+            self._notifier.error.emit(self.tr("No rows to save."))
             return
-        suggested = file_questions.last_folder(self._store) / "transcript.txt"
+        suggested = file_questions.last_folder(self._store) / "traffic.txt"
         chosen, _ = QFileDialog.getSaveFileName(
-            self, self.tr("Save the transcript"), str(suggested), self.tr("Text (*.txt *.tsv)")
+            self, self.tr("Save the traffic log"), str(suggested), self.tr("Text (*.txt *.tsv)")
         )
         if chosen:
             path = Path(chosen)
             self.save(path if path.suffix else path.with_suffix(".txt"))
 
     def save(self, path: Path) -> None:
-        """Write the rows that are shown."""
+        """Write the rows shown."""
         file_questions.remember_folder(self._store, path)
         self._saver.save(path, self._table.rows)
 

@@ -18,10 +18,10 @@ from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback
 
 _AT_ONCE = 100
-"""Rows between two reports of the progress."""
+"""Rows between two progress reports."""
 
 _TIMEOUT_MS = 3000
-"""Time that the end of the program waits for the file to be complete."""
+"""Longest wait for the file at the end of the program."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,7 @@ _HEAD = "\t".join(["time", "fault", "sent", "received", "took_ms", "meaning"])
 
 
 def write_traffic(file: TextIO, about: Iterable[str], rows: Iterable[TrafficRow]) -> int:
-    """Write comment lines, the names of the columns, and rows; return how many rows."""
+    """Write comment lines, column names and rows; return the number of rows."""
     file.writelines(f"# {line}\n" for line in about)
     file.write(f"{_HEAD}\n")
     count = 0
@@ -71,7 +71,7 @@ class TrafficSaver(FileSaver):
     def save(self, path: Path, rows: Sequence[Transaction]) -> None:
         """Write rows; `saved` or `failed` follows."""
         if self.is_saving:
-            self.failed.emit(self.tr("Another transcript is still being written."))
+            self.failed.emit(self.tr("Another traffic log is still being written."))
         else:
             self.begin(path, partial(_write, path, self._traffic, tuple(rows)))
 

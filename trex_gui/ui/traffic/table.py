@@ -1,4 +1,4 @@
-"""The rows of a transcript that are to be seen: which, and how they look."""
+"""Table model of the traffic: filter, texts and colours of the rows."""
 
 from bisect import bisect_right
 from collections.abc import Sequence
@@ -10,7 +10,7 @@ from PySide6.QtGui import QFont, QFontDatabase
 from trex_gui.core.transport.transactions import Transaction
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.traffic.model import Shelf, TrafficModel
+from trex_gui.ui.traffic.model import RowBuffer, TrafficModel
 
 TIME, SENT, RECEIVED, TOOK, WORDS = range(5)
 
@@ -18,79 +18,78 @@ Index = QModelIndex | QPersistentModelIndex
 
 
 class TrafficTable(QAbstractTableModel):
-    """What was sent, what came back, and what it means; a row an exchange.
+    """One row per transaction: bytes sent, bytes received and their meaning.
 
-    It changes only in `refresh`, so that nothing is done for a page that nobody sees.
+    New rows are added in `refresh` only, so a hidden page costs nothing.
 
     Attributes:
-        mono: what bytes are written in.
+        mono: font of the bytes.
     """
 
     def __init__(self, traffic: TrafficModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._traffic = traffic
         self._rows: list[Transaction] = []
-        self._seen = 0
+        self._count = 0
         self._last: Transaction | None = None
         self._polling = False
         self._faults = False
         self._text = ""
-        self._held_at: int | None = None
+        self._paused_at: int | None = None
         self.mono = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
-        traffic.cleared.connect(self.begin)
+        traffic.cleared.connect(self.rebuild)
         theme().changed.connect(self._repaint)
 
-    # --- Which rows ---------------------------------------------------------------------
+    # --- Filter -------------------------------------------------------------------------
 
     @property
     def rows(self) -> Sequence[Transaction]:
-        """What is listed, oldest first."""
+        """The listed rows, oldest first."""
         return self._rows
 
     @property
-    def shelf(self) -> Shelf:
-        """Where the rows come from."""
+    def _source(self) -> RowBuffer:
         polling = self._polling
         return self._traffic.everything if polling else self._traffic.without_polling
 
-    def choose(self, *, polling: bool, faults: bool, text: str) -> None:
-        """List what is polled too; only what went wrong; only what has `text` in it."""
+    def set_filter(self, *, polling: bool, faults: bool, text: str) -> None:
+        """List polls, too; list only faults; list only rows that contain `text`."""
         self._polling, self._faults, self._text = polling, faults, text.strip().casefold()
-        self.begin()
+        self.rebuild()
 
-    def hold(self, *, still: bool) -> None:
-        """List no row that comes from now on, or everything again with the next `refresh`."""
+    def set_paused(self, paused: bool) -> None:
+        """List no further rows; after a pause the next `refresh` adds them."""
         rows = self._traffic.everything.rows
-        self._held_at = (rows[-1].number if rows else 0) if still else None
+        self._paused_at = (rows[-1].number if rows else 0) if paused else None
 
-    def begin(self) -> None:
-        """List everything anew, but for what came since it was held."""
+    def rebuild(self) -> None:
+        """List every row that matches the filter, up to the start of a pause."""
         self.beginResetModel()
-        last = self._held_at
-        known = [row for row in self.shelf.rows if last is None or row.number <= last]
-        self._rows = [row for row in known if self._is_wanted(row)]
-        self._note_seen(self.shelf.count - len(self.shelf.rows) + len(known), known)
+        last = self._paused_at
+        known = [row for row in self._source.rows if last is None or row.number <= last]
+        self._rows = [row for row in known if self._matches(row)]
+        self._note_listed(self._source.count - len(self._source.rows) + len(known), known)
         self.endResetModel()
 
     def refresh(self) -> None:
-        """Take what is new, and let go of what is kept no longer."""
-        self._drop_old()
-        if self._last is not None:  # bytes may have come to it since
-            self._renew(self._last)
-        new = [row for row in self.shelf.since(self._seen) if self._is_wanted(row)]
+        """Add new rows and remove those that the model has dropped."""
+        self._remove_dropped()
+        if self._last is not None:  # it may have received more bytes
+            self._update(self._last)
+        new = [row for row in self._source.since(self._count) if self._matches(row)]
         if new:
             first = len(self._rows)
             self.beginInsertRows(QModelIndex(), first, first + len(new) - 1)
             self._rows += new
             self.endInsertRows()
-        self._note_seen(self.shelf.count, self.shelf.rows)
+        self._note_listed(self._source.count, self._source.rows)
 
-    def _note_seen(self, count: int, rows: Sequence[Transaction]) -> None:
-        self._seen = count
+    def _note_listed(self, count: int, rows: Sequence[Transaction]) -> None:
+        self._count = count
         self._last = rows[-1] if rows and not rows[-1].is_over else None
 
-    def _drop_old(self) -> None:
-        kept = self.shelf.rows
+    def _remove_dropped(self) -> None:
+        kept = self._source.rows
         oldest = kept[0].number if kept else 0
         gone = bisect_right(self._rows, oldest - 1, key=lambda row: row.number)
         if gone:
@@ -98,23 +97,23 @@ class TrafficTable(QAbstractTableModel):
             del self._rows[:gone]
             self.endRemoveRows()
 
-    def _renew(self, row: Transaction) -> None:
-        """Show a row as it is now; it may only now have become one that is wanted, or none."""
+    def _update(self, row: Transaction) -> None:
+        """Update a row; with more bytes it may match the filter or match it no longer."""
         listed = bool(self._rows) and self._rows[-1] is row
-        wanted = self._is_wanted(row)
+        matches = self._matches(row)
         last = len(self._rows) - 1
-        if listed and wanted:
+        if listed and matches:
             self.dataChanged.emit(self.index(last, 0), self.index(last, WORDS))
         elif listed:
             self.beginRemoveRows(QModelIndex(), last, last)
             self._rows.pop()
             self.endRemoveRows()
-        elif wanted:
+        elif matches:
             self.beginInsertRows(QModelIndex(), last + 1, last + 1)
             self._rows.append(row)
             self.endInsertRows()
 
-    def _is_wanted(self, row: Transaction) -> bool:
+    def _matches(self, row: Transaction) -> bool:
         if not self._faults and not self._text:
             return True
         words = self._traffic.decoded(row)
@@ -130,12 +129,12 @@ class TrafficTable(QAbstractTableModel):
             last = self.index(len(self._rows) - 1, WORDS)
             self.dataChanged.emit(self.index(0, 0), last)
 
-    # --- How they look ------------------------------------------------------------------
+    # --- Appearance ---------------------------------------------------------------------
 
-    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - as Qt has it
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
         return 0 if parent.isValid() else len(self._rows)
 
-    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
         return 0 if parent.isValid() else WORDS + 1
 
     def headerData(
@@ -166,7 +165,7 @@ class TrafficTable(QAbstractTableModel):
             case Qt.ItemDataRole.DisplayRole:
                 return self.text(row, column)
             case Qt.ItemDataRole.AccessibleTextRole:
-                return self._said(row, column)
+                return self._accessible_text(row, column)
             case Qt.ItemDataRole.TextAlignmentRole:
                 return _alignment(column)
             case Qt.ItemDataRole.FontRole:
@@ -178,7 +177,7 @@ class TrafficTable(QAbstractTableModel):
         return None
 
     def text(self, row: Transaction, column: int) -> str:
-        """Return what stands in a column of a row."""
+        """Return the text of a cell."""
         match column:
             case 0:  # TIME
                 moment = datetime.fromtimestamp(self._traffic.wall_time(row)).astimezone()
@@ -191,8 +190,8 @@ class TrafficTable(QAbstractTableModel):
                 return "" if row.seconds is None else f"{row.seconds * 1e3:.1f}"
         return self._traffic.decoded(row).text
 
-    def _said(self, row: Transaction, column: int) -> str | None:
-        """Say to who does not see it what the colour says."""
+    def _accessible_text(self, row: Transaction, column: int) -> str | None:
+        """Return what the colour shows, for screen readers."""
         if column == WORDS and self._is_fault(row):
             return self.tr("Fault: {0}").format(self.text(row, column))
         return None

@@ -23,7 +23,7 @@ _SAMPLES = {
     RECEIVED: "54 52 65 58 31 2E 32 00 00 00",
     TOOK: "Took (ms)",
 }
-"""Texts that fit into the columns; longer bytes are cut, and shown in full below the table."""
+"""Texts that set the column widths; longer bytes are elided, and complete below the table."""
 
 _DETAIL_LINES = 5
 
@@ -89,12 +89,12 @@ class RowDetails(QPlainTextEdit):
         super().__init__(parent)
         self._traffic = traffic
         self._table = table
-        self.setAccessibleName(self.tr("The chosen row in full"))
+        self.setAccessibleName(self.tr("Details of the selected row"))
         self.setReadOnly(True)
         self.setTabChangesFocus(True)
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
-        self.setPlaceholderText(self.tr("Choose a row to see all of its bytes."))
+        self.setPlaceholderText(self.tr("Select a row to see all its bytes."))
         margins = 2 * (round(self.document().documentMargin()) + self.frameWidth())
         self.setFixedHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES + margins)
 

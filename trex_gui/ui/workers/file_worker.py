@@ -1,4 +1,4 @@
-"""Long work on files in a thread of its own, so that the window stays responsive."""
+"""Long file operations in a separate thread, so that the window stays responsive."""
 
 import logging
 import threading
@@ -18,15 +18,15 @@ log = logging.getLogger(__name__)
 _PROGRESS_INTERVAL = 0.05
 
 _WORK, _YIELD = 0.01, 0.001
-"""Seconds of work after which line and window get their turn, and for how long.
+"""Seconds of work between pauses, and seconds of each pause, for session and GUI thread.
 
-Python itself switches threads only every 5 ms, and both of them run often and for a short time.
+Python switches threads only every 5 ms, too rarely for their many short turns.
 """
 
 _CANCEL_TIMEOUT_MS = 1000
 
 ProgressCallback = Callable[[float], None]
-"""Takes the share done, 0 to 1."""
+"""Receives the share done, 0 to 1."""
 
 
 class _CancelledError(Exception):
@@ -42,13 +42,14 @@ class Done:
 
 
 class FileWorker(WorkerThread):
-    """Runs one function, which is given a function to report its progress with.
+    """Runs one function, which receives a function to report its progress.
 
-    What the function uses belongs to this thread until it ends. Its owner keeps it until then.
+    Objects that the function uses belong to this thread until it ends. Its owner keeps it until
+    then.
 
     Signals:
         progressed: share done, 0 to 1.
-        done: a `Done`, once, unless it was cancelled. An internal error is an error, too.
+        done: a `Done`, once, unless it was cancelled. Its error may be an internal error.
     """
 
     progressed = Signal(float)

@@ -1,4 +1,4 @@
-"""Recording in a thread of its own, so that a slow disk blocks neither line nor window."""
+"""Recording in a separate thread, so that a slow disk blocks neither line nor window."""
 
 import logging
 from collections.abc import Callable, Sequence
@@ -130,7 +130,7 @@ class RecordThread(QObject, Generic[RecordT]):
 
     @property
     def recording(self) -> bool:
-        """Whether records are being kept."""
+        """Whether records are being written."""
         return self._worker is not None and not self._closing
 
     @property
@@ -171,11 +171,11 @@ class RecordThread(QObject, Generic[RecordT]):
 
     @Slot(object)
     def put_event(self, event: Event) -> None:
-        """Keep an event as a marker."""
+        """Record an event as a marker."""
         self.put(marker(event.time, event.kind.value, event.text))
 
     def put(self, *records: RecordT | Marker) -> None:
-        """Keep records while recording."""
+        """Add records while recording."""
         if self.recording:
             self._backlog.put(records)
             if self._backlog.lost != self._lost:

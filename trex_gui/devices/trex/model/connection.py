@@ -121,7 +121,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         signature = report.state.signature
         if self._decoder.board != signature:
             self._decoder.board = signature
-            self.traffic.forget_words()
+            self.traffic.decode_again()
         self.device_read.emit(report)
         self._set_state(ConnectionState.CONNECTED, self.tr("Connected to {0}.").format(signature))
         self.ready.emit()
