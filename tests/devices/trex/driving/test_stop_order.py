@@ -8,10 +8,10 @@ from tests.devices.trex.session.helpers import among, is_stopped, outcomes, stag
 from tests.support.virtual import Stage
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session.messages import Close, Closed
-from trex_gui.devices.trex.driving.requests import Stop
+from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.session.messages import Request, RunCommand
+from trex_gui.devices.trex.session.messages import NotResponding, Request, RunCommand
 from trex_gui.devices.trex.session.session import TrexSession
 
 Step = Callable[[], Request | None]
@@ -81,3 +81,18 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(
     assert found[7].error is not None
     assert found[8].error is not None
     assert isinstance(stage.reports[-1], Closed)
+
+
+def test_stop_while_board_returns_gets_its_outcome() -> None:
+    stage, settings = staged()
+    seen: list[bool] = []
+    faults = stage.line.faults
+    stage.script.at(3.0, Arm()).at(3.1, SetMotor(1, Drive.at(80)))
+    for step in range(1, 8):
+        stage.script.at(3.1 + step / 5, Heartbeat())
+    stage.script.at(4.0, lambda: setattr(faults, "mute", True)).at(4.7, Stop(7, 3.0))
+    stage.script.at(4.75, lambda: setattr(faults, "mute", False))
+    stage.script.at(15.0, lambda: seen.append(7 in outcomes(stage.reports))).at(15.1, Close())
+    stage.run(settings)
+    assert among(stage.reports, NotResponding)
+    assert seen == [True]

@@ -314,6 +314,7 @@ class MotorOutput:
             self.handle(OutputEvent.STOP_NOT_ANSWERED, now)
         elif final or self.quality.is_quiet:
             self.handle(OutputEvent.STOP_CONFIRMED, now)
+            self._end_noisy_stops(None)  # also of a board that was silent meanwhile
         else:
             self.handle(OutputEvent.STOP_CLEAN_BUT_NOISY, now)
 
