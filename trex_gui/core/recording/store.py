@@ -92,6 +92,9 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
         execute = self._database.execute
         execute(f"PRAGMA application_id = {APPLICATION_ID}")
         execute(f"PRAGMA user_version = {SCHEMA_VERSION}")
+        # Exclusive: the index of the log stays in our memory. As a mapped file, a disk that goes
+        # away would end the process with SIGBUS, and nothing would stop the motors.
+        execute("PRAGMA locking_mode = EXCLUSIVE")
         execute("PRAGMA journal_mode = WAL")
         execute("PRAGMA synchronous = NORMAL")
         execute("BEGIN")
@@ -251,7 +254,11 @@ class Recording(Generic[HeaderT, RecordT]):
         for mode in ("mode=ro", "immutable=1"):  # in a read-only folder a log cannot be read
             try:
                 database = sqlite3.connect(
-                    f"{uri}?{mode}", uri=True, isolation_level=None, check_same_thread=False
+                    f"{uri}?{mode}",
+                    uri=True,
+                    timeout=0,
+                    isolation_level=None,
+                    check_same_thread=False,
                 )
             except sqlite3.Error as error:
                 reason = reason_of(error)
@@ -264,6 +271,11 @@ class Recording(Generic[HeaderT, RecordT]):
                 database.execute("SELECT count(*) FROM sqlite_master").fetchone()
             except sqlite3.Error as error:
                 database.close()
+                if error.sqlite_errorcode == sqlite3.SQLITE_BUSY:
+                    raise RecordingError(
+                        str(self.path),
+                        "It is still being recorded. End the recording, then open it again.",
+                    ) from error
                 reason = reason_of(error)
             else:
                 return database

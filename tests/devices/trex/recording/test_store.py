@@ -14,7 +14,6 @@ from tests.devices.trex.recording.samples import (
     HEADER,
     an_hour,
     open_recording,
-    read_all,
     read_file,
     records,
     write,
@@ -153,19 +152,29 @@ def test_recording_without_its_log_is_readable(tmp_path: Path) -> None:
     writer.close()
 
 
-def test_recording_in_progress_can_be_read(tmp_path: Path) -> None:
+def test_recording_in_progress_is_refused(tmp_path: Path) -> None:
     what = list(an_hour(1))
     path = tmp_path / "a.trexrec"
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
     writer.write(what)
     writer.commit()
-    recording = open_recording(path)
-    assert read_all(recording) == what
+    with pytest.raises(RecordingError, match="still being recorded"):
+        open_recording(path)
     writer.write(what)
-    writer.finish()  # while it is read
+    writer.finish()
     writer.close()
-    recording.close()
     assert read_file(path) == (HEADER, what * 2, [])
+
+
+@pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="needs /proc")
+def test_recording_maps_no_file_into_the_process(tmp_path: Path) -> None:
+    path = tmp_path / "a.trexrec"
+    writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
+    writer.write(list(an_hour(1)))
+    writer.commit()
+    assert str(path) not in Path("/proc/self/maps").read_text(encoding="utf-8")
+    writer.finish()
+    writer.close()
 
 
 def test_full_disk_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
