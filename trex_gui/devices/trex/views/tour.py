@@ -16,9 +16,9 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
     motors, sticks = controller.device.motors, controller.demo_board
 
     def drive() -> bool:
-        if not motors.is_available:
+        motors.arm()  # not before the lockout of the first stop is over
+        if not motors.armed:
             return False
-        motors.arm()
         motors.set_speed(1, 90)
         motors.set_speed(2, -60)
         motors.set_auxiliary(40)
