@@ -60,7 +60,7 @@ def test_pages_show_board_data_until_disconnect(
 
     simulator.do("power off")
     window.wait(lambda: window.device.link is ConnectionState.NOT_RESPONDING)
-    assert "stopped answering" in window.text("statusLabel")
+    assert "stopped responding" in window.text("statusLabel")
     simulator.do("power on")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     channels.wait(lambda: "µs" in channels.text("channel1Input"))

@@ -80,7 +80,7 @@ def test_stop_apply_fault_and_timeout_become_events(
     history = page.device.telemetry.currents
     page.wait(lambda: len(history) > 20)
     quick_simulator.do("line mute on")
-    page.wait_for_event(EventKind.LINK, "stopped answering")
+    page.wait_for_event(EventKind.LINK, "stopped responding")
     quick_simulator.do("line mute off")
     page.wait_for_event(EventKind.LINK, "answers again")
     before = len(history)

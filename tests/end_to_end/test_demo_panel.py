@@ -156,7 +156,7 @@ def test_faults_are_counted_on_the_status_page(window: WindowDriver, panel: Demo
 def test_mode_jumper_takes_effect_at_power_cycle(window: WindowDriver, panel: DemoPanel) -> None:
     panel.click("demoPower")
     panel.wait_for(ConnectionState.NOT_RESPONDING)
-    assert "stopped answering" in window.text("statusLabel")
+    assert "stopped responding" in window.text("statusLabel")
     panel.wait_for_text("demoState", "power is off")
     panel.click("demoPower")
     panel.wait_for(ConnectionState.CONNECTED)
@@ -229,7 +229,7 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
     assert not panel.is_enabled("demoNoise")
 
     window.click("connectButton")
-    assert "Tick “Plugged in” on its panel" in window.text("bannerText")
+    assert "Check “Plugged in” on its panel" in window.text("bannerText")
     assert window.device.link is ConnectionState.DISCONNECTED
     assert panel.root.isVisible()
     assert window.text("statusLabel") == "Not connected."
@@ -263,7 +263,7 @@ def test_choosing_unplugged_demo_disconnects_other_board(
     connector.connect_to(window.program.ports.demo_of("trex"))
     panel.wait_for(ConnectionState.DISCONNECTED)
     assert connector.port is None
-    assert "Tick “Plugged in” on its panel" in window.text("bannerText")
+    assert "Check “Plugged in” on its panel" in window.text("bannerText")
     assert panel.root.isVisible()
 
 

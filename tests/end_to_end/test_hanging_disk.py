@@ -39,8 +39,8 @@ def table(program):
     panel.export.save_table(path, -np.inf, np.inf)
 
 def transcript(program):
-    from trex_gui.ui.traffic.saver import TranscriptSaver
-    kept.append(saver := TranscriptSaver(trex(program).device.connection.traffic, program.window))
+    from trex_gui.ui.traffic.saver import TrafficSaver
+    kept.append(saver := TrafficSaver(trex(program).device.connection.traffic, program.window))
     saver.save(path, trex(program).device.connection.traffic.everything.rows)
 
 def built(*_):

@@ -48,7 +48,7 @@ port_option = click.option(
     metavar="URL",
     shell_complete=_complete_port,
     help="Port of the device, such as /dev/ttyUSB0, COM3, socket://host:port or "
-    "rfc2217://host:port. TREX_PORT in the environment stands for it.",
+    "rfc2217://host:port. Default: environment variable TREX_PORT.",
 )
 timeout_option = click.option(
     "--timeout",

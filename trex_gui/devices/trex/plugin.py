@@ -26,7 +26,7 @@ TREX = DevicePlugin(
         "get": _command("parameters:get_command", "Show one parameter."),
         "set": _command("parameters:set_command", "Store one parameter and read it back."),
         "get-settings": _command("files:get_settings", "Save the board's settings to a file."),
-        "set-settings": _command("files:set_settings", "Give the board the settings of a file."),
+        "set-settings": _command("files:set_settings", "Write a settings file to the board."),
         "check-settings": _command(
             "files:check_settings", "Check a settings file without a board."
         ),
@@ -40,7 +40,7 @@ TREX = DevicePlugin(
         "motor": _command("motor:motor", "Run a motor until Ctrl-C, or for some seconds."),
         "stop": _command("motor:stop", "Stop all motors and wait for confirmation."),
         "raw": _command("packets:raw", "Send bytes and show what comes back."),
-        "decode": _command("packets:decode", "Say what packets some bytes are."),
+        "decode": _command("packets:decode", "Decode packets."),
     },
     simulator=Lazy(f"{_HERE}.simulator.command:SIMULATOR"),
 )

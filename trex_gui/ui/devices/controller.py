@@ -201,7 +201,7 @@ class DeviceController(QObject, Generic[SettingsT]):
             return
         if not self.simulator.plugged:
             text = self.tr(
-                "The cable of the Demo {0} is unplugged. Tick “Plugged in” on its panel, then "
+                "The cable of the Demo {0} is unplugged. Check “Plugged in” on its panel, then "
                 "connect again."
             )
             self._abandon_demo(text.format(self.plugin.name))

@@ -212,7 +212,7 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
     assert not panel.is_enabled("aracnaDemoNoise")
 
     window.click("connectButton")
-    window.wait_for_text("bannerText", "Tick “Plugged in” on its panel")
+    window.wait_for_text("bannerText", "Check “Plugged in” on its panel")
     assert panel.robot.link is ConnectionState.DISCONNECTED
     assert panel.dock.isVisible()
     assert window.text("statusLabel") == "Not connected."

@@ -55,10 +55,10 @@ def test_dragged_time_slider_shows_state_at_that_time(window: RecordingWindowDri
     assert window.text("aracnaRecordedDifference0") == "+1"
     assert window.text("aracnaRecordedDifference1") == "−1"
     assert window.text("aracnaRecordedPresent7") == "–"
-    assert window.text("aracnaRecordedDifference7") == "no answer (−1)"
+    assert window.text("aracnaRecordedDifference7") == "no reply (−1)"
     assert window.text("aracnaRecordedSpeed0") == "100 = 67 °/s"
     assert window.text("aracnaRecordedSpeed1") == "unlimited"
-    assert window.text("aracnaRecordedSpeed7") == "no answer (−1)"
+    assert window.text("aracnaRecordedSpeed7") == "no reply (−1)"
     assert window.text("aracnaRecordedDoing") == "At rest."
     assert window.plot.cursor_time == window.playback.position
 

@@ -181,7 +181,7 @@ def test_set_settings_prints_old_and_new_values(trexcmd: RunCommand, tmp_path: P
     lines = result.stderr.splitlines()
     (row,) = [number for number, line in enumerate(lines) if "→" in line]
     assert lines[row].split() == ["serial_timeout", "0", "→", "15", "off", "→", "1.5", "s"]
-    assert "is kept in" in lines[row + 1]
+    assert "Snapshot of the previous settings" in lines[row + 1]
 
 
 def test_diff_reports_settings_for_different_models(trexcmd: RunCommand, tmp_path: Path) -> None:

@@ -140,7 +140,7 @@ def test_unpowered_board_ends_the_stream(
     quick_simulator.do("power off")
     _, errors = command.communicate()
     assert command.returncode == 1
-    assert "stopped answering" in errors
+    assert "stopped responding" in errors
 
 
 def test_mode_change_ends_the_stream(

@@ -285,7 +285,7 @@ def test_requests_are_rejected_while_reconnecting() -> None:
     place.script.at(4.2, Write(3, (("serial_timeout", 5),))).at(4.3, SetMotor(1, Drive.at(9)))
     place.end(7.0)
     assert {str(outcomes(place.reports)[number].error) for number in (1, 2, 3)} == {
-        "No board answers; it is being looked for."
+        "The board is not responding; scanning for it."
     }
     assert set(place.transport.sent[marks[0] :]) <= {0xFF, 0x81, 0x48}
 

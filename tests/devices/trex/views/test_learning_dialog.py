@@ -55,7 +55,7 @@ def test_problem_of_each_rest_position_is_shown(learning: LearningDialog) -> Non
             shown.update({channel: learning.problem(channel) for channel in CHANNELS})
 
     learning.click("learnNextButton")
-    learning.move_until(lambda: "No channel rests" in learning.head, move)
+    learning.move_until(lambda: "No channel is at rest" in learning.head, move)
     expected = {
         1: "It moved during sampling",
         2: "It drifted up by",
@@ -447,7 +447,7 @@ def test_whole_row_is_visible_on_the_lowest_screen(learning: LearningDialog) -> 
         learning.scale_font(factor)
         learning.start_learning(*CHANNELS)
         learning.click("learnNextButton")
-        learning.wait_for_head("No channel rests")
+        learning.wait_for_head("No channel is at rest")
         for width in (dialog.minimumSizeHint().width(), 900):
             dialog.resize(width, dialog.minimumSizeHint().height())
             assert_whole = partial(assert_rows_are_whole, learning, factor, width)
@@ -491,7 +491,7 @@ def test_unconfirmed_stop_blocks_learning(learning: LearningDialog, fault: str) 
     learning.simulator.do(f"line {fault}")
     learning.dialog.learn((1,))
     learning.wait(lambda: learning.can_click("learnAgainButton"))
-    reasons = ("could not be confirmed as stopped", "has stopped answering")
+    reasons = ("could not be confirmed as stopped", "has stopped responding")
     assert any(reason in learning.head for reason in reasons), learning.head
     assert not learning.can_click("learnNextButton")
     assert not learning.can_click("learnTakeButton")
@@ -560,7 +560,7 @@ def test_learning_can_be_restarted_after_the_board_was_mute(learning: LearningDi
     learning.use({1: Stick()})
     learning.go_to_travel(1)
     learning.simulator.do("line mute on")
-    learning.wait_for_head("has stopped answering")
+    learning.wait_for_head("has stopped responding")
     learning.simulator.do("line mute off")
     learning.wait(lambda: learning.device.link is ConnectionState.CONNECTED)
     learning.click("learnAgainButton")

@@ -101,7 +101,7 @@ def test_stick_test_continues_after_a_power_failure(learning: LearningDialog) ->
     learning.use(sticks)
     learning.start_test(*sticks)
     learning.simulator.do("power off")
-    learning.wait_for_head("has stopped answering: its power or its cable was cut")
+    learning.wait_for_head("has stopped responding: its power or its cable was cut")
     assert "it changes nothing in the board" in learning.head
 
     learning.simulator.do("power on")

@@ -240,7 +240,7 @@ class Stuck:
 
 @dataclass(frozen=True, slots=True)
 class NotResponding:
-    """The robot has stopped answering; it is queried until `Connected`."""
+    """The robot has stopped responding; it is queried until `Connected`."""
 
     error: StudioError | None = None
 

@@ -45,7 +45,7 @@ def _pages() -> list[str]:
             "these and the built-in gaits: once, several times or in a loop."
         ),
         tr(
-            "<b>Log</b> lists events and the statistics of the line. <b>Transcript</b> lists "
+            "<b>Log</b> lists events and the statistics of the line. <b>Traffic</b> lists "
             "every command and every reply."
         ),
     ]

@@ -43,6 +43,6 @@ def menus(pages: Entries) -> Menus:
         Menu.WINDOW: (
             *pages,
             SEPARATOR,
-            ActionInfo("aracna_demo", tr("&Demo robot"), checkable=True),
+            ActionInfo("aracna_demo", tr("&Demo Aracna panel"), checkable=True),
         ),
     }

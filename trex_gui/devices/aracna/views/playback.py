@@ -182,7 +182,7 @@ class JointValues(QWidget):
             self._set(motor, "Goal", position_text(goal))
             alarming = motor in missed
             if alarming and missed[motor].unreadable:
-                text = self.tr("no answer (−1)")
+                text = self.tr("no reply (−1)")
             elif known.moving is not None:
                 alarming = known.stuck is not None and known.stuck.motor == motor
                 text = self.tr("waited for") if motor == known.awaited_motor else _NONE
@@ -198,7 +198,7 @@ class JointValues(QWidget):
         if held is None:
             return _NONE
         if held == UNREADABLE:
-            return self.tr("no answer (−1)")
+            return self.tr("no reply (−1)")
         return f"{held} = {speed_text(held)}" if held else speed_text(held)
 
     def _set(self, motor: int, part: str, text: str, *, bold: bool = False) -> None:

@@ -53,7 +53,7 @@ class AracnaWorkspace(Workspace):
                 PageInfo("robot", self.tr("R&obot"), self._page),
                 PageInfo("poses", self.tr("Pos&es"), self._poses),
                 PageInfo("log", self.tr("Lo&g"), LogPage(robot, self)),
-                PageInfo("transcript", self.tr("&Transcript"), traffic),
+                PageInfo("transcript", self.tr("&Traffic"), traffic),
             )
         )
         self.recordings = AracnaRecordings(robot, self)

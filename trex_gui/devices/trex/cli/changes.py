@@ -107,6 +107,6 @@ def keep(settings: Settings, link: ConnectionSettings, reason: str) -> None:
     """
     history = SettingsHistory()
     snapshot = history.take(settings, adapter=link.name or link.url, reason=reason)
-    say(f"What the board stores now is kept in {snapshot.path}.")
+    say(f"Snapshot of the previous settings: {snapshot.path}.")
     if problem := history.bound().problem:
         say(f"Warning: {problem} `trexcmd history keep 500` sets it anew.")

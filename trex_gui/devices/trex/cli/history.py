@@ -169,7 +169,7 @@ def _path_of(word: str) -> Path:
         return snapshots[int(word) - 1].path
     if not snapshots:
         refuse(f"There are no snapshots in {history.folder} yet.")
-    return refuse(f"There is no snapshot {word}; they have the numbers 1 to {len(snapshots)}.")
+    return refuse(f"There is no snapshot {word}; snapshots are numbered 1 to {len(snapshots)}.")
 
 
 def _cells(number: int, snapshot: Snapshot) -> tuple[str, ...]:

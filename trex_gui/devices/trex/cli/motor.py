@@ -213,7 +213,7 @@ class _Run:
                     elif isinstance(sample, Control):
                         self._take_control(by_serial=sample.by_serial)
             case NotResponding(reason=reason):
-                self._finish(f"The board has stopped answering: {reason}")
+                self._finish(f"The board has stopped responding: {reason}")
             case MotorsStopped(reason=ErrorCode() as code):
                 self._finish(describe(code))
             case Outcome(error=error):
@@ -244,7 +244,7 @@ class _Run:
     def _take_status(self, latched: LatchedStatus) -> None:
         names = ", ".join(names_of(latched))
         if not self._is_running:
-            say(f"Noticed before: {names}.")
+            say(f"Errors latched before this run: {names}.")
         elif latched.status & _FAULTS or latched.uart & UartError.TIMEOUT:
             self._finish(f"The board reports: {names}.")
         elif not self._is_ending:

@@ -77,7 +77,7 @@ def stream(file: str | None, seconds: float | None, as_json: bool, **options: An
             for row in _rows(client, table, seconds, interrupted):
                 writer.write(row, client.transport.clock())
         except (NoReply, BadReply) as error:
-            reason = f"The board has stopped answering: {error}"
+            reason = f"The board has stopped responding: {error}"
         except _ModeChanged:
             reason = "The board's mode has changed; its inputs are something else now."
         finally:

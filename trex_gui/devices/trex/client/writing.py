@@ -191,7 +191,7 @@ def write_all(
     changes too, the default line settings are stored meanwhile. Where only the polynomial changes,
     a power cut in the 4 ms of its write leaves the default polynomial, which a scan tries too.
 
-    Once the line is gone, the board has stopped answering or has said that it is not in
+    Once the line is gone, the board has stopped responding or has said that it is not in
     serial mode, the rest is not tried: it would fail alike. Nor is it after `cancelled`, but
     serial settings that belong together are not parted. `stored` is called behind each write
     that was verified.

@@ -108,7 +108,9 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 log.info("the board does not respond: %s", reason)
                 self.counters = counters
                 self.not_responding.emit()
-                text = self.tr("The board has stopped answering. Is its power on? Waiting for it …")
+                text = self.tr(
+                    "The board has stopped responding. Is its power on? Waiting for it …"
+                )
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
             case _:
                 pass

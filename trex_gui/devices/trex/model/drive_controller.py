@@ -214,7 +214,7 @@ def why_the_board_stopped(news: LatchedStatus, *, errors_stop: bool) -> str:
     if news.uart & UartError.TIMEOUT:
         return QCoreApplication.translate(
             "board_stop",
-            "The board heard nothing for the time of Serial Timeout and stopped its motors.",
+            "The board received nothing for the Serial Timeout and stopped its motors.",
         )
     if news.uart and errors_stop:
         names = ", ".join(name for bit, (name, _) in UART_MEANING.items() if news.uart & bit)

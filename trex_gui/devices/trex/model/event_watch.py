@@ -79,7 +79,7 @@ class EventWatch(QObject):
 
     @Slot()
     def _on_silenced(self) -> None:
-        self._events.add(EventKind.LINK, self.tr("The board stopped answering"))
+        self._events.add(EventKind.LINK, self.tr("The board stopped responding"))
 
     @Slot(object)
     def _on_left(self, _last: Closed | None) -> None:

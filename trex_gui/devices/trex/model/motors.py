@@ -193,7 +193,7 @@ class Motors(QObject):
     def ceiling_in_force(self) -> int:
         """The `ceiling`, or a lower one that was in force when the motors were acquired.
 
-        Otherwise raising it would speed up motors under a stick that is held still.
+        Otherwise raising it would speed up motors under a stick that is paused.
         """
         return self._ceiling_in_force
 

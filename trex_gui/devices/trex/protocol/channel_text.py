@@ -61,7 +61,7 @@ def learned_words(learned: bool) -> str:
     """Say what the board's learned flag (0x95) of a channel means."""
     if learned:
         return "Learned: the board has a calibration of its own for it."
-    return "Not learned: the board has the factory's calibration for it."
+    return "Not learned: it has the factory default calibration."
 
 
 def way_to(source: InputSource, mode: Mode) -> str:

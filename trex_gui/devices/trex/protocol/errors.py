@@ -140,7 +140,7 @@ _TEXTS = {
         "at {2}",
     ),
     ErrorCode.SCANNING: QT_TRANSLATE_NOOP(
-        "TrexErrors", "No board answers; it is being looked for."
+        "TrexErrors", "The board is not responding; scanning for it."
     ),
     ErrorCode.NOT_READ: QT_TRANSLATE_NOOP("TrexErrors", "No board has been read yet."),
     ErrorCode.CLOSED: QT_TRANSLATE_NOOP(

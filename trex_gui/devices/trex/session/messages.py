@@ -118,7 +118,7 @@ class Written:
 
 @dataclass(frozen=True, slots=True)
 class NotResponding:
-    """The port is there, but the board has stopped answering; the session goes on trying."""
+    """The port is there, but the board has stopped responding; the session goes on trying."""
 
     reason: str
     counters: Counters

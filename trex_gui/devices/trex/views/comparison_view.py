@@ -95,9 +95,9 @@ class ComparisonView(QWidget):
         self._widths_chosen = False
 
         self._summary = label(self, "comparisonSummary", wrap=True)
-        self._all = QPushButton(self.tr("Tick all"), self)
+        self._all = QPushButton(self.tr("Select all"), self)
         self._all.setObjectName("tickAllButton")
-        self._none = QPushButton(self.tr("Tick none"), self)
+        self._none = QPushButton(self.tr("Select none"), self)
         self._none.setObjectName("tickNoneButton")
         for button in (self._all, self._none):  # Enter means something else in a dialog
             button.setAutoDefault(False)

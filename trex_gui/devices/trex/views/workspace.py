@@ -74,7 +74,7 @@ class TrexWorkspace(Workspace):
                 PageInfo("motors", self.tr("&Motors"), motors_page),
                 PageInfo("currents", self.tr("C&urrents"), CurrentsPage(device, self)),
                 PageInfo("parameters", self.tr("&Parameters"), parameters_page),
-                PageInfo("transcript", self.tr("T&ranscript"), transcript_page),
+                PageInfo("transcript", self.tr("T&raffic"), transcript_page),
             )
         )
 
@@ -332,7 +332,7 @@ class TrexWorkspace(Workspace):
             self._question.ask(
                 self.tr("There are unapplied changes."),
                 PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
-                PromptAnswer("closeYes", self.tr("Close and lose them"), leave_all_the_same),
+                PromptAnswer("closeYes", self.tr("Discard and close"), leave_all_the_same),
                 still=lambda: self._device.pending > 0 and not self._device.applying,
             )
         return False

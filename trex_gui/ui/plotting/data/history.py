@@ -64,7 +64,7 @@ class SampleHistory:
         self.clear()
 
     def clear(self) -> None:
-        """Forget every row and free the memory."""
+        """Delete all rows and free the memory."""
         self._pyramid = Pyramid(self.columns, self._levels, self._max_gap)
         self._times = np.empty(0)
         self._values = np.empty((self.columns, 0))

@@ -304,7 +304,7 @@ def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> No
     armed.motors.acquire("stick")
     armed.motors.set_speed(1, 127, "stick")
     armed.motors.set_ceiling(100)
-    armed.motors.set_speed(1, 127, "stick")  # as a stick that is held still says again and again
+    armed.motors.set_speed(1, 127, "stick")  # as a stick that is paused says again and again
     armed.motors.set_auxiliary(127, "stick")
     assert armed.motors.drive(1) == Drive.at(30)
     assert (armed.motors.ceiling, armed.motors.auxiliary) == (100, 30)

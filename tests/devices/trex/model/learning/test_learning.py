@@ -265,7 +265,7 @@ def test_power_loss_fails_learning_and_allows_a_restart(
         setup.until_step(LearningStep.TEST)
     setup.simulator.do("power off")
     setup.until_step(LearningStep.FAILED)
-    assert "The board has stopped answering" in setup.learning.trouble
+    assert "The board has stopped responding" in setup.learning.trouble
     kept = "Nothing was changed" if step is LearningStep.TRAVEL else "The test has ended"
     assert kept in setup.learning.trouble
     assert ("Nothing was changed" in setup.learning.trouble) is (step is LearningStep.TRAVEL)

@@ -272,7 +272,7 @@ class JointTable(QWidget):
             self._grid.addWidget(widget, line, column)
         font = self.font()
         font.setBold(True)
-        widest = QFontMetrics(font).horizontalAdvance(self.tr("no answer (−1)"))
+        widest = QFontMetrics(font).horizontalAdvance(self.tr("no reply (−1)"))
         row.state.setMinimumWidth(widest + 4)
 
         row.goal_changed.connect(partial(self._on_goal_changed, motor))
@@ -362,7 +362,7 @@ class JointTable(QWidget):
             text = self.tr("{0} missed").format(difference)
             return JointState(present, text, alarming=True, tip=missed_text(missed))
         if missed is not None or (state.held_speed(motor) or 0) < 0:
-            return JointState(present, self.tr("no answer (−1)"), alarming=True)
+            return JointState(present, self.tr("no reply (−1)"), alarming=True)
         return JointState(present, difference)
 
     @Slot()

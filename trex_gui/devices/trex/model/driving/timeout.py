@@ -33,7 +33,7 @@ def weakness_on(settings: ConnectionSettings, timeout: float) -> Weakness | None
     better = _offered(settings)
     if timeout == 0:
         text = _tr(
-            "Serial timeout is off: motors go on turning if the cable, this computer or this "
+            "Serial timeout is off: motors keep turning if the cable, this computer or this "
             "program fails."
         )
         return Weakness(text, better)

@@ -88,7 +88,9 @@ class CalibrationPreconditions(QObject):
     def _on_link_changed(self) -> None:
         link = self._device.link
         if link is ConnectionState.NOT_RESPONDING:
-            self._break(self.tr("The board has stopped answering: its power or its cable was cut."))
+            self._break(
+                self.tr("The board has stopped responding: its power or its cable was cut.")
+            )
         elif link is not ConnectionState.CONNECTED:
             self._break(self.tr("The line to the board is gone."))
 

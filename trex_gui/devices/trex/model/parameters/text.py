@@ -114,7 +114,7 @@ class ParameterText(QObject):
         if not (spec.limits_confirmed and spec.default_confirmed):
             text += " " + self.tr(
                 "The maker's parameter document was not available: the board has the last word, "
-                "and refuses a value that it cannot take."
+                "and rejects a value that it does not accept."
             )
         return text
 

@@ -61,7 +61,7 @@ class LearnDialog(QDialog):
         self._take = ui.button(
             self,
             "learnTakeButton",
-            self.tr("Take these values…"),
+            self.tr("Use these values…"),
             icon="apply",
             on_click=learning.take,
         )
@@ -344,7 +344,7 @@ class LearnDialog(QDialog):
         bad = [str(channel.number) for channel in learning.channels if not channel.is_at_rest]
         if len(bad) == len(learning.channels):
             return self.tr(
-                "No channel rests. Correct the problems below, then click “Sample again”."
+                "No channel is at rest. Correct the problems below, then click “Sample again”."
             )
         return self.tr(
             "Not every channel rests. Correct the problems below and click “Sample again”, or "
@@ -376,10 +376,12 @@ class LearnDialog(QDialog):
             )
         if self._refused:
             return self.tr(
-                "The board would not take the values of channel {0}: change them, or untick it."
+                "The board would reject the values of channel {0}: change them, or clear its "
+                "check box."
             ).format(self._refused)
         return self.tr(
-            "Check the new values. You can change them; untick a channel to keep its old values. "
+            "Check the new values. You can change them; clear the check box of a channel to "
+            "keep its old values. "
             "Nothing is written yet: you confirm all changes in the next window."
         )
 

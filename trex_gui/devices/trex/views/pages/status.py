@@ -178,7 +178,7 @@ class StatusPage(QWidget):
             )
         )
         self._values["quality"].setText(
-            self.tr("{0} silent, {1} damaged, slowest {2:.0f}\u00a0ms").format(
+            self.tr("{0} timeouts, {1} corrupted, slowest reply {2:.0f}\u00a0ms").format(
                 counters.silences, counters.damaged, 1000 * counters.slowest
             )
         )

@@ -256,7 +256,7 @@ class ReviewDialog(QDialog):
             case _Phase.DONE if self._problem:
                 return self._problem
             case _Phase.DONE:
-                return self._count_text(count, self.tr("{0} stored and read back equal."))
+                return self._count_text(count, self.tr("{0} written and verified."))
         if count == 0:
             return self.tr("There is nothing to write: no setting was changed.")
         if self._device.link is not ConnectionState.CONNECTED:

@@ -121,9 +121,7 @@ class ParametersPage(QWidget):
                 "{0} of {1} settings could not be verified; they are marked below."
             ).format(len(failed), len(results))
         else:
-            text = self.tr("{0} written and read back equal.").format(
-                self._count_text(len(results))
-            )
+            text = self.tr("{0} written and verified.").format(self._count_text(len(results)))
             if waiting := self._model.waiting_for_power:
                 text += " " + self.tr("Switch the board off and on to make active: {0}.").format(
                     ", ".join(waiting)
