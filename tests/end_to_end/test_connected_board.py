@@ -94,7 +94,7 @@ def test_parameters_are_edited_applied_and_activated(
     apply(window)
     window.wait(lambda: not device.parameters.pending)
     assert simulator.show()["parameters"]["serial_timeout"] == 15
-    assert "read back equal" in page.text("parametersNotice")
+    assert "written and verified" in page.text("parametersNotice")
 
     wanted = Calibration(2400, 3700, 5100, 60)
     device.calibrations.edit(1, wanted)

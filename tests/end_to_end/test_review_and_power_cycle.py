@@ -264,7 +264,7 @@ def test_defaults_are_compared_and_reviewed_before_writing(
     defaults.click("takeDefaultsButton")
     assert device.parameters.pending == (("uart_settings", LineSettings().to_wire()),)
     review.click("writeButton")
-    review.wait_for_text("reviewHead", "read back equal")
+    review.wait_for_text("reviewHead", "written and verified")
     review.close()
 
     window.trigger("defaults")
@@ -355,7 +355,7 @@ def test_calibration_of_inactive_input_source_stays_pending(
     review.open()
     review.toggle("Calibration of RC channel 2")
     review.click("writeButton")
-    review.wait_for_text("reviewHead", "read back equal")
+    review.wait_for_text("reviewHead", "written and verified")
     power.cycle()
     assert list(device.calibrations.pending) == []
     assert device.pending == 1

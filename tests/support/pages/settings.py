@@ -66,7 +66,7 @@ class ReviewDialog(ComparisonDialog):
         """Open the review, write what is checked and wait for the result."""
         self.open()
         self.click("writeButton")
-        self.wait_for_text("reviewHead", "read back equal")
+        self.wait_for_text("reviewHead", "written and verified")
 
     def close(self) -> None:
         self.click("reviewCloseButton")

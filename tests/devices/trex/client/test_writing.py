@@ -1,4 +1,4 @@
-"""Writes count when they were read back equal."""
+"""Writes count when they were written and verified."""
 
 from dataclasses import replace
 

@@ -342,7 +342,7 @@ def test_review_shows_the_curve_before_and_after(learning: LearningDialog) -> No
 
     maximum.setValue(3000)  # which the board would not take
     learning.wait(lambda: plot.curve is None)
-    learning.wait_for_head("would not take the values of channel 2")
+    learning.wait_for_head("would reject the values of channel 2")
     learning.assert_nothing_changed()
 
 
