@@ -266,6 +266,12 @@ def test_stop_fails_while_rc_channels_drive(
     assert quick_simulator.show()["motors"][0]["speed"] > 50
 
 
+def test_stop_without_reply_is_reported_as_unconfirmed(trexcmd: RunCommand) -> None:
+    result = trexcmd("stop", "--baud", "57600")
+    assert result.exit_code == 1
+    assert "The stop is not confirmed. If a motor still turns, cut its power." in result.stderr
+
+
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
 def test_stop_names_the_process_that_holds_the_port(

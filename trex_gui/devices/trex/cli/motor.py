@@ -8,7 +8,7 @@ import click
 
 from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, say
 from trex_gui.core.cli.host import host
-from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.session.messages import Close, Closed, Outcome
 from trex_gui.core.transport.port_holder import holder_of
 from trex_gui.core.transport.serial_port import Transport
@@ -84,6 +84,9 @@ def motor(
     run.conclude()
 
 
+_UNCONFIRMED = "The stop is not confirmed. If a motor still turns, cut its power."
+
+
 @click.command()
 @link_options
 def stop(**options: Any) -> None:
@@ -107,7 +110,10 @@ def _stop_at(settings: ConnectionSettings) -> None:
         motors = MotorOutput(lambda _report: None)
         driver = MotorDriver(motors, client, StatusReader(client.transport.clock))
         if not driver.stop_and_confirm(careful=True):
-            identify(client)  # says why there is no reply
+            try:
+                identify(client)  # says why there is no reply
+            except (NoReply, BadReply) as error:
+                raise CommandFailed(f"{error} {_UNCONFIRMED}") from error
             raise NoReply(
                 "The stop was sent, but the board reports errors on the line each time. "
                 "If a motor still turns, cut its power."
