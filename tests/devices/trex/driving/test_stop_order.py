@@ -83,7 +83,9 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(
     assert isinstance(stage.reports[-1], Closed)
 
 
-def test_stop_while_board_returns_gets_its_outcome() -> None:
+@pytest.mark.parametrize("seconds", [0.02, 0.03, 0.05, 11.0])
+def test_stop_while_board_returns_gets_its_outcome(seconds: float) -> None:
+    """The board responds for so long after the stop; 11 s is the rest of the test."""
     stage, settings = staged()
     seen: list[bool] = []
     faults = stage.line.faults
@@ -92,6 +94,7 @@ def test_stop_while_board_returns_gets_its_outcome() -> None:
         stage.script.at(3.1 + step / 5, Heartbeat())
     stage.script.at(4.0, lambda: setattr(faults, "mute", True)).at(4.7, Stop(7, 3.0))
     stage.script.at(4.75, lambda: setattr(faults, "mute", False))
+    stage.script.at(4.75 + seconds, lambda: setattr(faults, "mute", True))
     stage.script.at(15.0, lambda: seen.append(7 in outcomes(stage.reports))).at(15.1, Close())
     stage.run(settings)
     assert among(stage.reports, NotResponding)

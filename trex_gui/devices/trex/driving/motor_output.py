@@ -314,7 +314,6 @@ class MotorOutput:
             self.handle(OutputEvent.STOP_NOT_ANSWERED, now)
         elif final or self.quality.is_quiet:
             self.handle(OutputEvent.STOP_CONFIRMED, now)
-            self._end_noisy_stops(None)  # also of a board that was silent meanwhile
         else:
             self.handle(OutputEvent.STOP_CLEAN_BUT_NOISY, now)
 
@@ -322,15 +321,18 @@ class MotorOutput:
         """Report the outcome of stops that were sent.
 
         On a line that damages bytes it waits until the line is quiet, or for
-        `Timeouts.stop_confirmation`; the stop is repeated until then.
+        `Timeouts.stop_confirmation`; the stop is repeated until then. To a board that does not
+        respond nothing is repeated, so its stops do not wait.
         """
-        if answered and self.may_move:
+        if not answered:
+            self.report_stops(stops, TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED))
+        elif not self.may_move:
+            self.report_stops(stops, None)
+        elif self.arming is Arming.UNREACHABLE:
+            self.report_stops(stops, TrexNoReplyError(ErrorCode.STOP_ON_NOISY_LINE))
+        else:
             self._noisy_stops = list(stops)
             self._noisy_until = now + self._timeouts.stop_confirmation
-        else:
-            self.report_stops(
-                stops, None if answered else TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED)
-            )
 
     def end_stop_retry(self) -> None:
         """Report what a repeated stop has achieved."""
