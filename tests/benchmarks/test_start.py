@@ -24,7 +24,8 @@ trex(program).controller.connect_to(program.ports.demo_of("trex"))
 while trex(program).device.telemetry.raw is None:
     app.processEvents()
 live = time.perf_counter()
-program.end()
+program.window.hide()  # as the program does: Qt crashes when it destroys shown windows at exit
+program.shut_down()
 print(shown - begun, live - begun)
 """
 
