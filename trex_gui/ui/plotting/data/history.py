@@ -124,9 +124,8 @@ class SampleHistory:
         self._grow(stop)
 
     def _grow(self, size: int) -> None:
-        if size // FACTOR != self._size // FACTOR:
-            self._pyramid.grow(self._times, self._values, size)
         self._size = size
+        self._pyramid.grow(self._times, self._values, size)
 
     def _make_room(self, rows: int) -> None:
         if self._size + rows > self._max_rows:

@@ -14,6 +14,9 @@ Floats = NDArray[np.float64]
 FACTOR = 8
 """Rows in a block of the lowest level, and blocks in one of the next."""
 
+_BATCH = 64
+"""Rows summarized at once: as many cost little more than a single block."""
+
 MAX_LEVELS = 6
 """The largest block has 8 to the power of 6 rows: 55 minutes at 80 samples a second."""
 
@@ -39,7 +42,7 @@ class Pyramid:
         self._columns = columns
         self._levels = levels
         self._max_gap = max_gap
-        self._done = [0] * (levels + 1)  # whole blocks of each level; level 0 is the rows
+        self._done = [0] * (levels + 1)  # whole blocks of each level; level 0: summarized rows
         self._blocks = [np.empty((5, columns, 0)) for _ in range(levels + 1)]
 
     def resize(self, rows: int) -> None:
@@ -51,7 +54,9 @@ class Pyramid:
             self._blocks[level] = grown
 
     def grow(self, times: Floats, values: Floats, size: int) -> None:
-        """Summarize the rows up to `size`; none is read twice."""
+        """Summarize the rows up to `size` in batches; none is read twice."""
+        if size - self._done[0] < _BATCH:
+            return
         self._done[0] = size
         for level in range(1, self._levels + 1):
             first, done = self._done[level], self._done[level - 1] // FACTOR
@@ -91,7 +96,7 @@ class Pyramid:
         if first >= stop:
             return np.empty(0, np.intp), np.empty(0), np.empty(0)
         starts, lows, highs = [], [], []
-        for level, begin, end in _cover(first, stop, top):
+        for level, begin, end in self._cover(first, stop, top):
             size = FACTOR**level
             span = slice(begin // size, end // size)
             blocks = self._blocks[level] if level else (values, values)
@@ -105,7 +110,7 @@ class Pyramid:
     ) -> Integrals:
         """Return what the intervals between the rows `first` to `stop` - 1 add up to."""
         total = np.zeros(3)
-        for level, begin, end in _cover(first + 1, stop, self._levels):
+        for level, begin, end in self._cover(first + 1, stop, self._levels):
             size = FACTOR**level
             if level:
                 total += self._blocks[level][2:, column, begin // size : end // size].sum(axis=1)
@@ -113,6 +118,12 @@ class Pyramid:
                 one = values[column : column + 1]
                 total += self._intervals(times, one, begin, end).sum(axis=2)[:, 0]
         return Integrals(*total.tolist())
+
+    def _cover(self, first: int, stop: int, top: int) -> list[tuple[int, int, int]]:
+        """Return (level, from, to) of whole blocks, none above `top`, that cover these rows."""
+        done = max(first, min(stop, self._done[0]))
+        blocks = _whole_blocks(first, done, top)
+        return [*blocks, (0, done, stop)] if done < stop else blocks
 
     def _intervals(self, times: Floats, values: Floats, first: int, stop: int) -> Floats:
         """Return what the interval before each row adds: (integrals, columns, rows)."""
@@ -128,14 +139,17 @@ class Pyramid:
         return added
 
 
-def _cover(first: int, stop: int, top: int) -> list[tuple[int, int, int]]:
-    """Return (level, from, to) of whole blocks, none above `top`, that cover these rows."""
+def _whole_blocks(first: int, stop: int, top: int) -> list[tuple[int, int, int]]:
     if first >= stop:
         return []
-    size = FACTOR**top
-    begin, end = -(-first // size) * size, stop // size * size
     if top == 0:
         return [(0, first, stop)]
+    size = FACTOR**top
+    begin, end = -(-first // size) * size, stop // size * size
     if begin >= end:
-        return _cover(first, stop, top - 1)
-    return [*_cover(first, begin, top - 1), (top, begin, end), *_cover(end, stop, top - 1)]
+        return _whole_blocks(first, stop, top - 1)
+    return [
+        *_whole_blocks(first, begin, top - 1),
+        (top, begin, end),
+        *_whole_blocks(end, stop, top - 1),
+    ]
