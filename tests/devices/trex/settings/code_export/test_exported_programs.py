@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.devices.trex.code_export.programs import (
+from tests.devices.trex.settings.code_export.programs import (
     CALIBRATIONS,
     CPP,
     HERE,
@@ -252,7 +252,7 @@ def test_missing_reply_is_reported_with_line_settings(
     program = made_ready(tmp_path, settings_for(line), line, language, drive=True, patience=1)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
-    assert "No board answers" in process.stdout
+    assert "No board responds" in process.stdout
     assert "19200 baud, CRC-7, 1 stop bit, device number 11" in process.stdout
     assert "Traceback" not in process.stdout
 
@@ -314,9 +314,9 @@ def test_board_that_stops_replying_is_reported(
         assert "serial mode" in trex.do("check")[0]
         board.do("line mute on")
         said = trex.do("calibrate")
-        assert "no answer" in said[0].replace("does not answer", "no answer")
+        assert "no reply" in said[0].replace("does not respond", "no reply")
         said = trex.do("parameter")
-        assert "no answer" in said[0]
+        assert "no reply" in said[0]
     assert board.writes == 0
 
 

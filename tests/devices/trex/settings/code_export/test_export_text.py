@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.devices.trex.code_export.programs import (
+from tests.devices.trex.settings.code_export.programs import (
     HERE,
     LANGUAGE_NAMES,
     LANGUAGES,
