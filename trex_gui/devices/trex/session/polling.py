@@ -13,6 +13,7 @@ import math
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 from enum import Enum, auto
+from typing import Any
 
 from trex_gui.devices.trex.client.client import Counters, Requester
 from trex_gui.devices.trex.client.telemetry import (
@@ -49,15 +50,43 @@ class Topic(Enum):
     MODE = auto()
 
 
-QUERIES: Mapping[Topic, Command[object]] = {
-    Topic.CURRENTS: GetCurrents(),
-    Topic.RAW: GetRawChannels(),
-    Topic.REMAPPED: GetRemappedChannels(),
-    Topic.STATUS: GetStatus(),
-    Topic.CONTROL: GetSerialControl(),
-    Topic.MODE: GetMode(),
-}
+@dataclass(frozen=True, slots=True)
+class PolledValue:
+    """How one topic is polled.
 
+    Attributes:
+        rate: times a second that it is worth polling.
+        sample: makes its sample of a time and the reply.
+        analog_rate: differs from `rate` with analog inputs.
+    """
+
+    query: Command[Any]
+    rate: float
+    sample: Callable[[float, Any], Sample]
+    analog_rate: float | None = None
+
+
+def _channels(reply: Mapping[int, Any]) -> tuple[Any, ...]:
+    return tuple(reply[channel] for channel in CHANNELS)
+
+
+POLLED: Mapping[Topic, PolledValue] = {
+    Topic.CURRENTS: PolledValue(GetCurrents(), 80.0, Currents, analog_rate=50.0),
+    Topic.RAW: PolledValue(GetRawChannels(), 50.0, lambda time, raw: Raw(time, _channels(raw))),
+    Topic.REMAPPED: PolledValue(
+        GetRemappedChannels(), 50.0, lambda time, values: Remapped(time, _channels(values))
+    ),
+    Topic.CONTROL: PolledValue(GetSerialControl(), 10.0, Control),
+    Topic.MODE: PolledValue(GetMode(), 1.0, ModeSample),
+}
+"""Every polled value but the status, which `StatusReader` reads.
+
+Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog, about
+80 Hz with RC inputs). The mode only changes with the power.
+"""
+
+_STATUS_RATE = 10.0
+"""Times a second. Status bits are latched, so none is missed between two polls."""
 
 _LONGEST_LAG = 0.1
 """Seconds by which the schedule may be late before it stops catching up."""
@@ -74,20 +103,20 @@ _CHEAPEST = Topic.CONTROL
 
 
 def rates(source: InputSource) -> Mapping[Topic, float]:
-    """Return how often a second each topic is worth polling.
+    """Return how often a second each topic is worth polling."""
 
-    Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog,
-    about 80 Hz with RC inputs). Status bits are latched, so none is missed between two polls;
-    10 Hz is as fast as a user reads. The mode only changes with the power.
-    """
-    return {
-        Topic.CURRENTS: 80.0 if source is InputSource.RC else 50.0,
-        Topic.RAW: 50.0,
-        Topic.REMAPPED: 50.0,
-        Topic.STATUS: 10.0,
-        Topic.CONTROL: 10.0,
-        Topic.MODE: 1.0,
-    }
+    def rate(topic: Topic) -> float:
+        if topic is Topic.STATUS:
+            return _STATUS_RATE
+        polled = POLLED[topic]
+        return (source is InputSource.ANALOG and polled.analog_rate) or polled.rate
+
+    return {topic: rate(topic) for topic in Topic}
+
+
+def query_of(topic: Topic) -> Command[object]:
+    """Return the first command of a topic."""
+    return GetStatus() if topic is Topic.STATUS else POLLED[topic].query
 
 
 # --- The serial timeout -----------------------------------------------------------------
@@ -103,7 +132,7 @@ def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
     """Return the topics with replies that outlast a serial timeout in seconds, 0 for none."""
     if timeout <= 0:
         return frozenset()
-    return frozenset(topic for topic, query in QUERIES.items() if silence(line, query) >= timeout)
+    return frozenset(topic for topic in Topic if silence(line, query_of(topic)) >= timeout)
 
 
 def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool:
@@ -112,7 +141,7 @@ def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool
     `lateness`: seconds for which a reply is awaited beyond its time on the wire.
     """
     left_out = too_slow(line, timeout)
-    polled = [query for topic, query in QUERIES.items() if topic not in left_out]
+    polled = [query_of(topic) for topic in Topic if topic not in left_out]
     return timeout <= 0 or max(silence(line, query) for query in polled) + lateness < timeout
 
 
@@ -226,24 +255,11 @@ def poll(
         NoReply, BadReply: as every transaction.
         PortUnavailable: the line is gone.
     """
-    match topic:
-        case Topic.CURRENTS:
-            currents = request(GetCurrents())
-            return Currents(clock(), currents)
-        case Topic.RAW:
-            raw = request(GetRawChannels())
-            return Raw(clock(), tuple(raw[channel] for channel in CHANNELS))
-        case Topic.REMAPPED:
-            remapped = request(GetRemappedChannels())
-            return Remapped(clock(), tuple(remapped[channel] for channel in CHANNELS))
-        case Topic.CONTROL:
-            by_serial = request(GetSerialControl())
-            return Control(clock(), by_serial)
-        case Topic.MODE:
-            mode = request(GetMode())
-            return ModeSample(clock(), mode)
-        case Topic.STATUS:
-            return reader.read(request)
+    if topic is Topic.STATUS:
+        return reader.read(request)
+    polled = POLLED[topic]
+    reply = request(polled.query)
+    return polled.sample(clock(), reply)
 
 
 FRAME = 1 / 60
