@@ -15,7 +15,8 @@ from tests.support.window import LEFT, WindowDriver
 from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL
 from trex_gui.devices.trex.driving.requests import SetMotor
 from trex_gui.devices.trex.driving.setpoints import REPEATS
-from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor
+from trex_gui.devices.trex.protocol.commands import DriveMotor
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.ui.runtime import now
 
 MOVES = 1000

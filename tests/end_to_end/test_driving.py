@@ -21,14 +21,9 @@ from tests.support.pages.motors import BRAKE, FULL, Gesture, MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.model.motors import remembered_lockout
-from trex_gui.devices.trex.protocol.commands import (
-    Command,
-    Drive,
-    DriveAuxiliary,
-    DriveBoth,
-    DriveMotor,
-)
+from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, DriveBoth, DriveMotor
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
 

@@ -12,7 +12,7 @@ from tests.support.program import new_controller
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, PortUnavailable
-from trex_gui.core.session.messages import Closed
+from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import write_parameter
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
@@ -21,8 +21,9 @@ from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode
+from trex_gui.devices.trex.protocol.commands import STOP, GetMode
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import InputSource, Status
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of

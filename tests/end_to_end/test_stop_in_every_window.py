@@ -11,7 +11,7 @@ from tests.support.pages.motors import BRAKE, MotorsPage
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
-from trex_gui.core.files.text_files import save
+from trex_gui.core.files import save
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.ui.devices.connection_state import ConnectionState
 

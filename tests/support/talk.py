@@ -4,8 +4,13 @@ from collections.abc import Iterable
 
 from hypothesis import strategies as st
 
-from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
-from trex_gui.core.transport.transactions import Decoder, Transaction, TransactionAssembler
+from trex_gui.core.transport.traffic import (
+    Decoder,
+    TrafficDirection,
+    TrafficEvent,
+    Transaction,
+    TransactionAssembler,
+)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 Said = tuple[bytes, bytes]

@@ -3,7 +3,7 @@
 from collections import deque
 from collections.abc import Callable, Collection
 
-from trex_gui.core.session.messages import Close
+from trex_gui.core.session import Close
 from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings

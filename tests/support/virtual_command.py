@@ -8,7 +8,7 @@ from click.testing import CliRunner, Result
 
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.cli import main
-from trex_gui.core.cli.host import Host
+from trex_gui.core.host import Host
 
 LONGEST = 3600.0
 """Virtual seconds after which a command hangs."""

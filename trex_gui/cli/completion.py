@@ -3,7 +3,7 @@
 import click
 from click.shell_completion import get_completion_class
 
-from trex_gui.core.cli.console import refuse
+from trex_gui.core.cli import refuse
 
 _SHELLS = ("bash", "zsh", "fish")
 

@@ -8,12 +8,19 @@ import click
 from serial.tools import list_ports
 
 from trex_gui.composition import PLUGINS
-from trex_gui.core.cli.console import CommandFailed, Interruption, ProgressLine, say
-from trex_gui.core.cli.host import host
-from trex_gui.core.cli.options import json_option, port_option, timeout_option
+from trex_gui.core.cli import (
+    CommandFailed,
+    Interruption,
+    ProgressLine,
+    json_option,
+    port_option,
+    say,
+    timeout_option,
+)
 from trex_gui.core.discovery.prober import ScanProgress
 from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.host import host
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.cli.common import link_options

@@ -10,7 +10,7 @@ import time
 
 from PySide6.QtCore import QDeadlineTimer, QObject, QProcess, QThread, QTimer
 
-from trex_gui.core.session.request_queue import Condition
+from trex_gui.core.session import Condition
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings
 

@@ -6,8 +6,14 @@ import pytest
 
 from tests.devices.trex.discovery.test_prober import Wire, wire_of
 from tests.devices.trex.simulator.ports import a_board
-from trex_gui.core.discovery.flush import FLUSH_BYTE, FLUSH_LINE
-from trex_gui.core.discovery.prober import Diagnosis, Evidence, ProberInfo, ScanProgress
+from trex_gui.core.discovery.prober import (
+    FLUSH_BYTE,
+    FLUSH_LINE,
+    Diagnosis,
+    Evidence,
+    ProberInfo,
+    ScanProgress,
+)
 from trex_gui.core.discovery.scan import PortScan, order, scan_port
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.transport.serial_port import Transport

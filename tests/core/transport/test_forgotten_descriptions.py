@@ -1,6 +1,6 @@
 """What a row means is asked in one thread while another one has it said anew."""
 
-from trex_gui.core.transport.transactions import Decoded, Transaction
+from trex_gui.core.transport.traffic import Decoded, Transaction
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 
 

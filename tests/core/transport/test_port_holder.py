@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from trex_gui.core.transport.port_holder import holder_of
+from trex_gui.core.transport.linux_ports import holder_of
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="only Linux shows open files")
 

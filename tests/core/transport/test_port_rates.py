@@ -13,8 +13,8 @@ import serial
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.timing import Timeouts
-from trex_gui.core.transport import port_rates
-from trex_gui.core.transport.port_rates import rates_of
+from trex_gui.core.transport import linux_ports
+from trex_gui.core.transport.linux_ports import rates_of
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.commands import GetSignature
@@ -60,9 +60,9 @@ def test_pseudo_terminal_supports_every_rate_and_sends_nothing(
 def test_rates_query_restores_port_settings(quick_simulator: SimulatedDevice) -> None:
     settings = ConnectionSettings(quick_simulator.url)
     transport = SerialTransport(settings)
-    before = port_rates._get(transport._port.fileno())
+    before = linux_ports._get(transport._port.fileno())
     transport.rates(baud_rates())
-    assert port_rates._get(transport._port.fileno()) == before
+    assert linux_ports._get(transport._port.fileno()) == before
     client = TrexClient(transport, replace(settings, timeouts=Timeouts(extra=15)))
     assert str(client.request(GetSignature())) == "TReX 1.2"
     transport.close()
@@ -92,8 +92,8 @@ class Adapter:
         self.words = array.array("I", [0] * 11)
         self.possible = possible
         self.failure: OSError | None = None
-        monkeypatch.setattr(port_rates, "_get", lambda handle: self.words[:])
-        monkeypatch.setattr(port_rates, "_set", self._set)
+        monkeypatch.setattr(linux_ports, "_get", lambda handle: self.words[:])
+        monkeypatch.setattr(linux_ports, "_set", self._set)
 
     def fileno(self) -> int:
         return 3

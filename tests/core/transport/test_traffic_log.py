@@ -7,9 +7,9 @@ import pytest
 from tests.devices.trex.session.helpers import run_for
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.errors import PortUnavailable
-from trex_gui.core.session.messages import Closed
+from trex_gui.core.session import Closed
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.core.transport.traffic_log import (
+from trex_gui.core.transport.traffic import (
     LoggingTransport,
     TrafficDirection,
     TrafficEvent,
@@ -17,8 +17,8 @@ from trex_gui.core.transport.traffic_log import (
     logged,
 )
 from trex_gui.devices.trex.driving.requests import SetMotor
-from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import Connected
 from trex_gui.devices.trex.session.session import TrexSession

@@ -12,8 +12,7 @@ from tests.support.talk import (
     rows_of,
     told,
 )
-from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
-from trex_gui.core.transport.transactions import TransactionAssembler
+from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent, TransactionAssembler
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     GetMode,
@@ -22,9 +21,8 @@ from trex_gui.devices.trex.protocol.commands import (
     Signature,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.crc7 import crc7
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.framing import Framing, crc7
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 

@@ -13,9 +13,8 @@ from hypothesis import strategies as st
 from tests.devices.aracna import recordings
 from tests.devices.aracna.recordings import open_recording, read_all, records, write
 from tests.devices.trex.recording import samples
-from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.recording.export import export_span
-from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.devices.aracna.recording import Header, Record, StoppedResponding, sample_kinds
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld, StepBegun
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
+from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder

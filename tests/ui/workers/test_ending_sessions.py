@@ -9,8 +9,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.program import new_controller, scanner_of
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.core.session.messages import Close, Closed
-from trex_gui.core.session.request_queue import RequestQueue
+from trex_gui.core.session import Close, Closed, RequestQueue
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Halt
 from trex_gui.devices.trex.model.controller import TrexController

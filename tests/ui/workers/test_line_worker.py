@@ -12,11 +12,12 @@ from tests.support.patient import PATIENT, PatientQtBot
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
-from trex_gui.core.session.messages import Closed, Outcome, Progress
+from trex_gui.core.session import Closed, Outcome, Progress
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.requests import SetMotor, Stop
-from trex_gui.devices.trex.protocol.commands import Drive, GetParameter
+from trex_gui.devices.trex.protocol.commands import GetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.session.messages import Batch, Connected, Report, RunCommand, Write
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.ui.runtime import now, open_transport

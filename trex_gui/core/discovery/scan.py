@@ -19,14 +19,15 @@ import logging
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from trex_gui.core.discovery.flush import FLUSH_LINE, flush
 from trex_gui.core.discovery.prober import (
+    FLUSH_LINE,
     Diagnosis,
     Evidence,
     FoundDevice,
     Prober,
     ProberInfo,
     ScanProgress,
+    flush,
     ignore_step,
     never_cancelled,
 )

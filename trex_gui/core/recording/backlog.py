@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Generic
 
 from trex_gui.core.recording.kinds import Marker, RecordT
-from trex_gui.core.session.request_queue import Condition
+from trex_gui.core.session import Condition
 
 CAPACITY = 100_000
 """Pending records: nine minutes at full rate, some 15 MB."""

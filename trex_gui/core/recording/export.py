@@ -8,9 +8,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from trex_gui.core.files.atomic import atomic_file
-from trex_gui.core.recording.errors import RecordingError
-from trex_gui.core.recording.kinds import SampleKind, Value
+from trex_gui.core.files import atomic_file
+from trex_gui.core.recording.kinds import RecordingError, SampleKind, Value
 from trex_gui.core.recording.store import CHUNK, ExportRow, Recording
 
 MCAP_SUFFIX = ".mcap"

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any, Generic, Literal, Protocol, TypeVar
 
+from trex_gui.core.errors import StudioError
+
 Value = int | float | str | None
 
 LONGEST_TEXT = 60_000
@@ -146,3 +148,15 @@ class RecordingFormat(Generic[HeaderT]):
     device: str
     read_header: Callable[[Mapping[str, Any]], HeaderT]
     kinds: Callable[[HeaderT], Sequence[SampleKind]]
+
+
+class RecordingError(StudioError):
+    """A file cannot be read or written: its name as the user knows it, and the reason."""
+
+    def __init__(self, name: str, message: str) -> None:
+        self.name = name
+        self.message = message
+        super().__init__(name, message)
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.message}"

@@ -16,10 +16,10 @@ from pathlib import Path
 from types import NoneType
 from typing import Any, Generic, cast
 
-from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.recording.kinds import (
     HeaderT,
     Marker,
+    RecordingError,
     RecordingFormat,
     RecordT,
     SampleKind,

@@ -20,8 +20,7 @@ import serial
 from serial.tools import list_ports
 
 from trex_gui.core.errors import BadReply, BadRequest, PortUnavailable
-from trex_gui.core.transport.port_holder import holder_of, is_locked_elsewhere
-from trex_gui.core.transport.port_rates import rates_of
+from trex_gui.core.transport.linux_ports import holder_of, is_locked_elsewhere, rates_of
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)

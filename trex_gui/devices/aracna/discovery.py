@@ -15,12 +15,12 @@ import contextlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-from trex_gui.core.discovery.flush import flush
 from trex_gui.core.discovery.prober import (
     Diagnosis,
     Evidence,
     ProberInfo,
     ScanProgress,
+    flush,
     ignore_step,
     never_cancelled,
 )

@@ -28,9 +28,8 @@ from trex_gui.devices.trex.client.telemetry import (
     Sample,
 )
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor
-from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
-from trex_gui.devices.trex.protocol.driving import Direction
+from trex_gui.devices.trex.protocol.driving import Direction, Drive
 from trex_gui.devices.trex.protocol.flags import (
     CHANNELS,
     STATUS_MEANING,

@@ -4,10 +4,9 @@ from typing import Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.session.messages import Closed
+from trex_gui.core.session import Closed
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.core.transport.traffic_log import logged
-from trex_gui.core.transport.transactions import Decoder
+from trex_gui.core.transport.traffic import Decoder, logged
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.traffic.model import TrafficModel

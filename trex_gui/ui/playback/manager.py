@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from PySide6.QtCore import QEvent, QObject, QSettings, QSize, Qt, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QLabel, QSizePolicy, QWidget
 
-from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import SUFFIX
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.formats import size_text, time_text

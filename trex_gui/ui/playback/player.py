@@ -10,9 +10,8 @@ from typing import Any, Generic
 import numpy as np
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.recording.export import export_span
-from trex_gui.core.recording.kinds import HeaderT, Marker, RecordT, Value
+from trex_gui.core.recording.kinds import HeaderT, Marker, RecordingError, RecordT, Value
 from trex_gui.core.recording.replay import Replay, StateT
 from trex_gui.core.recording.store import Recording
 from trex_gui.ui.event_log import Event, EventKind

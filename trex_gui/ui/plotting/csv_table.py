@@ -15,8 +15,8 @@ from typing import TextIO
 
 import numpy as np
 
-from trex_gui.core.files.atomic import atomic_file
-from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.files import atomic_file
+from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.ui.plotting.data.pyramid import Floats
 from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback

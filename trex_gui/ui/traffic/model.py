@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.core.transport.transactions import Decoded, Decoder, Transaction, TransactionAssembler
+from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction, TransactionAssembler
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.session_thread import SessionThread
 

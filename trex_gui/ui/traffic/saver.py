@@ -11,9 +11,9 @@ from typing import TextIO
 from PySide6.QtCore import QObject
 
 from trex_gui import __version__
-from trex_gui.core.files.atomic import atomic_file
-from trex_gui.core.recording.errors import RecordingError
-from trex_gui.core.transport.transactions import Transaction
+from trex_gui.core.files import atomic_file
+from trex_gui.core.recording.kinds import RecordingError
+from trex_gui.core.transport.traffic import Transaction
 from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.transport.transactions import Transaction
+from trex_gui.core.transport.traffic import Transaction
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.traffic.table import RECEIVED, SENT, TIME, TOOK, TrafficTable

@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
 

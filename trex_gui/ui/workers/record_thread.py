@@ -9,8 +9,14 @@ from typing import Any, Generic
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.recording.backlog import Backlog
-from trex_gui.core.recording.errors import RecordingError
-from trex_gui.core.recording.kinds import HeaderT, Marker, RecordingFormat, RecordT, marker
+from trex_gui.core.recording.kinds import (
+    HeaderT,
+    Marker,
+    RecordingError,
+    RecordingFormat,
+    RecordT,
+    marker,
+)
 from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.runtime import now, runtime

@@ -7,9 +7,8 @@ from typing import Protocol
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.session.messages import Close, Closed, Outcome
-from trex_gui.core.session.request_queue import RequestQueue
-from trex_gui.core.transport.traffic_log import TrafficLog
+from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
+from trex_gui.core.transport.traffic import TrafficLog
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan
 

@@ -7,7 +7,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files import SettingsError
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.aracna.model.library import ItemKind, Library
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, STAND_UP

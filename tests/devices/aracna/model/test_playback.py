@@ -20,8 +20,7 @@ from tests.devices.aracna.recordings import (
     session,
     write,
 )
-from trex_gui.core.recording.errors import RecordingError
-from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.devices.aracna.model.playback import Moment, RobotPlayback
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.units import degrees

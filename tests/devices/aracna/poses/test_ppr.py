@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.core.files.errors import Finding, Severity
+from trex_gui.core.files import Finding, Severity
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.aracna.poses.ppr import read_ppr, write_ppr
 from trex_gui.devices.aracna.poses.project import Pose, Project, Sequence, SequenceStep

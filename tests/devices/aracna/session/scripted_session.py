@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from tests.support.aracna import AracnaStage
-from trex_gui.core.session.messages import Close
+from trex_gui.core.session import Close
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.session.messages import LineStatsChanged, Report, Request
 from trex_gui.devices.aracna.session.session import AracnaSession

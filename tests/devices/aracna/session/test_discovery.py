@@ -8,7 +8,7 @@ import pytest
 from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear, orders
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
-from trex_gui.core.discovery.flush import FLUSH_BYTE, FLUSH_LINE
+from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.discovery import PROBE, PROBES, AracnaScan, find_aracna

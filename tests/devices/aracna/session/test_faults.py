@@ -4,7 +4,7 @@ import pytest
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.errors import BadReply, NoReply
-from trex_gui.core.session.messages import Closed, Outcome
+from trex_gui.core.session import Closed, Outcome
 from trex_gui.devices.aracna.session.client import QUERY_RETRY
 from trex_gui.devices.aracna.session.errors import ErrorCode, RobotError
 from trex_gui.devices.aracna.session.liveness import BOOT_TIME

@@ -6,7 +6,7 @@ A servo that was without power is unlimited be; nothing on the link tells of it.
 import pytest
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
-from trex_gui.core.session.messages import Outcome
+from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.session.messages import (
     Drag,
     Ending,

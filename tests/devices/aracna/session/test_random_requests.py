@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
 from tests.support.matrix import examples
-from trex_gui.core.session.messages import Closed, Outcome
+from trex_gui.core.session import Closed, Outcome
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     Drag,

@@ -7,8 +7,7 @@ import pytest
 from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear, orders
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
-from trex_gui.core.discovery.flush import FLUSH_BYTE, FLUSH_LINE
-from trex_gui.core.discovery.prober import ScanProgress
+from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE, ScanProgress
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat

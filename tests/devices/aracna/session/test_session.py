@@ -4,7 +4,7 @@ import pytest
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
-from trex_gui.core.session.messages import Closed, Outcome
+from trex_gui.core.session import Closed, Outcome
 from trex_gui.devices.aracna.session.liveness import BOOT_TIME, BOOT_TIMEOUT
 from trex_gui.devices.aracna.session.messages import (
     Connected,

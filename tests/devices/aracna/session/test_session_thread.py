@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.errors import PortUnavailable
-from trex_gui.core.session.messages import Closed, Outcome
+from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.discovery import find_aracna

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
-from trex_gui.core.session.messages import Outcome
+from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.session.messages import (
     Drag,
     DragDropped,

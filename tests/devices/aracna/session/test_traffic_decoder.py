@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.talk import STRANGE_TALK, Said, assert_sayable, pieces_of, told
-from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
+from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 
 ARACNA: list[tuple[Said, str, bool]] = [

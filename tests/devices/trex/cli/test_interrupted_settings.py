@@ -11,7 +11,7 @@ import pytest
 from tests.devices.trex.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
-from trex_gui.core.files.errors import Finding, SettingsError
+from trex_gui.core.files import Finding, SettingsError
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of

@@ -5,7 +5,7 @@ import pytest
 from tests.support.virtual_command import RunCommand
 from trex_gui.devices.trex.protocol.commands import COMMANDS
 from trex_gui.devices.trex.protocol.descriptions import describe
-from trex_gui.devices.trex.protocol.parser import Packet, PacketParser
+from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from trex_gui.core.cli.console import Interruption, ProgressLine
+from trex_gui.core.cli import Interruption, ProgressLine
 
 
 class Terminal(io.StringIO):

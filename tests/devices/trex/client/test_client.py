@@ -15,8 +15,6 @@ from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     Command,
-    Direction,
-    Drive,
     DriveAuxiliary,
     DriveBoth,
     DriveMotor,
@@ -31,6 +29,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetParameter,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Direction, Drive
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings

@@ -23,9 +23,9 @@ from trex_gui.devices.trex.protocol.calibration import (
 )
 from trex_gui.devices.trex.protocol.commands import GetSignature, SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.errors import Skipped
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
 from trex_gui.devices.trex.simulator.eeprom import CALIBRATION_FIELDS, Eeprom

@@ -15,7 +15,7 @@ import pytest
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
 from tests.support.virtual import VirtualTransport
-from trex_gui.core.discovery.flush import FLUSH_BYTE, FLUSH_LINE
+from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.simulator import sampling
 from trex_gui.core.simulator.sampling import _SAMPLE_AT, Receiver

@@ -16,7 +16,7 @@ from tests.devices.trex.session.helpers import (
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, NoReply
-from trex_gui.core.session.messages import Close, Closed, Outcome
+from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
@@ -27,8 +27,9 @@ from trex_gui.devices.trex.driving.requests import (
     SetMotor,
     Stop,
 )
-from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetMode
+from trex_gui.devices.trex.protocol.commands import STOP, DriveMotor, GetMode
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.session.messages import Reload, Report, RunCommand
 from trex_gui.devices.trex.session.session import TrexSession

@@ -6,7 +6,8 @@ from tests.devices.trex.session.helpers import run_for, seen_at, staged
 from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL
 from trex_gui.devices.trex.driving.requests import SetMotor
 from trex_gui.devices.trex.driving.setpoints import REPEATS
-from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor
+from trex_gui.devices.trex.protocol.commands import DriveMotor
+from trex_gui.devices.trex.protocol.driving import Drive
 
 _MOVES = 10_000
 _RATE = 1000

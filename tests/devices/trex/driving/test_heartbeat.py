@@ -2,7 +2,8 @@
 
 from tests.devices.trex.session.helpers import among, is_stopped, moving, run_for, seen_at, staged
 from trex_gui.devices.trex.driving.requests import Arm, SetMotor
-from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor
+from trex_gui.devices.trex.protocol.commands import DriveMotor
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
 
 

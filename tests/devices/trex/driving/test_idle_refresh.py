@@ -3,7 +3,8 @@
 from trex_gui.devices.trex.driving.line_quality import LineQuality
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor
 from trex_gui.devices.trex.driving.setpoints import IdleRefresh
-from trex_gui.devices.trex.protocol.commands import Drive, DriveAuxiliary, DriveMotor
+from trex_gui.devices.trex.protocol.commands import DriveAuxiliary, DriveMotor
+from trex_gui.devices.trex.protocol.driving import Drive
 
 BRAKES = [DriveMotor(1, Drive.brake()), DriveMotor(2, Drive.brake())]
 

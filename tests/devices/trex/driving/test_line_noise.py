@@ -20,7 +20,8 @@ from trex_gui.core.errors import NoReply
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetMotor, Stop
 from trex_gui.devices.trex.driving.setpoints import LONGEST_REPEATING
-from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetRawChannels
+from trex_gui.devices.trex.protocol.commands import STOP, DriveMotor, GetRawChannels
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import NotResponding, Write
 from trex_gui.devices.trex.simulator.eeprom import Eeprom

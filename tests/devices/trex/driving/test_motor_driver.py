@@ -5,13 +5,14 @@ import pytest
 from tests.devices.trex.session.helpers import moving, staged
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply, PortUnavailable
-from trex_gui.core.session.messages import Outcome
+from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.telemetry import StatusReader
 from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL, MotorDriver
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.driving.setpoints import REPEATS
-from trex_gui.devices.trex.protocol.commands import Drive, DriveAuxiliary, DriveMotor
+from trex_gui.devices.trex.protocol.commands import DriveAuxiliary, DriveMotor
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 

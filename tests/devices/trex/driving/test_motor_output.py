@@ -5,11 +5,12 @@ import itertools
 import pytest
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.session.messages import Outcome
+from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.motor_output import Arming, Motion, MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, SetMotor, Stop
-from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor, GetMode
+from trex_gui.devices.trex.protocol.commands import DriveMotor, GetMode
+from trex_gui.devices.trex.protocol.driving import Drive
 
 HEARTBEAT = Timeouts().heartbeat
 SETPOINT = SetMotor(1, Drive.at(50))

@@ -7,7 +7,7 @@ import pytest
 from tests.devices.trex.session.helpers import among, is_stopped, outcomes, staged
 from tests.support.virtual import Stage
 from trex_gui.core.errors import PortUnavailable
-from trex_gui.core.session.messages import Close, Closed
+from trex_gui.core.session import Close, Closed
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive

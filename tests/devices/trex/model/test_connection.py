@@ -3,11 +3,11 @@
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.core.session.messages import Closed
+from trex_gui.core.session import Closed
 from trex_gui.devices.trex.driving.requests import SetMotor
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.session.messages import Reload
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.ui.runtime import runtime

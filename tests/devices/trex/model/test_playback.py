@@ -19,12 +19,11 @@ from tests.devices.trex.recording.samples import (
     write,
     write_an_hour,
 )
-from trex_gui.core.recording.errors import RecordingError
-from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.core.recording.store import CHUNK
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.model.playback import Playback, limits_in
-from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.recording import (
     BoardSnapshot,

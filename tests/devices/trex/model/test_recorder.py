@@ -14,8 +14,8 @@ from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.recorder import Recorder
-from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.recording import Record, SetpointRecord, SettingsSnapshot
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection_state import ConnectionState

@@ -9,8 +9,6 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     COMMANDS,
     Command,
-    Direction,
-    Drive,
     DriveAuxiliary,
     DriveBoth,
     DriveMotor,
@@ -30,8 +28,8 @@ from trex_gui.devices.trex.protocol.commands import (
     SetCalibration,
     SetParameter,
 )
-from trex_gui.devices.trex.protocol.framing import Framing
-from trex_gui.devices.trex.protocol.parser import Packet, PacketParser
+from trex_gui.devices.trex.protocol.driving import Direction, Drive
+from trex_gui.devices.trex.protocol.framing import Framing, Packet, PacketParser
 
 TYPICAL = Calibration(2500, 3750, 5000, 75)
 TYPICAL_BYTES = "44 13 26 1d 08 27 4b 00 55 2a"

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL, check_polynomial, crc7
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, check_polynomial, crc7
 
 modest = examples(40)
 polynomials = st.integers(0x80, 0xFF)

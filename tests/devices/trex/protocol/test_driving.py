@@ -6,12 +6,11 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
     Command,
-    Direction,
-    Drive,
     DriveAuxiliary,
     DriveBoth,
     DriveMotor,
 )
+from trex_gui.devices.trex.protocol.driving import Direction, Drive
 from trex_gui.devices.trex.protocol.framing import Framing
 
 

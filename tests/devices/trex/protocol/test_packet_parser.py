@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.commands import (
     Null,
     SetCalibration,
 )
-from trex_gui.devices.trex.protocol.parser import Malformed, Packet, PacketParser
+from trex_gui.devices.trex.protocol.framing import Malformed, Packet, PacketParser
 
 
 def raws(events: list[Packet | Malformed]) -> list[str]:

@@ -3,7 +3,7 @@
 import pytest
 
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 
 TABLE_KEYS = {row["key"] for row in device_table().rows}
 

@@ -12,11 +12,16 @@ from trex_gui.devices.trex.protocol.commands import (
     Null,
     SetParameter,
 )
-from trex_gui.devices.trex.protocol.crc7 import crc7
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode
-from trex_gui.devices.trex.protocol.framing import Framing
-from trex_gui.devices.trex.protocol.parser import Malformed, NeedData, Reply, ReplyParser
+from trex_gui.devices.trex.protocol.framing import (
+    Framing,
+    Malformed,
+    NeedData,
+    Reply,
+    ReplyParser,
+    crc7,
+)
 
 WITH_CRC = Framing(None, 0x89)
 

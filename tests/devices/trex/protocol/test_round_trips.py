@@ -11,8 +11,6 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     COMMANDS,
     Command,
-    Direction,
-    Drive,
     DriveAuxiliary,
     DriveBoth,
     DriveMotor,
@@ -32,15 +30,16 @@ from trex_gui.devices.trex.protocol.commands import (
     SetCalibration,
     SetParameter,
 )
-from trex_gui.devices.trex.protocol.crc7 import crc7
-from trex_gui.devices.trex.protocol.framing import Framing
-from trex_gui.devices.trex.protocol.parser import (
+from trex_gui.devices.trex.protocol.driving import Direction, Drive
+from trex_gui.devices.trex.protocol.framing import (
+    Framing,
     Malformed,
     NeedData,
     Packet,
     PacketParser,
     Reply,
     ReplyParser,
+    crc7,
 )
 
 modest = examples(40)

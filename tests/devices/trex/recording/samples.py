@@ -18,9 +18,8 @@ from trex_gui.devices.trex.client.telemetry import (
     Raw,
     Remapped,
 )
-from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.driving import Direction
+from trex_gui.devices.trex.protocol.driving import Direction, Drive
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.recording import (
     FORMAT,

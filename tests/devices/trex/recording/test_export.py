@@ -8,11 +8,10 @@ import pytest
 from mcap.reader import make_reader
 
 from tests.devices.trex.recording.samples import HEADER, an_hour, open_recording, write
-from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.recording.export import export_span
-from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus, Raw
-from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.recording import (
     AuxiliarySetpointRecord,

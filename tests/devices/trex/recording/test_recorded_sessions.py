@@ -13,7 +13,7 @@ from tests.support.virtual import Stage
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK, RecordingWriter
 from trex_gui.devices.trex.driving.requests import SetMotor, Stop
-from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.recording import FORMAT, Header, Record, SetpointRecord
 from trex_gui.devices.trex.session.messages import Batch, Report
 from trex_gui.devices.trex.simulator.firmware import Board

@@ -18,8 +18,7 @@ from tests.devices.trex.recording.samples import (
     records,
     write,
 )
-from trex_gui.core.recording.errors import RecordingError
-from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.core.recording.store import CHUNK, RecordingWriter
 from trex_gui.devices.trex.client.telemetry import Currents
 from trex_gui.devices.trex.recording import FORMAT, Header, Record

@@ -4,12 +4,12 @@ from collections.abc import Callable, Iterable
 from typing import TypeVar
 
 from tests.support.virtual import Stage, VirtualTransport
-from trex_gui.core.session.messages import Close, Outcome
+from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.protocol.parser import Packet, PacketParser
 from trex_gui.devices.trex.session.messages import Report
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.eeprom import Eeprom

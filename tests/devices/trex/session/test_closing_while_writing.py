@@ -20,10 +20,11 @@ from tests.devices.trex.client.test_interrupted_writing import (
 )
 from tests.devices.trex.session.helpers import commands, moving, outcomes, timed_run
 from trex_gui.core.errors import NoReply
-from trex_gui.core.session.messages import Close, Closed, Outcome
+from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
-from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetStatus
+from trex_gui.devices.trex.protocol.commands import STOP, GetStatus
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import Skipped
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.session.messages import Connected, Report, Write, Written

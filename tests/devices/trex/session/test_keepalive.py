@@ -7,7 +7,7 @@ import pytest
 from tests.devices.trex.session.helpers import among, commands, run_for, samples, seen_at, staged
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
-from trex_gui.core.session.messages import Outcome
+from trex_gui.core.session import Outcome
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, Raw
 from trex_gui.devices.trex.driving.requests import (
@@ -17,7 +17,8 @@ from trex_gui.devices.trex.driving.requests import (
     SetMotor,
     Stop,
 )
-from trex_gui.devices.trex.protocol.commands import Drive, GetRawChannels
+from trex_gui.devices.trex.protocol.commands import GetRawChannels
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.session.messages import Connected, Write

@@ -7,7 +7,7 @@ import pytest
 
 from tests.devices.trex.session.helpers import among, run_for, staged
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
-from trex_gui.core.session.messages import Close, Closed, Outcome, Progress
+from trex_gui.core.session import Close, Closed, Outcome, Progress
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import (
@@ -31,13 +31,13 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     COMMANDS,
-    Drive,
     DriveBoth,
     GetCalibration,
     GetSignature,
     SetCalibration,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings

@@ -12,13 +12,14 @@ from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
-from trex_gui.core.session.messages import Close, Closed
+from trex_gui.core.session import Close, Closed
 from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.discovery.probe import is_board_at, reconnect_places
 from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
 from trex_gui.devices.trex.driving.requests import SetMotor, Stop
-from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode, GetSignature
+from trex_gui.devices.trex.protocol.commands import STOP, GetMode, GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.session.messages import (

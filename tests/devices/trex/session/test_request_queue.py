@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.session.messages import Close, Outcome
+from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.driving.motor_output import MotorOutput
 from trex_gui.devices.trex.driving.requests import (
     Arm,
@@ -18,14 +18,9 @@ from trex_gui.devices.trex.driving.requests import (
     packets,
 )
 from trex_gui.devices.trex.driving.setpoints import SetpointSlots
-from trex_gui.devices.trex.protocol.commands import (
-    Drive,
-    DriveAuxiliary,
-    DriveBoth,
-    DriveMotor,
-    GetMode,
-)
+from trex_gui.devices.trex.protocol.commands import DriveAuxiliary, DriveBoth, DriveMotor, GetMode
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.session.messages import (
     Reload,
     Request,

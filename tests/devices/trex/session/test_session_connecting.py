@@ -5,11 +5,12 @@ import pytest
 from tests.devices.trex.session.helpers import among, moving, outcomes, run_for, staged
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
-from trex_gui.core.session.messages import Closed, Progress
+from trex_gui.core.session import Closed, Progress
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.driving.requests import SetMotor, Stop
-from trex_gui.devices.trex.protocol.commands import Drive, GetMode
+from trex_gui.devices.trex.protocol.commands import GetMode
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (

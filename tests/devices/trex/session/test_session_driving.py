@@ -18,14 +18,13 @@ from tests.devices.trex.session.helpers import (
 )
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply
-from trex_gui.core.session.messages import Closed
+from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import Control
 from trex_gui.devices.trex.driving.requests import Arm, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.driving.setpoints import REPEATS
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
-    Drive,
     DriveAuxiliary,
     DriveBoth,
     DriveMotor,
@@ -35,6 +34,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetCalibration,
     SetParameter,
 )
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.session.messages import Connected, Reload, RunCommand, Write
 from trex_gui.devices.trex.simulator.firmware import Board

@@ -18,18 +18,18 @@ from tests.devices.trex.session.helpers import (
 from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.core.errors import PortUnavailable, StudioError
-from trex_gui.core.session.messages import Close, Closed
+from trex_gui.core.session import Close, Closed
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
-    Drive,
     DriveMotor,
     GetMode,
     GetParameter,
     GetStatus,
 )
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.session.messages import (
     Connected,
     ReadReason,

@@ -15,10 +15,11 @@ from tests.devices.trex.session.helpers import (
 )
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply, PortUnavailable
-from trex_gui.core.session.messages import Close, Closed
+from trex_gui.core.session import Close, Closed
 from trex_gui.devices.trex.client.telemetry import Currents
 from trex_gui.devices.trex.driving.requests import Arm, SetAuxiliary, SetMotor, Stop
-from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode
+from trex_gui.devices.trex.protocol.commands import STOP, GetMode
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,

@@ -14,7 +14,7 @@ from tests.devices.trex.session.helpers import (
     timed_run,
 )
 from tests.support.virtual import Stage
-from trex_gui.core.session.messages import Close
+from trex_gui.core.session import Close
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,

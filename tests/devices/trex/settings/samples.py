@@ -2,7 +2,7 @@
 
 from hypothesis import strategies as st
 
-from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     HIGHEST_CODED,

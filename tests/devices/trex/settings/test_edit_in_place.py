@@ -16,7 +16,7 @@ from tests.devices.trex.settings.samples import (
 )
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.settings.document import Settings

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from tests.devices.trex.settings.samples import TREX, TREX_JR, any_calibration, factory
 from tests.support.matrix import examples
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration, CalibrationKey
-from trex_gui.devices.trex.protocol.crc7 import crc7
+from trex_gui.devices.trex.protocol.framing import crc7
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, accept, lint

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.devices.trex.settings.samples import factory
-from trex_gui.core.files.text_files import load
+from trex_gui.core.files import load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings

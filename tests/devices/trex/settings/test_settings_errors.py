@@ -6,7 +6,7 @@ import pickle
 import pytest
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.files.errors import Finding, SettingsError, Severity
+from trex_gui.core.files import Finding, SettingsError, Severity
 
 FINDING = Finding(12, "serial_timeout", "0 to 127 (off to 12.7 s), not 300")
 WARNING = Finding(None, None, "1 of 28 parameters is missing", Severity.WARNING)

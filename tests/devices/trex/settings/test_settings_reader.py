@@ -6,8 +6,7 @@ import time
 import pytest
 
 from tests.devices.trex.settings.samples import TREX, TREX_JR, factory, refused
-from trex_gui.core.files.errors import SettingsError, Severity
-from trex_gui.core.files.text_files import LARGEST_FILE
+from trex_gui.core.files import LARGEST_FILE, SettingsError, Severity
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.settings.samples import any_settings, factory
 from tests.support.matrix import examples
-from trex_gui.core.files.errors import Finding, SettingsError, Severity
+from trex_gui.core.files import Finding, SettingsError, Severity
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings

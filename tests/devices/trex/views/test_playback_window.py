@@ -31,7 +31,7 @@ from tests.support.window import WidgetDriver
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.playback import Playback
-from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.recording import Record, SetpointRecord, SettingsSnapshot
 from trex_gui.devices.trex.views.playback import PlaybackWindow
 from trex_gui.ui.playback.formats import size_text, time_text

@@ -5,8 +5,16 @@ from pathlib import Path
 
 import click
 
-from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, refusals, say
-from trex_gui.core.cli.options import json_option, port_option, timeout_option
+from trex_gui.core.cli import (
+    CommandFailed,
+    Interruption,
+    UsageError,
+    json_option,
+    port_option,
+    refusals,
+    say,
+    timeout_option,
+)
 from trex_gui.devices.aracna.cli import motion
 from trex_gui.devices.aracna.cli.session import CommandSession, port_settings
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 
-from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, say
+from trex_gui.core.cli import CommandFailed, Interruption, UsageError, say
 from trex_gui.devices.aracna.cli.session import CommandSession
 from trex_gui.devices.aracna.protocol.joints import factory_limits
 from trex_gui.devices.aracna.protocol.units import degrees

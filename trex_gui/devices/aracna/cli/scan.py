@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
-from trex_gui.core.cli.host import host
 from trex_gui.core.discovery.prober import Evidence
+from trex_gui.core.host import host
 from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings

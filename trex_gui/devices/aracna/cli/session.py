@@ -4,12 +4,10 @@ import itertools
 from collections.abc import Callable, Iterator
 from typing import Self
 
-from trex_gui.core.cli.console import CommandFailed
-from trex_gui.core.cli.host import host
-from trex_gui.core.cli.options import required_port
+from trex_gui.core.cli import CommandFailed, required_port
 from trex_gui.core.errors import StudioError
-from trex_gui.core.session.messages import Close, Closed, Outcome
-from trex_gui.core.session.request_queue import RequestQueue
+from trex_gui.core.host import host
+from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.session.client import LINE

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files.errors import Finding, SettingsError
+from trex_gui.core.files import Finding, SettingsError
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait
 from trex_gui.devices.aracna.poses.ppr import read_file, write_file
 from trex_gui.devices.aracna.poses.project import (

@@ -6,7 +6,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.session.messages import Close, Outcome
+from trex_gui.core.session import Close, Outcome
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import PlayState, Rate, RobotState
 from trex_gui.devices.aracna.model.setpoints import (

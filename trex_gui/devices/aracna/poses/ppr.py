@@ -20,8 +20,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
-from trex_gui.core.files.errors import Finding, SettingsError, Severity
-from trex_gui.core.files.text_files import load, save
+from trex_gui.core.files import Finding, SettingsError, Severity, load, save
 from trex_gui.devices.aracna.poses.project import (
     LONGEST_MS,
     MOST_MOTORS,

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.session.messages import Outcome
+from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.session.errors import ErrorCode, RobotError
 from trex_gui.devices.aracna.session.messages import (
     Drag,

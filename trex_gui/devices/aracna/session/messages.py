@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import Enum, auto
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.session.messages import Close, Closed, Outcome
+from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.transport.settings import PortSettings
 
 # --- Requests -------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest, StudioError
-from trex_gui.core.session.messages import Outcome
+from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.protocol.units import HIGHEST
 from trex_gui.devices.aracna.session.messages import (
     Ending,

@@ -9,8 +9,7 @@ more.
 from collections.abc import Callable
 
 from trex_gui.core.errors import BadRequest, NoReply
-from trex_gui.core.session.loop import SHORTEST_WAIT, Closing, Inbox, run_until_closed
-from trex_gui.core.session.messages import Close, Closed
+from trex_gui.core.session import SHORTEST_WAIT, Close, Closed, Closing, Inbox, run_until_closed
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands

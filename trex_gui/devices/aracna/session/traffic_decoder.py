@@ -1,6 +1,6 @@
 """Decodes the lines between a host and an Aracna for the traffic log."""
 
-from trex_gui.core.transport.transactions import Decoded, Decoder, Transaction
+from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
 from trex_gui.devices.aracna.protocol.replies import (
     UNREADABLE,
     Hello,

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from trex_gui.core.cli.console import ProgressLine, say
+from trex_gui.core.cli import ProgressLine, say
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.cli.reconnect_hint import say_how_to_reach
 from trex_gui.devices.trex.client.client import TrexClient

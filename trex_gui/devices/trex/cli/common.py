@@ -7,15 +7,16 @@ from typing import Any, TypeVar
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli.console import UsageError, refusals
-from trex_gui.core.cli.host import host
-from trex_gui.core.cli.options import (
+from trex_gui.core.cli import (
+    UsageError,
     hexadecimal,
     port_option,
+    refusals,
     required_port,
     timeout_option,
 )
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
+from trex_gui.core.host import host
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient, diagnose

@@ -4,13 +4,12 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli.console import say
+from trex_gui.core.cli import say
 from trex_gui.devices.trex.cli.changes import keep, read_board, require_serial_mode, say_changes
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.cli.reconnect_hint import say_how_to_reach
 from trex_gui.devices.trex.client.writing import write_parameter
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSet
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import factory_settings, settings_of
 

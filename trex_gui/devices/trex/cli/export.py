@@ -4,7 +4,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli.console import ProgressLine, say
+from trex_gui.core.cli import ProgressLine, say
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.cli.settings_io import FILE, save_file
 from trex_gui.devices.trex.client.reading import read_everything

@@ -7,9 +7,16 @@ from typing import Any
 import click
 
 from trex_gui import __version__
-from trex_gui.core.cli.console import Interruption, ProgressLine, UsageError, refusals, refuse, say
-from trex_gui.core.cli.options import json_option
-from trex_gui.core.files.errors import Finding, SettingsError, Severity
+from trex_gui.core.cli import (
+    Interruption,
+    ProgressLine,
+    UsageError,
+    json_option,
+    refusals,
+    refuse,
+    say,
+)
+from trex_gui.core.files import Finding, SettingsError, Severity
 from trex_gui.devices.trex.cli.changes import (
     keep,
     read_board,

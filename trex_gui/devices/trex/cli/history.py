@@ -7,8 +7,7 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli.console import UsageError, refusals, refuse, say
-from trex_gui.core.cli.options import json_option
+from trex_gui.core.cli import UsageError, json_option, refusals, refuse, say
 from trex_gui.devices.trex.cli.common import link_options
 from trex_gui.devices.trex.cli.settings_io import read_file
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS, CalibrationKey

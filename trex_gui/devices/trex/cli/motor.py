@@ -6,11 +6,11 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, say
-from trex_gui.core.cli.host import host
+from trex_gui.core.cli import CommandFailed, Interruption, UsageError, say
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
-from trex_gui.core.session.messages import Close, Closed, Outcome
-from trex_gui.core.transport.port_holder import holder_of
+from trex_gui.core.host import host
+from trex_gui.core.session import Close, Closed, Outcome
+from trex_gui.core.transport.linux_ports import holder_of
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.cli.status import names_of
@@ -30,11 +30,12 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
     packets,
 )
-from trex_gui.devices.trex.protocol.commands import Drive, GetSerialControl
+from trex_gui.devices.trex.protocol.commands import GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode, describe
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,

@@ -5,8 +5,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli.console import CommandFailed, UsageError
-from trex_gui.core.cli.options import hexadecimal
+from trex_gui.core.cli import CommandFailed, UsageError, hexadecimal
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.common import (
     crc_option,
@@ -16,7 +15,7 @@ from trex_gui.devices.trex.cli.common import (
     polynomial_option,
 )
 from trex_gui.devices.trex.protocol.descriptions import describe
-from trex_gui.devices.trex.protocol.parser import Malformed, Packet, PacketParser
+from trex_gui.devices.trex.protocol.framing import Malformed, Packet, PacketParser
 
 _SILENCE = 0.25
 """Seconds without a byte after which `raw` takes an answer to be whole."""

@@ -6,8 +6,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli.console import Interruption
-from trex_gui.core.cli.options import json_option
+from trex_gui.core.cli import Interruption, json_option
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.changes import prepare_one, read_board, say_what_follows
 from trex_gui.devices.trex.cli.common import (

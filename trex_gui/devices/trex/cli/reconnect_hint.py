@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from trex_gui.core.cli.console import say
+from trex_gui.core.cli import say
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings

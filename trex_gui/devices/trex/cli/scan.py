@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
-from trex_gui.core.cli.host import host
 from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.host import host
 from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.devices.trex.cli.common import as_options, link_settings
 from trex_gui.devices.trex.client.client import TrexClient

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import click
 
-from trex_gui.core.cli.console import refusals, say
-from trex_gui.core.files.text_files import LARGEST_FILE, load, save
+from trex_gui.core.cli import refusals, say
+from trex_gui.core.files import LARGEST_FILE, load, save
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 

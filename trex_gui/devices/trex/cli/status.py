@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli.options import json_option
+from trex_gui.core.cli import json_option
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.explanations import MODE_TEXT, who_controls
@@ -19,7 +19,7 @@ from trex_gui.devices.trex.protocol.flags import (
     Status,
     UartError,
 )
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 
 @click.command()

@@ -11,7 +11,7 @@ from typing import Any, TextIO
 
 import click
 
-from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, say
+from trex_gui.core.cli import CommandFailed, Interruption, UsageError, say
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.recording.kinds import SampleKind
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line

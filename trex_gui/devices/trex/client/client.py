@@ -24,10 +24,8 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexBadReplyError,
     TrexNoReplyError,
 )
-from trex_gui.devices.trex.protocol.framing import Framing
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import parameter_number
-from trex_gui.devices.trex.protocol.parser import Malformed, NeedData, Reply, ReplyParser
+from trex_gui.devices.trex.protocol.framing import Framing, Malformed, NeedData, Reply, ReplyParser
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 
 _BOARD_DELAY = 0.005
 """Seconds a board may think about a query: its 1 ms response delay and its 10 ms cycle halved.

@@ -21,8 +21,7 @@ from trex_gui.devices.trex.protocol.commands import (
     Signature,
 )
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet, parameters_of
 
 Progress = Callable[[int, int, str], None]
 """Called with the steps done, their total, and what comes next."""

@@ -39,8 +39,7 @@ from trex_gui.devices.trex.protocol.errors import (
 )
 from trex_gui.devices.trex.protocol.flags import InputSource, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet, ParameterSpec
 
 _FAILURES = (BadRequest, Rejected, BadReply, NoReply, PortUnavailable)
 

@@ -18,14 +18,14 @@ from dataclasses import dataclass, replace
 from enum import Enum, auto
 from itertools import product
 
-from trex_gui.core.discovery.flush import flush
+from trex_gui.core.discovery.prober import flush
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.protocol.commands import GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.crc7 import crc7
+from trex_gui.devices.trex.protocol.framing import crc7
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 QUIET = 0.13

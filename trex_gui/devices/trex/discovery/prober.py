@@ -5,11 +5,12 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
-from trex_gui.core.discovery.flush import FLUSH_LINE, flush
 from trex_gui.core.discovery.prober import (
+    FLUSH_LINE,
     Diagnosis,
     ProberInfo,
     ScanProgress,
+    flush,
     ignore_step,
     never_cancelled,
 )
@@ -29,10 +30,9 @@ from trex_gui.devices.trex.discovery.probe import (
 from trex_gui.devices.trex.discovery.results import FoundBoard, TrexScan
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import parameter_number
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 
 __all__ = [
     "TREX_PROBER",

@@ -5,10 +5,9 @@ from dataclasses import replace
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.crc7 import check_polynomial
+from trex_gui.devices.trex.protocol.framing import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
 
 REACH = (ParameterKey.DEVICE_NUMBER, ParameterKey.CRC7_POLYNOMIAL, ParameterKey.UART_SETTINGS)
 """The parameters that decide where a board is."""

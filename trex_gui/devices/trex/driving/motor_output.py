@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from enum import Enum, auto
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.session.messages import Outcome
+from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.line_quality import LineQuality

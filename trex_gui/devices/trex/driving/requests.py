@@ -6,13 +6,8 @@ Small, frozen and picklable: they cross threads.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from trex_gui.devices.trex.protocol.commands import (
-    Command,
-    Drive,
-    DriveAuxiliary,
-    DriveBoth,
-    DriveMotor,
-)
+from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, DriveBoth, DriveMotor
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 
 HEARTBEAT_INTERVAL = 0.25

@@ -13,7 +13,8 @@ from trex_gui.devices.trex.driving.requests import (
     packets,
     setpoints_in,
 )
-from trex_gui.devices.trex.protocol.commands import Command, Drive, DriveMotor
+from trex_gui.devices.trex.protocol.commands import Command, DriveMotor
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 
 REPEATS = (0.15, 0.3, 0.6, 1.2)

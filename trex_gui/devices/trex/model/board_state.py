@@ -3,7 +3,7 @@
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 
 def in_force(state: DeviceState, link: ConnectionSettings | None) -> dict[str, int]:

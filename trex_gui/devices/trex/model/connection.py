@@ -5,7 +5,7 @@ import math
 
 from PySide6.QtCore import QObject, Signal
 
-from trex_gui.core.session.messages import Close, Progress
+from trex_gui.core.session import Close, Progress
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.driving.requests import (
     MotorsStopped,

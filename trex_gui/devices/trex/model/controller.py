@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.automatic_stop import AutomaticStop
 from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.crc7 import check_polynomial
+from trex_gui.devices.trex.protocol.framing import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.controller import DeviceController

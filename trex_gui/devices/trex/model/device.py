@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Mapping
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.session.messages import Closed, Outcome
+from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.explanations import who_controls
 from trex_gui.devices.trex.client.reading import DeviceState
@@ -30,7 +30,7 @@ from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import suggests_scan
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
 from trex_gui.core.errors import NoReply, StudioError
-from trex_gui.core.session.messages import Closed, Outcome
+from trex_gui.core.session import Closed, Outcome
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import (
@@ -21,7 +21,7 @@ from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import describe
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject, Slot
 
-from trex_gui.core.session.messages import Closed
+from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection

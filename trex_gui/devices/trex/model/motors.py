@@ -7,8 +7,8 @@ from PySide6.QtCore import QObject, QSettings, Signal, Slot
 
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, SetMotors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.protocol.command import seven_bits
-from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.flags import seven_bits
 from trex_gui.ui.runtime import now, runtime
 
 _STEP_MS = 100

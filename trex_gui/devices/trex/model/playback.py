@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject
 
-from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files import SettingsError
 from trex_gui.core.recording.kinds import Value
 from trex_gui.core.recording.store import Recording
 from trex_gui.devices.trex.client.telemetry import Currents
@@ -15,7 +15,7 @@ from trex_gui.devices.trex.model.telemetry import Series
 from trex_gui.devices.trex.model.traces import board_traces
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter
+from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.devices.trex.recording import FORMAT, BoardSnapshot, Header, Record
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.event_log import Event

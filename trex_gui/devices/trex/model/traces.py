@@ -4,7 +4,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Slot
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter
+from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
 
 _CHANNEL_COLORS = {1: "good", 2: "warning", 3: "dirty", 4: "muted", 5: "plot_text"}

@@ -1,64 +1,540 @@
-"""Every TReX command in one place: the table by command byte, and the names to import.
+"""Every TReX command: what it carries, and what its reply means.
+
+A command is a frozen value that knows its packet and reads its reply, so the type of a reply
+follows from the command. Opcodes are those of the compact protocol (0x81-0xFF); framing.py turns
+them into bytes on the wire.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b, 5.c.
 """
 
-from collections.abc import Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import ClassVar, Generic, Self, TypeVar
 
-from trex_gui.devices.trex.protocol.command import Command, ReplyT_co
-from trex_gui.devices.trex.protocol.driving import (
-    STOP,
-    Direction,
-    Drive,
-    DriveAuxiliary,
-    DriveBoth,
-    DriveMotor,
+from trex_gui.core.errors import BadReply, BadRequest
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, INVALID_RAW, Calibration
+from trex_gui.devices.trex.protocol.device_table import Model, device_table
+from trex_gui.devices.trex.protocol.driving import Direction, Drive
+from trex_gui.devices.trex.protocol.errors import ResultCode
+from trex_gui.devices.trex.protocol.flags import (
+    ALL_CHANNELS,
+    CHANNELS,
+    Mode,
+    Status,
+    UartError,
+    channels_in,
+    seven_bits,
 )
-from trex_gui.devices.trex.protocol.queries import (
-    GetCalibratedChannels,
-    GetCalibration,
-    GetCurrent,
-    GetCurrents,
-    GetMode,
-    GetParameter,
-    GetRawChannels,
-    GetRemappedChannels,
-    GetSerialControl,
-    GetSignature,
-    GetStatus,
-    GetUartErrors,
-    Null,
-    Signature,
-)
-from trex_gui.devices.trex.protocol.writes import SetCalibration, SetParameter
 
-__all__ = [
-    "COMMANDS",
-    "STOP",
-    "Command",
-    "Direction",
-    "Drive",
-    "DriveAuxiliary",
-    "DriveBoth",
-    "DriveMotor",
-    "GetCalibratedChannels",
-    "GetCalibration",
-    "GetCurrent",
-    "GetCurrents",
-    "GetMode",
-    "GetParameter",
-    "GetRawChannels",
-    "GetRemappedChannels",
-    "GetSerialControl",
-    "GetSignature",
-    "GetStatus",
-    "GetUartErrors",
-    "Null",
-    "ReplyT_co",
-    "SetCalibration",
-    "SetParameter",
-    "Signature",
-]
+ReplyT_co = TypeVar("ReplyT_co", covariant=True)
+
+
+class Command(ABC, Generic[ReplyT_co]):
+    """One command; subclasses are frozen dataclasses.
+
+    Attributes:
+        opcodes: every command byte that this class covers.
+        data_size: data bytes behind the command byte; the CRC byte is not counted.
+        fixed_reply: bytes of the reply where every reply has the same size.
+        moves: whether it may set a motor moving or stop one.
+        seconds_to_answer: how long the board works before it replies, without the time on the
+            wire.
+        has_crc: whether its packet carries a CRC byte when CRC is enabled.
+    """
+
+    __slots__ = ()
+
+    opcodes: ClassVar[Sequence[int]]
+    data_size: ClassVar[int] = 0
+    fixed_reply: ClassVar[int] = 0
+    moves: ClassVar[bool] = False
+    seconds_to_answer: ClassVar[float] = 0.0
+    has_crc: ClassVar[bool] = True
+
+    @property
+    def opcode(self) -> int:
+        return self.opcodes[0]
+
+    def data(self) -> bytes:
+        """The data bytes.
+
+        Raises:
+            BadRequest: a value does not fit; names it and its limits.
+        """
+        return b""
+
+    @classmethod
+    def from_packet(cls, opcode: int, data: bytes) -> Self:
+        """Read a command back from its packet.
+
+        Raises:
+            BadRequest: the data bytes cannot be this command's.
+        """
+        del opcode, data
+        return cls()
+
+    def reply_size(self, head: bytes = b"") -> int:
+        """Return how long the reply is, in bytes, judging by its `head`; 0 is no reply."""
+        del head
+        return self.fixed_reply
+
+    @abstractmethod
+    def parse(self, reply: bytes) -> ReplyT_co:
+        """Read a reply of `reply_size` bytes.
+
+        Raises:
+            BadReply: no TReX sends this.
+        """
+
+
+def _motor_index(motor: int) -> int:
+    if motor not in {1, 2}:
+        raise BadRequest(f"motors are numbered 1 and 2, not {motor}")
+    return motor - 1
+
+
+def _channel_index(channel: int) -> int:
+    if channel not in CHANNELS:
+        raise BadRequest(f"channels are numbered 1 to 5, not {channel}")
+    return channel - 1
+
+
+# --- Queries, 0x81 to 0x9F, which work in every mode ------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Signature:
+    """Model and firmware of a board."""
+
+    model: Model
+    firmware: str
+
+    def __str__(self) -> str:
+        return f"{self.model.name} {self.firmware}"
+
+
+@dataclass(frozen=True, slots=True)
+class GetSignature(Command[Signature]):
+    """0x81: model and firmware; 7 bytes from a TReX, 9 from a TReX Jr."""
+
+    opcodes = (0x81,)
+
+    def reply_size(self, head: bytes = b"") -> int:
+        """7 until two bytes behind `TReX` tell the model."""
+        sizes = [model.signature_size for model in device_table().models]
+        for model in device_table().models:
+            if model.signature_size == max(sizes) and head.startswith(model.signature):
+                return max(sizes)
+        return min(sizes)
+
+    def parse(self, reply: bytes) -> Signature:
+        for model in sorted(device_table().models, key=lambda m: -len(m.signature)):
+            if len(reply) == model.signature_size and reply.startswith(model.signature):
+                version = reply[len(model.signature) :].decode("latin-1")
+                major, dot, minor = version[:1], version[1:2], version[2:]
+                if dot == "." and f"{major}{minor}".isascii() and f"{major}{minor}".isdigit():
+                    return Signature(model, version)
+        raise BadReply(f"{reply!r} is not the signature of a TReX")
+
+
+@dataclass(frozen=True, slots=True)
+class GetMode(Command[Mode]):
+    """0x82: the mode that the mode jumper set at power-up."""
+
+    opcodes = (0x82,)
+    fixed_reply = 1
+
+    def parse(self, reply: bytes) -> Mode:
+        try:
+            return Mode(reply.decode("latin-1"))
+        except ValueError:
+            raise BadReply(f"{reply[0]:#04x} is no mode of a TReX (R, A, r or a)") from None
+
+
+@dataclass(frozen=True, slots=True)
+class GetSerialControl(Command[bool]):
+    """0x83: whether serial commands reach the motors (serial mode, or override by channel 5)."""
+
+    opcodes = (0x83,)
+    fixed_reply = 1
+
+    def parse(self, reply: bytes) -> bool:
+        if reply[0] > 1:
+            raise BadReply(f"0 or 1 says who controls the motors, not {reply[0]}")
+        return bool(reply[0])
+
+
+@dataclass(frozen=True, slots=True)
+class GetStatus(Command[Status]):
+    """0x84: the status bits. Reading clears them."""
+
+    opcodes = (0x84,)
+    fixed_reply = 1
+
+    def parse(self, reply: bytes) -> Status:
+        return Status(reply[0])
+
+
+@dataclass(frozen=True, slots=True)
+class GetUartErrors(Command[UartError]):
+    """0x85: the UART error bits. Reading clears them."""
+
+    opcodes = (0x85,)
+    fixed_reply = 1
+
+    def parse(self, reply: bytes) -> UartError:
+        return UartError(reply[0])
+
+
+@dataclass(frozen=True, slots=True)
+class _ChannelQuery(Command[ReplyT_co]):
+    """A command whose data byte names channels; bit n is channel n+1."""
+
+    data_size = 1
+
+    mask: int = ALL_CHANNELS
+
+    def data(self) -> bytes:
+        if not 0 <= self.mask <= ALL_CHANNELS:
+            raise BadRequest(f"a channel mask is 0 to {ALL_CHANNELS}, not {self.mask}")
+        return bytes([self.mask])
+
+    @classmethod
+    def from_packet(cls, opcode: int, data: bytes) -> Self:
+        del opcode
+        command = cls(data[0])
+        command.data()
+        return command
+
+    @property
+    def channels(self) -> tuple[int, ...]:
+        """The requested channels, lowest first: the order of the reply."""
+        return channels_in(self.mask)
+
+
+@dataclass(frozen=True, slots=True)
+class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
+    """0x86: raw input of each requested channel, in counts of 0.4 us or 4.89 mV.
+
+    The reply maps channel to count; `None` is a channel without a valid pulse.
+    """
+
+    opcodes = (0x86,)
+
+    def reply_size(self, head: bytes = b"") -> int:
+        del head
+        return 2 * len(self.channels)
+
+    def parse(self, reply: bytes) -> Mapping[int, int | None]:
+        values: dict[int, int | None] = {}
+        for index, channel in enumerate(self.channels):
+            raw = int.from_bytes(reply[2 * index : 2 * index + 2], "little")
+            values[channel] = None if raw == INVALID_RAW else raw
+        return values
+
+
+@dataclass(frozen=True, slots=True)
+class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
+    """0x87: remapped input of each requested channel, -127 to 127."""
+
+    opcodes = (0x87,)
+
+    def reply_size(self, head: bytes = b"") -> int:
+        del head
+        return len(self.channels)
+
+    def parse(self, reply: bytes) -> Mapping[int, int]:
+        # Bit 7 is the direction. The documentation says "lower six bits" of channel 3 and
+        # seven elsewhere; seven is right for a magnitude of 0 to 127.
+        return {
+            channel: -(byte & FULL_SCALE) if byte & 0x80 else byte
+            for channel, byte in zip(self.channels, reply, strict=True)
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class GetCurrent(Command[int]):
+    """0x8D, 0x8E: current of one motor in counts; `Model.current_unit` is ampere a count."""
+
+    opcodes = (0x8D, 0x8E)
+    fixed_reply = 1
+
+    motor: int
+
+    @property
+    def opcode(self) -> int:
+        return self.opcodes[_motor_index(self.motor)]
+
+    @classmethod
+    def from_packet(cls, opcode: int, data: bytes) -> Self:
+        del data
+        return cls(cls.opcodes.index(opcode) + 1)
+
+    def parse(self, reply: bytes) -> int:
+        return reply[0]
+
+
+@dataclass(frozen=True, slots=True)
+class GetCurrents(Command[tuple[int, int]]):
+    """0x8F: currents of both motors in counts; `Model.current_unit` is ampere a count."""
+
+    opcodes = (0x8F,)
+    fixed_reply = 2
+
+    def parse(self, reply: bytes) -> tuple[int, int]:
+        return reply[0], reply[1]
+
+
+@dataclass(frozen=True, slots=True)
+class GetCalibration(Command[Calibration]):
+    """0x90-0x94: calibration of one channel, for the input source in force."""
+
+    opcodes = range(0x90, 0x95)
+    fixed_reply = 8
+
+    channel: int
+
+    @property
+    def opcode(self) -> int:
+        return self.opcodes[_channel_index(self.channel)]
+
+    @classmethod
+    def from_packet(cls, opcode: int, data: bytes) -> Self:
+        del data
+        return cls(opcode - cls.opcodes[0] + 1)
+
+    def parse(self, reply: bytes) -> Calibration:
+        return Calibration.from_reply(reply)
+
+
+@dataclass(frozen=True, slots=True)
+class GetCalibratedChannels(Command[int]):
+    """0x95: mask of the channels whose calibration differs from the default ("learned")."""
+
+    opcodes = (0x95,)
+    fixed_reply = 1
+
+    def parse(self, reply: bytes) -> int:
+        if reply[0] > ALL_CHANNELS:
+            raise BadReply(f"{reply[0]:#04x} names channels that a TReX does not have")
+        return reply[0]
+
+
+@dataclass(frozen=True, slots=True)
+class GetParameter(Command[int]):
+    """0x9F: read one configuration parameter, 0-127."""
+
+    opcodes = (0x9F,)
+    data_size = 1
+    fixed_reply = 1
+
+    number: int
+
+    def data(self) -> bytes:
+        return bytes([seven_bits(self.number, "parameter number")])
+
+    @classmethod
+    def from_packet(cls, opcode: int, data: bytes) -> Self:
+        del opcode
+        return cls(data[0])
+
+    def parse(self, reply: bytes) -> int:
+        if reply[0] > FULL_SCALE:
+            raise BadReply(f"a parameter is 0 to 127, not {reply[0]}")
+        return reply[0]
+
+
+# --- Writes to EEPROM, 0xA0 to 0xAF, in serial mode only --------------------------------
+
+FORMAT_BYTES = b"\x55\x2a"
+"""What ends every write, so that noise does not become one."""
+
+
+class _Write(Command[ResultCode]):
+    """A write to EEPROM; the reply comes when the board has stored the value."""
+
+    __slots__ = ()
+
+    fixed_reply = 1
+
+    def parse(self, reply: bytes) -> ResultCode:
+        try:
+            return ResultCode(reply[0])
+        except ValueError:
+            raise BadReply(f"{reply[0]} is no result code of a TReX (0 to 3)") from None
+
+
+def _without_format_bytes(data: bytes) -> bytes:
+    if data[-2:] != FORMAT_BYTES:
+        raise BadRequest(f"a write ends in 55 2A, not {data[-2:].hex(' ').upper()}")
+    return data[:-2]
+
+
+@dataclass(frozen=True, slots=True)
+class SetCalibration(_Write):
+    """0xA0-0xA4: store one channel's calibration for the input source in force."""
+
+    opcodes = range(0xA0, 0xA5)
+    data_size = 10
+    seconds_to_answer = 0.1  # about 32 ms; the documentation calls 100 ms too late
+
+    channel: int
+    calibration: Calibration
+
+    @property
+    def opcode(self) -> int:
+        return self.opcodes[_channel_index(self.channel)]
+
+    def data(self) -> bytes:
+        return self.calibration.encode() + FORMAT_BYTES
+
+    @classmethod
+    def from_packet(cls, opcode: int, data: bytes) -> Self:
+        calibration = Calibration.from_data(_without_format_bytes(data))
+        return cls(opcode - cls.opcodes[0] + 1, calibration)
+
+
+@dataclass(frozen=True, slots=True)
+class SetParameter(_Write):
+    """0xAF: store one configuration parameter."""
+
+    opcodes = (0xAF,)
+    data_size = 4
+    seconds_to_answer = 0.05  # about 4 ms; the documentation calls 50 ms too late
+
+    number: int
+    value: int
+
+    def data(self) -> bytes:
+        number = seven_bits(self.number, "parameter number")
+        value = seven_bits(self.value, "parameter value")
+        return bytes([number, value]) + FORMAT_BYTES
+
+    @classmethod
+    def from_packet(cls, opcode: int, data: bytes) -> Self:
+        del opcode
+        number, value = _without_format_bytes(data)
+        return cls(number, value)
+
+
+# --- Commands without a reply -----------------------------------------------------------
+
+
+class _NoReply(Command[None]):
+    """A command without a reply."""
+
+    __slots__ = ()
+
+    def parse(self, reply: bytes) -> None:
+        del reply
+
+
+class _MotorCommand(_NoReply):
+    """A motor command, 0xC0 to 0xF1: only what the board reports afterwards confirms it."""
+
+    __slots__ = ()
+
+    moves = True
+
+
+@dataclass(frozen=True, slots=True)
+class DriveMotor(_MotorCommand):
+    """0xC0-0xCF: set, or accelerate, motor 1 or 2."""
+
+    opcodes = range(0xC0, 0xD0)
+    data_size = 1
+
+    motor: int
+    drive: Drive
+    accelerate: bool = False
+
+    @property
+    def opcode(self) -> int:
+        motor = _motor_index(self.motor)
+        return 0xC0 | motor << 3 | self.accelerate << 2 | self.drive.direction
+
+    def data(self) -> bytes:
+        return bytes([seven_bits(self.drive.speed, "speed")])
+
+    @classmethod
+    def from_packet(cls, opcode: int, data: bytes) -> Self:
+        drive = Drive(Direction(opcode & 0b11), data[0])
+        return cls((opcode >> 3 & 1) + 1, drive, bool(opcode & 0b100))
+
+
+@dataclass(frozen=True, slots=True)
+class DriveBoth(_MotorCommand):
+    """0xD0-0xEF: set, or accelerate, both motors in one packet.
+
+    The documentation's formula for accelerating says 0xD0; its heading, and programs that
+    work, say 0xE0.
+    """
+
+    opcodes = range(0xD0, 0xF0)
+    data_size = 2
+
+    motor1: Drive
+    motor2: Drive
+    accelerate: bool = False
+
+    @property
+    def opcode(self) -> int:
+        base = 0xE0 if self.accelerate else 0xD0
+        return base | self.motor2.direction << 2 | self.motor1.direction
+
+    def data(self) -> bytes:
+        return bytes(seven_bits(drive.speed, "speed") for drive in (self.motor1, self.motor2))
+
+    @classmethod
+    def from_packet(cls, opcode: int, data: bytes) -> Self:
+        motor1 = Drive(Direction(opcode & 0b11), data[0])
+        motor2 = Drive(Direction(opcode >> 2 & 0b11), data[1])
+        return cls(motor1, motor2, opcode >= 0xE0)
+
+
+@dataclass(frozen=True, slots=True)
+class DriveAuxiliary(_MotorCommand):
+    """0xF0, 0xF1: set, or accelerate, the one-way auxiliary motor to 0-127."""
+
+    opcodes = (0xF0, 0xF1)
+    data_size = 1
+
+    speed: int
+    accelerate: bool = False
+
+    @property
+    def opcode(self) -> int:
+        return self.opcodes[self.accelerate]
+
+    def data(self) -> bytes:
+        return bytes([seven_bits(self.speed, "speed of the auxiliary motor")])
+
+    @classmethod
+    def from_packet(cls, opcode: int, data: bytes) -> Self:
+        return cls(data[0], opcode == cls.opcodes[1])
+
+
+STOP: tuple[Command[None], ...] = (
+    DriveBoth(Drive.brake(), Drive.brake()),
+    DriveAuxiliary(0),
+)
+"""The packets that stop everything: full brake on both motors, auxiliary motor off.
+
+Set commands, so neither acceleration nor a reversal delays them.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Null(_NoReply):
+    """0xFF: does nothing; only an echo shows that it passed.
+
+    Inferred: it carries no CRC byte even when CRC is enabled.
+    """
+
+    opcodes = (0xFF,)
+    has_crc = False
+
 
 _CLASSES: tuple[type[Command[object]], ...] = (
     GetSignature,
@@ -80,7 +556,6 @@ _CLASSES: tuple[type[Command[object]], ...] = (
     DriveAuxiliary,
     Null,
 )
-
 COMMANDS: Mapping[int, type[Command[object]]] = {
     opcode: cls for cls in _CLASSES for opcode in cls.opcodes
 }

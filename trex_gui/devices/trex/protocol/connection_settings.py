@@ -3,8 +3,7 @@
 from dataclasses import dataclass, field, replace
 
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
-from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
-from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 

@@ -6,7 +6,6 @@ from typing import Any
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     Command,
-    Drive,
     DriveAuxiliary,
     DriveBoth,
     DriveMotor,
@@ -28,6 +27,7 @@ from trex_gui.devices.trex.protocol.commands import (
     Signature,
 )
 from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import (
     CHANNELS,

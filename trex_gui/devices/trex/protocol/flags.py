@@ -180,3 +180,14 @@ def channel_mask(channels: Iterable[int]) -> int:
             raise BadRequest(f"channels are numbered 1 to 5, not {channel}")
         mask |= 1 << (channel - 1)
     return mask
+
+
+def seven_bits(value: int, what: str) -> int:
+    """Return `value` when it can be a data byte (0-127).
+
+    Raises:
+        BadRequest: it cannot; names `what`.
+    """
+    if not 0 <= value <= 0x7F:
+        raise BadRequest(f"{what} is 0 to 127, not {value}")
+    return value

@@ -1,12 +1,55 @@
-"""From a command to bytes on the wire: compact or expanded packets, with or without CRC-7.
+"""Packets on the wire: from a command to bytes, and from bytes to packets and replies.
 
 Ref: Pololu TReX User's Guide 5.b (sub-protocols), 5.e (CRC).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Generic
 
-from trex_gui.devices.trex.protocol.command import Command, seven_bits
-from trex_gui.devices.trex.protocol.crc7 import check_polynomial, crc7
+from trex_gui.core.errors import BadReply, BadRequest
+from trex_gui.devices.trex.protocol.commands import COMMANDS, Command, ReplyT_co
+from trex_gui.devices.trex.protocol.flags import seven_bits
+
+DEFAULT_POLYNOMIAL = 0x89
+
+
+@cache
+def _table(polynomial: int) -> bytes:
+    table = bytearray()
+    for value in range(256):
+        remainder = value
+        for _ in range(8):
+            if remainder & 0x80:
+                remainder ^= polynomial
+            remainder = remainder << 1 & 0xFF
+        table.append(remainder)
+    return bytes(table)
+
+
+def check_polynomial(polynomial: int) -> int:
+    """Return `polynomial` when it is one (0x80-0xFF: the top bit is always 1).
+
+    Raises:
+        BadRequest: it is not.
+    """
+    if not 0x80 <= polynomial <= 0xFF:
+        raise BadRequest(f"a CRC-7 polynomial is 0x80 to 0xFF, not {polynomial:#x}")
+    return polynomial
+
+
+def crc7(data: bytes, polynomial: int = DEFAULT_POLYNOMIAL) -> int:
+    """Return the CRC-7 of `data`, 0-127: top bit first, start 0, seven zero bits appended.
+
+    Raises:
+        BadRequest: `polynomial` is outside 0x80-0xFF.
+    """
+    table = _table(check_polynomial(polynomial))
+    remainder = 0
+    for byte in data:
+        remainder = table[remainder ^ byte]
+    return remainder >> 1
+
 
 EXPANDED_START = 0x80
 DEFAULT_DEVICE_NUMBER = 7
@@ -54,3 +97,150 @@ class Framing:
     def crc_size(self) -> int:
         """Bytes that the CRC adds to each packet and each reply: 0 or 1."""
         return 0 if self.polynomial is None else 1
+
+
+@dataclass(frozen=True, slots=True)
+class Packet:
+    """A whole packet from a host; `device_number` is `None` in a compact one."""
+
+    raw: bytes
+    command: Command[object]
+    device_number: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Malformed:
+    """Bytes that are no packet or no reply, and why."""
+
+    raw: bytes
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class NeedData:
+    """A reply is not whole yet; at least `size` bytes are missing."""
+
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
+class Reply(Generic[ReplyT_co]):
+    """A whole reply: its bytes, echo and CRC included, and what they mean."""
+
+    raw: bytes
+    value: ReplyT_co
+
+
+class PacketParser:
+    """Cuts what a host sends into packets.
+
+    `polynomial` is the CRC-7 polynomial in force, `None` without CRC. A command byte in the
+    middle of a packet ends that packet as malformed and begins another (inferred: the
+    documentation calls it an error and does not say where the board resumes).
+
+    Raises:
+        BadRequest: the polynomial is not 0x80-0xFF.
+    """
+
+    def __init__(self, polynomial: int | None = None) -> None:
+        self._polynomial = None if polynomial is None else check_polynomial(polynomial)
+        self._held = bytearray()
+
+    def feed(self, data: bytes) -> list[Packet | Malformed]:
+        """Take bytes as they come and return what became whole."""
+        events: list[Packet | Malformed] = []
+        for byte in data:
+            if byte >= 0x80 and self._held:
+                events.append(self._give_up("a command byte inside a packet"))
+            self._held.append(byte)
+            event = self._judge()
+            if event is not None:
+                events.append(event)
+        return events
+
+    def flush(self) -> list[Packet | Malformed]:
+        """Return what is held back as malformed: no more bytes will come."""
+        return [self._give_up("the packet is not complete")] if self._held else []
+
+    def _give_up(self, reason: str) -> Malformed:
+        raw = bytes(self._held)
+        self._held.clear()
+        return Malformed(raw, reason)
+
+    def _judge(self) -> Packet | Malformed | None:
+        """Look at what is held; `None` while it may still become a packet."""
+        held = self._held
+        if held[0] < 0x80:
+            return self._give_up("a data byte outside a packet")
+        device_number: int | None = None
+        head = 1
+        opcode = held[0]
+        if held[0] == EXPANDED_START:
+            if len(held) < 3:
+                return None
+            device_number = held[1]
+            head = 3
+            opcode = held[2] | 0x80
+        cls = COMMANDS.get(opcode)
+        if cls is None:
+            # How many data bytes follow is not known: those are reported as strays.
+            return self._give_up(f"{opcode:#04x} is no command of a TReX")
+        has_crc = self._polynomial is not None and opcode != 0xFF
+        size = head + cls.data_size + has_crc
+        if len(held) < size:
+            return None
+        raw = bytes(held)
+        body = raw[: head + cls.data_size]
+        if self._polynomial is not None and has_crc:
+            expected = crc7(body, self._polynomial)
+            if raw[-1] != expected:
+                return self._give_up(f"the CRC is {raw[-1]:02X}, not {expected:02X}")
+        try:
+            command = cls.from_packet(opcode, body[head:])
+        except BadRequest as error:
+            return self._give_up(str(error))
+        self._held.clear()
+        return Packet(raw, command, device_number)
+
+
+@dataclass(slots=True)
+class ReplyParser(Generic[ReplyT_co]):
+    """Collects the answer to one command.
+
+    With `echo`, the bytes of the packet itself come back first, as they do on RS-232.
+    """
+
+    command: Command[ReplyT_co]
+    framing: Framing = field(default_factory=Framing)
+    echo: bool = False
+    _held: bytearray = field(default_factory=bytearray, init=False)
+
+    def feed(self, data: bytes = b"") -> Reply[ReplyT_co] | NeedData | Malformed:
+        """Take received bytes; return the reply, how many bytes it lacks, or what is wrong.
+
+        Bytes beyond the end of a reply make it malformed: they belong to nothing.
+        """
+        self._held += data
+        raw = bytes(self._held)
+        sent = self.framing.encode(self.command) if self.echo else b""
+        if raw[: len(sent)] != sent[: len(raw)]:
+            return Malformed(raw, f"the echo should be {sent.hex(' ').upper()}")
+        answer = raw[len(sent) :]
+        crc = self.framing.crc_size
+        size = self.command.reply_size(answer)
+        total = len(sent) + size + (crc if size else 0)
+        if len(raw) < total:
+            return NeedData(total - len(raw))
+        if len(raw) > total:
+            surplus = len(raw) - total
+            bytes_ = "1 byte" if surplus == 1 else f"{surplus} bytes"
+            return Malformed(raw, f"{bytes_} more than the reply has")
+        payload = answer[:size]
+        if size and self.framing.polynomial is not None:
+            expected = crc7(payload, self.framing.polynomial)
+            if answer[-1] != expected:
+                return Malformed(raw, f"the CRC is {answer[-1]:02X}, not {expected:02X}")
+        try:
+            return Reply(raw, self.command.parse(payload))
+        except BadReply as error:
+            return Malformed(raw, str(error))

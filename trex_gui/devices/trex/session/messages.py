@@ -7,7 +7,7 @@ device shares, `driving.requests` those that concern the motors.
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from trex_gui.core.session.messages import Close, Closed, Outcome, Progress
+from trex_gui.core.session import Close, Closed, Outcome, Progress
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample

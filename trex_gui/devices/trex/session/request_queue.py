@@ -3,8 +3,7 @@
 from collections import deque
 from collections.abc import Callable
 
-from trex_gui.core.session.loop import Inbox
-from trex_gui.core.session.messages import Close, Outcome
+from trex_gui.core.session import Close, Inbox, Outcome
 from trex_gui.devices.trex.driving.motor_output import MotorOutput
 from trex_gui.devices.trex.driving.requests import (
     Arm,

@@ -9,8 +9,15 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
-from trex_gui.core.session.loop import SHORTEST_WAIT, Closing, Inbox, run_until_closed
-from trex_gui.core.session.messages import Closed, Outcome, Progress
+from trex_gui.core.session import (
+    SHORTEST_WAIT,
+    Closed,
+    Closing,
+    Inbox,
+    Outcome,
+    Progress,
+    run_until_closed,
+)
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.client.client import TrexClient, diagnose
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
@@ -26,7 +33,7 @@ from trex_gui.devices.trex.protocol.commands import Command, GetMode, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, TrexError, TrexNoReplyError
 from trex_gui.devices.trex.protocol.line_settings import baud_rates
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Connected,
     Job,

@@ -3,12 +3,13 @@
 from functools import lru_cache
 
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.core.transport.transactions import Decoded, Decoder, Transaction
+from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
 from trex_gui.devices.trex.protocol.commands import Command, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import describe, describe_reply, is_refusal
-from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Framing
-from trex_gui.devices.trex.protocol.parser import (
+from trex_gui.devices.trex.protocol.framing import (
+    EXPANDED_START,
+    Framing,
     Malformed,
     NeedData,
     Packet,

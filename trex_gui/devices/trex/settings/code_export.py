@@ -18,11 +18,10 @@ from trex_gui.devices.trex.protocol.calibration import (
     CalibrationKey,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.flags import Mode
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameter_number
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSpec, parameter_number
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.writer import calibration_text, check_keys, parameter_text
 

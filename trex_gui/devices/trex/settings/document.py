@@ -6,8 +6,7 @@ from dataclasses import dataclass, field
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import Model
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet, parameters_of
 
 REACH = (
     ParameterKey.DEVICE_NUMBER,

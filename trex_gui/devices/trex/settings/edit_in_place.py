@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 
 from ruamel.yaml.nodes import MappingNode, Node
 
-from trex_gui.core.files.errors import Finding, SettingsError
+from trex_gui.core.files import Finding, SettingsError
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, CalibrationKey
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings

@@ -14,10 +14,9 @@ from pathlib import Path
 
 import platformdirs
 
-from trex_gui.core.files.errors import Finding, SettingsError
-from trex_gui.core.files.text_files import load, save, save_new
+from trex_gui.core.files import Finding, SettingsError, load, save, save_new
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings

@@ -8,8 +8,7 @@ from functools import cache
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files.errors import Finding, SettingsError, Severity
-from trex_gui.core.files.text_files import decode
+from trex_gui.core.files import Finding, SettingsError, Severity, decode
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     CALIBRATION_KEYS,

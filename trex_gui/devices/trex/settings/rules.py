@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
-from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.finding_texts import LINT_MESSAGES, joined, proposal_text
 

@@ -15,7 +15,7 @@ from ruamel.yaml.events import AliasEvent, CollectionStartEvent, StreamEndEvent
 from ruamel.yaml.nodes import MappingNode, Node
 from ruamel.yaml.reader import ReaderError
 
-from trex_gui.core.files.errors import Finding, SettingsError
+from trex_gui.core.files import Finding, SettingsError
 
 MOST_NODES = 2000
 """Scalars and collections; a complete settings file has about 160."""

@@ -6,7 +6,7 @@ Ref: Pololu TReX User's Guide 4.a-4.c; TReX Jr User's Guide 4.e (safe-start).
 from collections.abc import Sequence
 
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, channels_in
-from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.simulator.channels import Channels
 from trex_gui.devices.trex.simulator.mapping import ChannelSetup, motor_values
 from trex_gui.devices.trex.simulator.memory import Memory

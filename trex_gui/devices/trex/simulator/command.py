@@ -12,7 +12,7 @@ from trex_gui.core.simulator.plugin import Simulation, SimulatorPlugin
 from trex_gui.core.simulator.timeline import Timeline
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import MODE_JUMPERS, Board

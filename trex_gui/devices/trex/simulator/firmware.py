@@ -8,7 +8,7 @@ from collections import Counter
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
-from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.simulator.boot_modes import BootMode, boot_mode
 from trex_gui.devices.trex.simulator.channel_control import ChannelControl
 from trex_gui.devices.trex.simulator.channels import Channels

@@ -15,7 +15,7 @@ from trex_gui.core.simulator.sampling import (
 from trex_gui.core.simulator.timeline import EPSILON
 from trex_gui.core.transport.settings import Parity, SerialFormat
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.uart import SerialPort
 

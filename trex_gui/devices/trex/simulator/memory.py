@@ -10,8 +10,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
-from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey, parameters_of
 from trex_gui.devices.trex.simulator.eeprom import CALIBRATION_FIELDS, Eeprom
 
 PARAMETER_WRITE = 0.004

@@ -9,8 +9,7 @@ from PySide6.QtCore import QObject, QSettings, Signal, Slot
 from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files.errors import Finding, SettingsError
-from trex_gui.core.files.text_files import load, save
+from trex_gui.core.files import Finding, SettingsError, load, save
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.code_export import Language, export_code, file_name

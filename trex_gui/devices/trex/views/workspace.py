@@ -11,7 +11,7 @@ from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.power_cycle import PowerCycle
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchOpener
 from trex_gui.devices.trex.views.demo.panel import DemoPanel

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.motors import LOCKOUT, Motors, remember_lockout
-from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.driving import Drive
 
 
 class RequestRecorder:

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.driving.setpoint_text import (
     setpoint_text,
     speed_text,
 )
-from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.driving import Drive
 
 
 @pytest.mark.parametrize(

@@ -12,8 +12,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, ParameterModel, Role
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.protocol.parameter_keys import motor_name, other_motor_key
-from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.protocol.parameters import motor_name, other_motor_key, parameters_of
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.settings.document import Settings
 

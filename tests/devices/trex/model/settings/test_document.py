@@ -12,8 +12,7 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.settings.samples import any_settings, factory
 from tests.support.bad_files import BAD_FILES, BadFile
 from tests.support.matrix import examples
-from trex_gui.core.files.errors import SettingsError
-from trex_gui.core.files.text_files import load
+from trex_gui.core.files import SettingsError, load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey

@@ -9,7 +9,7 @@ from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
 from tests.support.snapshots import ADAPTER, take
-from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.model.settings.snapshots import (
     SnapshotColumn,
     SnapshotFilter,

@@ -5,7 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSettings, QStandardPaths, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from trex_gui.core.files.errors import SettingsError, Severity
+from trex_gui.core.files import SettingsError, Severity
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
 from trex_gui.devices.aracna.views.typed import take_typed

@@ -4,7 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files.text_files import load, save
+from trex_gui.core.files import load, save
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft, diff_against_draft
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend

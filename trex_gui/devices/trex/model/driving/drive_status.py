@@ -10,7 +10,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Slot
 from trex_gui.devices.trex.calibration.proof import NEARLY_NEUTRAL
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError, channels_in
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 _NO_ERROR = UartError(0)

@@ -4,7 +4,7 @@ from PySide6.QtCore import QCoreApplication
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.driving import Drive
 
 
 def setpoint_text(drive: Drive | None) -> str:

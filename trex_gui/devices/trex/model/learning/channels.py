@@ -19,7 +19,7 @@ from trex_gui.devices.trex.model.learning.checks import Check
 from trex_gui.devices.trex.model.learning.measured_inputs import Counts
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 _SILENT_AFTER = 0.5
 """Seconds without a valid sample until a channel is said to have no signal."""

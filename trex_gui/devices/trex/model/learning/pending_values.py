@@ -10,7 +10,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 _REVERSED = ParameterKey.REVERSED_CHANNELS

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.calibration.samples import LIMITS
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 
 class StickTests:

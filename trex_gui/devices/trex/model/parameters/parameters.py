@@ -15,8 +15,12 @@ from trex_gui.devices.trex.model.parameters.tree import (
     ParameterTree,
     Role,
 )
-from trex_gui.devices.trex.protocol.parameter_keys import motor_name, other_motor_key
-from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import (
+    ParameterSet,
+    ParameterSpec,
+    motor_name,
+    other_motor_key,
+)
 from trex_gui.ui.devices.undo import Edit
 
 __all__ = ["GROUPS", "Index", "ParameterColumn", "ParameterModel", "Role"]

@@ -8,8 +8,12 @@ from PySide6.QtCore import QObject
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.draft import Draft
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.parameter_keys import motor_name, other_motor_key
-from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import (
+    ParameterKind,
+    ParameterSpec,
+    motor_name,
+    other_motor_key,
+)
 
 FULL_SPEED_MS = 12_700
 """Milliseconds to full speed (127) at one speed step in 100 ms."""

@@ -8,8 +8,7 @@ from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, QPersistent
 
 from trex_gui.devices.trex.model.parameters.draft import Draft
 from trex_gui.devices.trex.model.parameters.text import ParameterText, pwm_partner
-from trex_gui.devices.trex.protocol.parameter_keys import other_motor_key
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec, other_motor_key
 
 Index = QModelIndex | QPersistentModelIndex
 

@@ -6,14 +6,14 @@ from typing import cast
 from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.errors import sentence
-from trex_gui.core.files.errors import SettingsError
-from trex_gui.core.session.messages import Outcome
+from trex_gui.core.files import SettingsError
+from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import Write, Written
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.history import SettingsHistory

@@ -5,8 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.files.errors import Finding, SettingsError
-from trex_gui.core.files.text_files import decode, load, save
+from trex_gui.core.files import Finding, SettingsError, decode, load, save
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend

@@ -8,14 +8,14 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest, sentence
-from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.settings.calibrations import Calibrations
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.history import SettingsHistory

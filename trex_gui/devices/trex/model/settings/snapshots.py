@@ -15,7 +15,7 @@ from PySide6.QtCore import (
     Qt,
 )
 
-from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.model.settings.rows import renew_rows
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QGroupBox, QLabel, QWidget
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.parameter_keys import motor_name
+from trex_gui.devices.trex.protocol.parameters import motor_name
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme

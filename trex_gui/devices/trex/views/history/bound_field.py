@@ -3,7 +3,7 @@
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QLabel, QSpinBox, QWidget
 
-from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets.builders import NoWheelComboBox, button, row

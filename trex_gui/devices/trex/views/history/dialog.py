@@ -13,8 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.files.errors import SettingsError
-from trex_gui.core.files.text_files import load, save
+from trex_gui.core.files import SettingsError, load, save
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
 from trex_gui.devices.trex.settings.history import Snapshot

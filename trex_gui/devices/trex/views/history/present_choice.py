@@ -7,8 +7,7 @@ from PySide6.QtCore import QSettings, Signal, Slot
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QFileDialog, QLabel, QSizePolicy, QWidget
 
-from trex_gui.core.files.errors import SettingsError
-from trex_gui.core.files.text_files import load
+from trex_gui.core.files import SettingsError, load
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
 from trex_gui.devices.trex.settings.document import Settings

@@ -15,8 +15,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.trex.client.explanations import MODE_TEXT
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui

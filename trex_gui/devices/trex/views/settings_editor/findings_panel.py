@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.files.errors import Finding, Severity
+from trex_gui.core.files import Finding, Severity
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.ui.runtime import runtime

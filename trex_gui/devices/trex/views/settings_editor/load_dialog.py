@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
-from trex_gui.core.files.errors import Finding
+from trex_gui.core.files import Finding
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import Comparison

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.errors import StudioError, sentence
-from trex_gui.core.files.text_files import load
+from trex_gui.core.files import load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument

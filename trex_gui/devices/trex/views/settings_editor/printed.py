@@ -21,7 +21,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QDialog, QWidget
 
-from trex_gui.core.files.errors import Finding, SettingsError
+from trex_gui.core.files import Finding, SettingsError
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS, CalibrationKey
 from trex_gui.devices.trex.settings.document import Settings
 

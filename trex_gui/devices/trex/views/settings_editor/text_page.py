@@ -8,7 +8,7 @@ from itertools import takewhile
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QSplitter, QWidget
 
-from trex_gui.core.files.errors import Severity
+from trex_gui.core.files import Severity
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel

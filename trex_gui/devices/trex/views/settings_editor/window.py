@@ -7,8 +7,7 @@ from PySide6.QtCore import QByteArray, QSettings, Qt, Signal, SignalInstance, Sl
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QDialog, QFileDialog, QMainWindow, QTabWidget, QVBoxLayout, QWidget
 
-from trex_gui.core.files.errors import SettingsError
-from trex_gui.core.files.text_files import load
+from trex_gui.core.files import SettingsError, load
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.document import SettingsDocument

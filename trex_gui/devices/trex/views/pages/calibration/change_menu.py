@@ -10,7 +10,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.model.calibration.files import put_calibrations, take_calibrations
 from trex_gui.devices.trex.model.calibration.moves import symmetric, why_not_symmetric
 from trex_gui.devices.trex.model.device import Device

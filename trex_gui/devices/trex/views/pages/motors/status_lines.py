@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.driving.drive_status import (
     status_text,
 )
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.theme.icons import icon, set_icon
 from trex_gui.ui.theme.theme import theme, tint
 from trex_gui.ui.widgets import builders as ui

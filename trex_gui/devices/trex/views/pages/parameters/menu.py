@@ -7,8 +7,7 @@ from PySide6.QtGui import QAction, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QMenu
 
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
-from trex_gui.devices.trex.protocol.parameter_keys import motor_name
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec, motor_name
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.theme.icons import set_icon
 

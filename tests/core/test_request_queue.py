@@ -5,7 +5,7 @@ import threading
 import pytest
 
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.core.session.request_queue import RequestQueue
+from trex_gui.core.session import RequestQueue
 from trex_gui.devices.trex.driving.requests import Stop
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from trex_gui.core.files.atomic import atomic_file
+from trex_gui.core.files import atomic_file
 
 
 def test_file_is_replaced_when_completely_written(tmp_path: Path) -> None:

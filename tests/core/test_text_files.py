@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.devices.trex.settings.samples import factory
-from trex_gui.core.files.errors import SettingsError
-from trex_gui.core.files.text_files import LARGEST_FILE, load, save
+from trex_gui.core.files import LARGEST_FILE, SettingsError, load, save
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 

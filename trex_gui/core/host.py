@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import click
 
-from trex_gui.core.session.request_queue import Condition
+from trex_gui.core.session import Condition
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings
 

@@ -1,1 +1,0 @@
-"""What every command line shares: messages, errors, progress, common options."""

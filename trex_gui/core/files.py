@@ -1,0 +1,232 @@
+"""Text files that users edit: findings by line, size limit on reading, atomic writing."""
+
+import contextlib
+import os
+import secrets
+import shutil
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path
+from typing import BinaryIO
+
+from trex_gui.core.errors import StudioError
+
+
+class Severity(StrEnum):
+    """Whether a file with this finding can be used."""
+
+    ERROR = "error"
+    WARNING = "warning"
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One error or warning about a settings file.
+
+    Attributes:
+        line: counted from 1; `None` when it concerns the file as a whole.
+        key: the setting concerned, as the file spells it.
+        message: what was expected, and what was found instead.
+        code: the kind of finding, for programs; empty for errors of the file system.
+    """
+
+    line: int | None
+    key: str | None
+    message: str
+    severity: Severity = Severity.ERROR
+    code: str = ""
+
+    def __str__(self) -> str:
+        parts = [
+            "" if self.line is None else f"line {self.line}",
+            "warning" if self.severity is Severity.WARNING else "",
+            self.key or "",
+            self.message,
+        ]
+        return ": ".join(part for part in parts if part)
+
+
+class SettingsError(StudioError):
+    """A settings file cannot be used, read or written.
+
+    Attributes:
+        name: the file, as shown to the user.
+        findings: everything found, in the order of the lines; at least one is an error.
+    """
+
+    def __init__(self, name: str, findings: Iterable[Finding]) -> None:
+        self.name = name
+        self.findings = tuple(findings)
+        super().__init__(name, self.findings)
+
+    def __str__(self) -> str:
+        between = " " if len(self.findings) == 1 else "\n"
+        return f"{self.name}:{between}" + "\n".join(map(str, self.findings))
+
+
+@contextlib.contextmanager
+def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
+    """Open a file that replaces `path` once everything was written and synced to disk.
+
+    After an exception the old file is still there and nothing is left of the new one. Links and
+    permissions are kept. A pipe or a device is written to directly. The caller may close the file.
+
+    Raises:
+        FileExistsError: with `overwrite` off, the name is taken. Of several programs that want
+            the same name at once, one gets it.
+        OSError: the file cannot be written.
+    """
+    target = path.resolve()
+    if overwrite and target.exists() and not target.is_file():
+        with target.open("wb") as file:
+            yield file
+        return
+    draft = target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}.tmp")
+    try:
+        with draft.open("xb") as file:
+            yield file
+        with draft.open("rb+") as written:
+            os.fsync(written.fileno())
+        if overwrite:
+            with contextlib.suppress(FileNotFoundError):
+                shutil.copymode(target, draft)
+            draft.replace(target)
+        else:
+            _take_free_name(draft, target)
+    finally:
+        with contextlib.suppress(OSError):
+            draft.unlink()
+    _sync_folder(target.parent)
+
+
+def _take_free_name(draft: Path, target: Path) -> None:
+    """Rename a file in one step; a `FileExistsError` when the name is taken."""
+    if os.name == "nt":
+        draft.rename(target)  # replaces a file on other systems only
+        return
+    try:
+        target.hardlink_to(draft)
+    except FileExistsError:
+        raise
+    except OSError:  # a file system without hard links
+        target.open("xb").close()
+        try:
+            draft.replace(target)
+        except BaseException:
+            target.unlink()
+            raise
+
+
+def _sync_folder(folder: Path) -> None:
+    """Make a new file name survive a power failure, where the system can."""
+    with contextlib.suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+
+
+LARGEST_FILE = 256 * 1024
+"""Bytes; a complete settings file has about 3000."""
+
+
+def load(path: Path, content: str = "settings") -> bytes:
+    """Return the bytes of a text file.
+
+    Args:
+        path: the file.
+        content: what the file holds, in the plural; for messages.
+
+    Raises:
+        SettingsError: it is missing, forbidden, not a regular file, or larger than 256 KiB.
+    """
+    with _sentences(path, "read"):
+        if not path.is_file():
+            path.stat()  # raises where the file is missing or forbidden
+            raise _error(path, _kind_of(path))
+        with path.open("rb") as file:
+            data = file.read(LARGEST_FILE + 1)
+    check_size(data, str(path), content)
+    return data
+
+
+def check_size(data: bytes, name: str, content: str = "settings") -> None:
+    """Raise a `SettingsError` for more than 256 KiB."""
+    if len(data) > LARGEST_FILE:
+        limit = LARGEST_FILE // 1024
+        message = f"is larger than {limit} KiB; {content} are not that long"
+        raise SettingsError(name, [Finding(None, None, message)])
+
+
+def decode(data: bytes, name: str) -> str:
+    """Return the text of a file without its byte order mark.
+
+    Raises:
+        SettingsError: it is too large, binary, or not UTF-8.
+    """
+    check_size(data, name)
+    message, position = "this is a binary file; settings are text", data.find(b"\0")
+    if position < 0:
+        try:
+            return data.decode("utf-8").removeprefix("\ufeff")
+        except UnicodeDecodeError as error:
+            message, position = "this is not UTF-8 text", error.start
+    raise SettingsError(name, [Finding(data.count(b"\n", 0, position) + 1, None, message)])
+
+
+def save(path: Path, text: str) -> None:
+    """Write a text file; after an error the old one is still there, complete.
+
+    Raises:
+        SettingsError: it cannot be written.
+    """
+    with _sentences(path, "written"):
+        target = path.resolve()
+        if target.exists() and not target.is_file():
+            raise _error(path, _kind_of(target))
+        if target.exists() and not os.access(target, os.W_OK):
+            raise _error(path, "it may not be written; its permissions forbid it")
+        if not target.parent.is_dir():
+            raise _error(path, f"there is no folder {target.parent}")
+        with atomic_file(target) as file:
+            file.write(text.encode("utf-8"))
+
+
+def save_new(path: Path, text: str) -> bool:
+    """Write a text file under a free name; return `False`, with nothing written, if it is taken.
+
+    Raises:
+        SettingsError: it cannot be written.
+    """
+    with _sentences(path, "written"):
+        try:
+            with atomic_file(path, overwrite=False) as file:
+                file.write(text.encode("utf-8"))
+        except FileExistsError:
+            return False
+    return True
+
+
+@contextlib.contextmanager
+def _sentences(path: Path, verb: str) -> Iterator[None]:
+    """Turn errors of the operating system into a `SettingsError`."""
+    try:
+        yield
+    except FileNotFoundError:
+        raise _error(path, "there is no such file") from None
+    except PermissionError:
+        raise _error(path, f"it may not be {verb}; its permissions forbid it") from None
+    except OSError as error:
+        raise _error(path, f"it cannot be {verb}: {error.strerror or error}") from None
+    except ValueError as error:  # a name with a NUL in it; text that is not Unicode
+        raise _error(path, f"it cannot be {verb}: {error}") from None
+
+
+def _kind_of(path: Path) -> str:
+    return "is a folder, not a file" if path.is_dir() else "is not a regular file"
+
+
+def _error(path: Path, message: str) -> SettingsError:
+    return SettingsError(str(path), [Finding(None, None, message)])

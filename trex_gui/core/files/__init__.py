@@ -1,1 +1,0 @@
-"""Text files that users write: read whole, written whole, errors by line."""

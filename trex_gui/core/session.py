@@ -1,0 +1,140 @@
+"""Shared parts of line sessions: messages, request queue and loop."""
+
+import logging
+import threading
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any, Protocol, TypeVar
+
+from trex_gui.core.errors import StudioError
+
+
+@dataclass(frozen=True, slots=True)
+class Close:
+    """Request: stop all motors, close the port and end the session."""
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """Report: `done` of `total` steps are complete; `what` is the next one."""
+
+    done: int
+    total: int
+    what: str
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """Report: the result of a request; exactly one for each request with an `id`."""
+
+    id: int
+    value: object = None
+    error: StudioError | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Closed:
+    """Report, the last one: the session has ended and the port is free.
+
+    Attributes:
+        error: reason why the line was lost; `None` after `Close`.
+        may_move: motors were driven and no stop has been confirmed since.
+    """
+
+    error: StudioError | None
+    may_move: bool = False
+
+
+class Condition(Protocol):
+    """The part of `threading.Condition` that queues need."""
+
+    def __enter__(self) -> bool: ...
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+        /,
+    ) -> None: ...
+
+    def wait(self, timeout: float | None = None) -> bool:
+        """Wait until notified or for `timeout` seconds; return whether it was notified."""
+        ...
+
+    def notify(self) -> None:
+        """Wake one waiting thread."""
+        ...
+
+
+class RequestQueue:
+    """An inbox into which any thread may put requests.
+
+    Does not use `queue.SimpleQueue`: in Python 3.11 its `get` never returns if the timeout expires
+    before its first check of an empty queue ends. Sessions often wait for microseconds; one such
+    wait in a thousand hung.
+    """
+
+    def __init__(self, condition: Condition | None = None) -> None:
+        self._changed = condition or threading.Condition()
+        self._requests: deque[object] = deque()
+
+    def put(self, request: object) -> None:
+        with self._changed:
+            self._requests.append(request)
+            self._changed.notify()
+
+    def get(self, seconds: float) -> Any:
+        """Return the next request, waiting up to `seconds`; `None` if none came."""
+        with self._changed:
+            if not self._requests and seconds > 0:
+                self._changed.wait(seconds)
+            return self._requests.popleft() if self._requests else None
+
+
+log = logging.getLogger(__name__)
+
+RequestT_co = TypeVar("RequestT_co", covariant=True)
+
+SHORTEST_WAIT = 1e-5
+"""Seconds; keeps rounding errors of times from causing a busy loop."""
+
+
+class Inbox(Protocol[RequestT_co]):
+    """Source of the requests of a session."""
+
+    def get(self, seconds: float) -> RequestT_co | None:
+        """Return the next request, waiting up to `seconds`; `None` if none came."""
+        ...
+
+
+class Closing(Exception):  # noqa: N818 - no error: the session was closed
+    """Raised when a session receives `Close`."""
+
+
+def run_until_closed(
+    begin: Callable[[], None],
+    step: Callable[[], None],
+    internal_error: Callable[[str], StudioError],
+) -> StudioError | None:
+    """Call `begin`, then `step` repeatedly; return the error that ended the loop.
+
+    Never raises, so that the session can then bring the device into a safe state.
+
+    Returns:
+        `None` after `Closing`; the result of `internal_error` for any exception other than
+        `StudioError`.
+    """
+    try:
+        begin()
+        while True:
+            step()
+    except Closing:
+        return None
+    except StudioError as error:
+        return error
+    except BaseException as error:
+        log.exception("the line session failed")
+        return internal_error(repr(error))

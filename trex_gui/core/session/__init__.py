@@ -1,1 +1,0 @@
-"""Shared parts of line sessions: loop, request queue and messages."""
