@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Set the project up in `.venv/`, then show it, check it or measure it.
 
-    python3 packaging/bootstrap.py setup | demo | test [--all] | bench | mutate
+    python3 packaging/bootstrap.py setup | demo | test [--all] | bench | mutate | translations
 
 Needs nothing but Python's standard library. The syntax stays readable to older Pythons, so that
 they get as far as the sentence about their age.
@@ -40,6 +40,7 @@ PROJECT_FILE = ROOT / "pyproject.toml"
 CONSTRAINTS = ROOT / "packaging" / "constraints.txt"
 BENCHMARKS = ROOT / "tests" / "benchmarks"
 MUTATE = ROOT / "packaging" / "mutate.py"
+TRANSLATIONS = ROOT / "resources" / "translations"
 
 CORES = max(2, min(4, os.cpu_count() or 1))
 VIRTUAL = ("-m", "not realtime", "-n", str(CORES), "--dist", "worksteal")
@@ -612,6 +613,21 @@ def command_mutate(arguments: Sequence[str]) -> int:
     return run_in_sight([str(venv_python()), str(MUTATE), *arguments], OFFSCREEN)
 
 
+def command_translations() -> int:
+    """Bring the translation files up to date with the texts of the program, and compile them."""
+    set_up()
+    sources = [str(path) for path in sorted((ROOT / "trex_gui").rglob("*.py"))]
+    for file in sorted(TRANSLATIONS.glob("*.ts")):
+        # English only needs what depends on a number.
+        which = ["-pluralonly"] if file.stem.endswith("_en") else []
+        update = [str(venv_program("pyside6-lupdate")), "-locations", "none", "-no-obsolete"]
+        compile_ = [str(venv_program("pyside6-lrelease")), str(file)]
+        for command in ([*update, *which, *sources, "-ts", str(file)], compile_):
+            if run_in_sight(command, {}) != 0:
+                raise BootstrapError(f"{file.name} could not be updated; see above.")
+    return 0
+
+
 # --- The command line --------------------------------------------------------------------------
 
 
@@ -637,6 +653,7 @@ def make_parser() -> argparse.ArgumentParser:
     )
     add("bench", "set up if needed and run the benchmarks", for_pytest)
     add("mutate", "set up if needed and measure what the tests catch", for_mutate)
+    add("translations", "set up if needed, update the translation files and compile them")
     return parser
 
 
@@ -666,6 +683,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return command_test(for_pytest, every=options.all)
         if command == "mutate":
             return command_mutate(for_pytest)
+        if command == "translations":
+            return command_translations()
         return command_bench(for_pytest)
     except BootstrapError as error:
         print(error, file=sys.stderr)

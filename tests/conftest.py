@@ -37,6 +37,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import use_runtime
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.translations import ENGLISH, install_translations
 
 # Several processes may share the computer: how long an example takes says nothing.
 hypothesis.settings.register_profile("gate", deadline=None, derandomize=True, max_examples=100)
@@ -100,6 +101,13 @@ def _time(request: pytest.FixtureRequest) -> None:
     """Run the program in virtual time, unless a test is marked `realtime`."""
     if not _is_real(request):
         request.getfixturevalue("virtual_time")
+
+
+@pytest.fixture(scope="session")
+def qapp(qapp: QApplication) -> QApplication:
+    """The application with English plural forms, as the program starts it."""
+    install_translations(qapp, ENGLISH)
+    return qapp
 
 
 @pytest.fixture

@@ -79,12 +79,13 @@ def main(argv: list[str] | None = None) -> int:
     arguments = _arguments(words)
 
     # Qt is imported only now: --help, --version and the simulator do without it.
-    from PySide6.QtCore import Qt, QTimer  # noqa: PLC0415
+    from PySide6.QtCore import QLocale, Qt, QTimer  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
     from trex_gui.core.timing import Timeouts  # noqa: PLC0415
     from trex_gui.supervisor import SafetySupervisor  # noqa: PLC0415
     from trex_gui.ui.theme.theme import theme  # noqa: PLC0415
+    from trex_gui.ui.translations import install_translations  # noqa: PLC0415
     from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
 
     QApplication.setApplicationName("TReX Studio")
@@ -94,6 +95,7 @@ def main(argv: list[str] | None = None) -> int:
     # A dialog of the system's takes Esc for itself, and Esc has to stop the motors there too.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     app = QApplication(["trex-gui"])
+    install_translations(app, QLocale())
     theme().install(app)
     collector = GuiThreadCollector(app)
     collector.setObjectName("collector")

@@ -268,8 +268,9 @@ class TrexWorkspace(Workspace):
             if any(result.key == ParameterKey.FACTORY_RESET for result in results):
                 self._on_power_cycle_wanted()
             elif not self._review.isVisible():
-                text = self.tr("{0} settings written and verified.")
-                self.notifier.info.emit(text.format(len(results)))
+                self.notifier.info.emit(
+                    self.tr("%n setting(s) written and verified.", "", len(results))
+                )
             return
         names = ", ".join(self._device.name_of(result.key) for result in failed)
         reasons = " ".join(dict.fromkeys(sentence(result.error) for result in failed))
