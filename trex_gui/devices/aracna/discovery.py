@@ -48,8 +48,6 @@ _RESETS = "Opening this port has reset its board: it answers about a second late
 
 @dataclass(frozen=True, slots=True)
 class FoundRobot:
-    """An Aracna, and the settings that reach it."""
-
     settings: PortSettings
     version: Version
     note: str = ""
@@ -58,12 +56,10 @@ class FoundRobot:
 
     @property
     def name(self) -> str:
-        """Kind and firmware version, such as `Aracna 1`."""
         return f"Aracna {self.version.version}"
 
     @property
     def motors(self) -> int:
-        """How many motors it has."""
         return self.version.motor_count
 
 
@@ -85,7 +81,6 @@ class AracnaScan:
     cancelled: bool = False
 
     def diagnosis(self) -> Diagnosis:
-        """Describe why no robot was found, and what to check."""
         where, port = self.settings.text(), self.settings.label
         if self.unsupported:
             text = f"No probe for an Aracna was sent: {port} cannot be set to {LINE.text()}."
@@ -125,16 +120,13 @@ class AracnaProber:
 
     @property
     def found(self) -> Sequence[FoundRobot]:
-        """The robot, if it has answered."""
         return self.search.found
 
     @property
     def is_over(self) -> bool:
-        """Whether it has answered."""
         return bool(self.search.found)
 
     def diagnosis(self) -> Diagnosis:
-        """Describe why no robot was found."""
         return self.search.diagnosis()
 
     def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:

@@ -35,8 +35,6 @@ _NO_ANSWER = -1
 
 @dataclass(frozen=True, slots=True)
 class StoppedResponding:
-    """The robot stopped responding: its state is unknown."""
-
     time: float
 
 
@@ -64,7 +62,6 @@ class Header:
     motors: int
 
     def values(self) -> dict[str, Value]:
-        """Return the rows of the header table."""
         return {
             "device_name": "Aracna",
             "started_utc": self.started.astimezone(UTC).isoformat(),
@@ -100,7 +97,6 @@ class Header:
 
 
 def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
-    """Return the kinds of samples of a robot with so many motors."""
     degrees = {"goal": 1, "present": 1}
 
     def columns(quantity: str, description: str, *, optional: bool = False) -> tuple[Column, ...]:

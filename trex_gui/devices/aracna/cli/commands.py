@@ -195,7 +195,6 @@ def _check_count(values: tuple[int, ...], motors: int, quantity: str) -> None:
 
 
 def _read_project(file: str) -> Project:
-    """Read a pose file and report its findings."""
     with refusals():
         read = read_file(Path(file))
     for finding in read.findings:
@@ -213,7 +212,6 @@ def _pose_named(name: str, file: str | None) -> Pose:
 
 
 def _sequence_named(project: Project, name: str | None) -> Sequence:
-    """Return a sequence by name; a single one needs no name."""
     names = ", ".join(one.name for one in project.sequences)
     if not project.sequences:
         raise CommandFailed("The file has no sequence.")

@@ -50,7 +50,6 @@ class MotionMonitor:
         self.faults: list[str] = []
 
     def take(self, report: Report) -> None:
-        """Take a report of the session."""
         match report:
             case Moving(expected=expected):
                 self._reported, self.is_moving, self._expected = 0, True, expected

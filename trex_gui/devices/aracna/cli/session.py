@@ -87,15 +87,12 @@ class CommandSession:
         self._join()
 
     def submit(self, request: Request) -> None:
-        """Queue a request without waiting."""
         self._inbox.put(request)
 
     def next_id(self) -> int:
-        """Return an unused request number."""
         return next(self._ids)
 
     def wait_until(self, condition: Callable[[], bool]) -> None:
-        """Take reports until a condition is met."""
         for report in self._received():
             _check(report)
             if condition():

@@ -45,5 +45,4 @@ def make_controller(
     scanner: DeviceScanner,
     timeouts: Timeouts,
 ) -> AracnaController:
-    """Make the model of a device and its controller."""
     return AracnaController(plugin, Robot(notifier), ports, scanner, timeouts)

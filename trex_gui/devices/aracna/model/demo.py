@@ -23,8 +23,6 @@ class Loss(Enum):
 
 
 class FirmwareState(Enum):
-    """State of the firmware, as `show` reports it."""
-
     OFF = "off"
     BOOTING = "booting"
     IDLE = "idle"
@@ -59,12 +57,10 @@ class DemoServo:
 
     @property
     def cannot_move(self) -> bool:
-        """Whether it could not move even with power."""
         return self.dead or self.blocked or self.load >= 1
 
     @property
     def is_whole(self) -> bool:
-        """Whether it has no fault."""
         return not (self.dead or self.blocked or self.load)
 
 
@@ -92,7 +88,6 @@ class RobotSnapshot:
 
     @property
     def is_moving(self) -> bool:
-        """Whether any servo changes its position."""
         return self.servo_power and any(
             servo.moving and not servo.cannot_move for servo in self.servos
         )
@@ -109,7 +104,6 @@ class RobotSnapshot:
 
 
 def read_snapshot(text: str) -> RobotSnapshot:
-    """Parse the JSON that `show` reports."""
     shown: dict[str, Any] = json.loads(text)
     dead = set(shown["dead"])
     return RobotSnapshot(
@@ -136,8 +130,6 @@ def _servo(shown: dict[str, Any], dead: bool) -> DemoServo:
 
 
 class DemoRobot(DemoDevice[RobotSnapshot]):
-    """A simulated Aracna."""
-
     def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
         super().__init__(simulator, read_snapshot, parent)
 
@@ -146,15 +138,12 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         self._send("reset")
 
     def set_servo_power(self, on: bool) -> None:
-        """Switch the power of the servos only."""
         self._send(f"servo power {switch(on)}")
 
     def set_dead(self, motor: int, dead: bool) -> None:
-        """Let a servo ignore commands, or recover."""
         self._send(f"servo {motor} {'dead' if dead else 'alive'}")
 
     def set_blocked(self, motor: int, blocked: bool) -> None:
-        """Block a servo in its position, or release it."""
         self._send(f"servo {motor} {'block' if blocked else 'free'}")
 
     def set_load(self, motor: int, part: float) -> None:
@@ -162,7 +151,6 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         self._send_newest(f"load {motor}", f"servo {motor} load {part:.2f}")
 
     def lose(self, loss: Loss) -> None:
-        """Lose something of the next transfer, once."""
         self._send(f"line {loss.value}")
 
     def repair(self) -> None:

@@ -36,8 +36,6 @@ class ItemKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class ItemKey:
-    """A pose or sequence by name, or a built-in gait."""
-
     name: str
     built_in: bool = False
 
@@ -69,16 +67,13 @@ class Library(QObject):
 
     @property
     def name(self) -> str:
-        """The file's name."""
         return UNTITLED if self.path is None else self.path.name
 
     @property
     def modified(self) -> bool:
-        """Whether there are unsaved changes."""
         return self.project != self._saved
 
     def changed_on_disk(self) -> bool:
-        """Whether another program has changed the file."""
         if self.path is None or self._on_disk is None:
             return False
         try:
@@ -87,7 +82,6 @@ class Library(QObject):
             return False  # saving creates it again, or reports why it cannot
 
     def playable(self, key: ItemKey | None) -> Sequence | Gait | None:
-        """Return a sequence or gait; `None` if there is none of this name."""
         if key is None:
             return None
         if key.built_in:
@@ -201,14 +195,12 @@ class Library(QObject):
         self._edit(self.tr("Change pose {0}").format(name), after, run)
 
     def add_sequence(self, name: str = "", steps: Many[SequenceStep] = ()) -> str:
-        """Append a sequence, and return its name."""
         taken = [sequence.name for sequence in self.project.sequences]
         name = checked_name(name.strip() or free_name(self.tr("sequence"), taken), taken)
         self._add_sequence(self.project, Sequence(name, tuple(steps)))
         return name
 
     def set_steps(self, name: str, steps: Many[SequenceStep], *, run: object = None) -> None:
-        """Change a sequence; successive edits with the same `run` are one undo step."""
         _, place = self._find(ItemKind.SEQUENCE, name)
         after = self._with(ItemKind.SEQUENCE, place, [Sequence(name, tuple(steps))])
         self._edit(self.tr("Change sequence {0}").format(name), after, run)
@@ -262,7 +254,6 @@ class Library(QObject):
 
 
 def milliseconds_of(seconds: float) -> int:
-    """Return the time of a step."""
     return max(round(seconds * 1000), SHORTEST_MS)
 
 

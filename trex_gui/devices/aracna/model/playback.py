@@ -51,7 +51,6 @@ class Moment:
         return Moment(copy(self.known), self.step)
 
     def take(self, record: Record) -> None:
-        """Take a record as the newest."""
         match record:
             case StoppedResponding():
                 self.known.take(NotResponding())
@@ -67,8 +66,6 @@ class Moment:
 
 
 class RobotPlayback(RecordingPlayer[Header, Record, Moment]):
-    """One recording of a robot; a curve for each motor, in degrees."""
-
     def __init__(
         self,
         recording: Recording[Header, Record],

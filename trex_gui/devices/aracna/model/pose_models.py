@@ -52,7 +52,6 @@ class NameModel(QAbstractListModel):
         return sequences + tuple(ItemKey(gait.name, built_in=True) for gait in GAITS)
 
     def key(self, row: int) -> ItemKey | None:
-        """Return the item of a row; `None` beyond the list."""
         return self._rows[row] if 0 <= row < len(self._rows) else None
 
     def row(self, key: ItemKey) -> int:
@@ -121,8 +120,6 @@ class NameModel(QAbstractListModel):
 
 
 class StepColumn(IntEnum):
-    """The columns of a `StepTable`."""
-
     NUMBER = 0
     POSE = 1
     TIME = 2
@@ -153,39 +150,32 @@ class StepTable(QAbstractTableModel):
 
     @property
     def editable(self) -> bool:
-        """Whether a sequence is shown, whose steps can be changed."""
         item = self.item
         return item is not None and not item.built_in and self._library.playable(item) is not None
 
     def show_item(self, item: ItemKey | None) -> None:
-        """Show the steps of a sequence or gait."""
         if item != self.item:
             self.item = item
             self._running = None
             self._on_library_changed()
 
     def show_notes(self, notes: dict[int, str]) -> None:
-        """Show remarks on steps, by index."""
         if notes != self._notes:
             self._notes = notes
             self._emit_column_changed(StepColumn.NOTE)
 
     def show_running(self, step: int | None) -> None:
-        """Mark the running step."""
         if step != self._running:
             self._running = step
             self._emit_column_changed(StepColumn.NUMBER)
 
     def add(self, row: int, step: SequenceStep) -> None:
-        """Insert a step before a row."""
         self._set_steps((*self.steps[:row], step, *self.steps[row:]))
 
     def remove(self, row: int) -> None:
-        """Remove a step."""
         self._set_steps(self.steps[:row] + self.steps[row + 1 :])
 
     def move(self, row: int, place: int) -> bool:
-        """Move a step; return whether the place exists."""
         if not (0 <= row < len(self.steps) and 0 <= place < len(self.steps)):
             return False
         steps = list(self.steps)

@@ -56,7 +56,6 @@ class AracnaRecorder(RecordThread[Record]):
         super().stop()
 
     def _known_at(self, time: float) -> Sequence[Record]:
-        """Return the known positions and speeds and the current motion."""
         known, records = self._robot.state, list[Record]()
         if known.moved is not None:
             records.append(replace(known.moved, time=time))

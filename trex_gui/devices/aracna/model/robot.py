@@ -72,7 +72,6 @@ class Robot(DeviceConnection[PortSettings]):
         *,
         clock: Callable[[], float] = now,
     ) -> None:
-        """Start without a connection; `clock` is the session's."""
         super().__init__(AracnaDecoder(), parent)
         self.notifier = notifier or Notifier(self)
         self._clock = clock
@@ -305,12 +304,10 @@ class Robot(DeviceConnection[PortSettings]):
         return replace(play, blend_in=(slow, *play.blend_in))
 
     def end_play(self) -> None:
-        """End the playing sequence after the current step, with its blend-out."""
         if self.state.play is not None:
             self.submit(EndPlay())
 
     def set_time_scale(self, factor: float) -> None:
-        """Change the time scale of the playing sequence from its next step on."""
         if self.state.play is not None:
             self.submit(SetTimeScale(factor))
 

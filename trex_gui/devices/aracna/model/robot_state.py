@@ -38,7 +38,6 @@ class MissedGoal:
 
     @property
     def unreadable(self) -> bool:
-        """Whether the servo did not answer."""
         return self.present == UNREADABLE
 
 
@@ -68,8 +67,6 @@ class PlayState:
 
 
 class Rate:
-    """Replies per second, over the last ten."""
-
     def __init__(self) -> None:
         self._times: deque[float] = deque(maxlen=10)
 
@@ -80,7 +77,6 @@ class Rate:
         self._times.append(time)
 
     def reset(self) -> None:
-        """Start again."""
         self._times.clear()
 
     @property
@@ -131,7 +127,6 @@ class RobotState:
         self.present = (None,) * self.motors
 
     def take(self, report: object) -> None:
-        """Take a report of the session."""
         match report:
             case Moving(goals=goals):
                 self.moving, self.goals = report, goals
@@ -192,12 +187,10 @@ class RobotState:
 
     @property
     def no_servo_answers(self) -> bool:
-        """Whether the last reply to a `.v` has no speed."""
         return self.speeds is not None and set(self.speeds.held) == {UNREADABLE}
 
     @property
     def missed_goals(self) -> tuple[MissedGoal, ...]:
-        """The motors that the last complete reply shows away from their goals."""
         if self.moved is None:
             return ()
         pairs = enumerate(zip(self.moved.goals, self.moved.present, strict=False))
@@ -209,7 +202,6 @@ class RobotState:
 
     @property
     def rejected_speeds(self) -> tuple[RejectedSpeed, ...]:
-        """The speeds in the last reply to a `.v` that differ from the requested ones."""
         if self.speeds is None:
             return ()
         pairs = enumerate(zip(self.speeds.requested, self.speeds.held, strict=False))

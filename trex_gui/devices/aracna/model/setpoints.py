@@ -38,12 +38,10 @@ class JointLimits(QObject):
         return factory_limits(motor + 1)[motor]
 
     def first(self, motors: int) -> tuple[Limits, ...]:
-        """Return the limits of motors 0 to `motors` - 1."""
         return tuple(self.of(motor) for motor in range(motors))
 
     @property
     def are_factory(self) -> bool:
-        """Whether every joint has the limits tuned on the robot."""
         return self._all == factory_limits(len(self._all))
 
     def set(self, motor: int, low: int, high: int) -> None:
@@ -60,13 +58,11 @@ class JointLimits(QObject):
             self._save()
 
     def reset(self) -> None:
-        """Restore the limits tuned on the robot."""
         if not self.are_factory:
             self._all = factory_limits(len(self._all))
             self._save()
 
     def crop(self, goals: Sequence[int]) -> tuple[int, ...]:
-        """Return the nearest allowed goals."""
         return tuple(self.of(motor).crop(goal) for motor, goal in enumerate(goals))
 
     def _save(self) -> None:
@@ -105,11 +101,9 @@ class Targets(QObject):
         self.set_all((*self.goals[:motors], *missing))
 
     def set(self, motor: int, position: int) -> None:
-        """Set one goal, cropped to its limits."""
         self.set_all((*self.goals[:motor], position, *self.goals[motor + 1 :]))
 
     def set_all(self, goals: Sequence[int]) -> None:
-        """Set every goal, cropped to its limits."""
         cropped = self._limits.crop(goals)
         if cropped != self.goals:
             self.goals = cropped
@@ -134,7 +128,6 @@ class SpeedSettings(QObject):
         self.reset(MOTORS)
 
     def reset(self, motors: int) -> None:
-        """Use the default for so many motors."""
         self.values = (FIRST_SPEED,) * motors
         self.are_chosen = False
         self.changed.emit()

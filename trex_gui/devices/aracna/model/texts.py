@@ -19,12 +19,10 @@ from trex_gui.ui.event_log import EventKind
 
 
 def tr(text: str) -> str:
-    """Translate a text of this module."""
     return QCoreApplication.translate("AracnaTexts", text)
 
 
 def error_text(error: StudioError) -> str:
-    """Return the message of an error, translated."""
     if isinstance(error, RobotError):
         return describe(
             error.code, error.fields, lambda text: QCoreApplication.translate("AracnaErrors", text)
@@ -33,7 +31,6 @@ def error_text(error: StudioError) -> str:
 
 
 def missed_text(missed: MissedGoal) -> str:
-    """Describe where a motor is that missed its goal."""
     if missed.unreadable:
         return tr("motor {0} did not report its position (−1)").format(missed.motor)
     text = tr("motor {0} is at {1}, {2} from its goal {3}")
@@ -49,7 +46,6 @@ def missed_texts(state: RobotState) -> list[str]:
 
 
 def speed_texts(state: RobotState) -> list[str]:
-    """Describe the speeds that servos did not take; all in one if none has answered."""
     if state.no_servo_answers:
         return [tr("no motor answers (−1): is the servo power on?")]
     texts = []
@@ -70,7 +66,6 @@ def joined(texts: Sequence[str]) -> str:
 
 
 def stuck_text(motor: int | None) -> str:
-    """Describe what the robot waits for, and what to check."""
     if motor is None:
         return tr("The robot does not answer at all. Check its power and the cable.")
     return tr(
@@ -81,7 +76,6 @@ def stuck_text(motor: int | None) -> str:
 
 
 def cropped_goals_text(goals: Sequence[int], cropped: Sequence[int]) -> str:
-    """Describe which goals were cropped to the limits."""
     changes = [
         tr("motor {0} to {1} instead of {2}").format(motor, sent, goal)
         for motor, (goal, sent) in enumerate(zip(goals, cropped, strict=True))

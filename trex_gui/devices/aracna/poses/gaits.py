@@ -66,7 +66,6 @@ class Gait:
 
     @property
     def seconds(self) -> float:
-        """The sum of its stages' times."""
         return sum(stage.seconds for stage in self.stages)
 
     @property

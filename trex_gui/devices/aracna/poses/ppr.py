@@ -44,8 +44,6 @@ ItemT = TypeVar("ItemT", Pose, Sequence)
 
 @dataclass(frozen=True, slots=True)
 class PoseFile:
-    """The content of a file when it was read."""
-
     project: Project
     findings: tuple[Finding, ...]
     data: bytes
@@ -146,7 +144,6 @@ class _Reader:
         self.findings.append(Finding(line, None, message, Severity.WARNING))
 
     def header(self, line: str) -> tuple[str, tuple[int, ...]]:
-        """Return name and resolutions of the first line."""
         name, *numbers = line.split(":")
         count = _number(numbers[0]) if numbers else None
         if count is None or not 1 <= count <= MOST_MOTORS:
@@ -163,7 +160,6 @@ class _Reader:
         return name, resolutions
 
     def read_line(self, number: int, line: str, motors: int) -> None:
-        """Read one line below the first."""
         try:
             if line.startswith(_SEQUENCE):
                 self.sequences.append((number, _sequence(line.removeprefix(_SEQUENCE))))

@@ -90,7 +90,6 @@ class Sequence:
 
     @property
     def seconds(self) -> float:
-        """The sum of its steps' times."""
         return sum(step.milliseconds for step in self.steps) / 1000
 
     def missing(self, known: Collection[str]) -> tuple[str, ...]:
@@ -121,20 +120,16 @@ class Project:
 
     @property
     def motors(self) -> int:
-        """How many motors the robot has."""
         return len(self.resolutions)
 
     @property
     def pose_names(self) -> tuple[str, ...]:
-        """The names of its poses."""
         return tuple(pose.name for pose in self.poses)
 
     def pose(self, name: str) -> Pose | None:
-        """Return a pose by name."""
         return next((pose for pose in self.poses if pose.name == name), None)
 
     def sequence(self, name: str) -> Sequence | None:
-        """Return a sequence by name."""
         return next((one for one in self.sequences if one.name == name), None)
 
 

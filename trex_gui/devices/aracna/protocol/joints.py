@@ -13,8 +13,6 @@ from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
 
 
 class JointKind(Enum):
-    """Which of the two joints of a leg."""
-
     INNER = "inner"
     OUTER = "outer"
 
@@ -63,11 +61,9 @@ class Limits:
             raise ValueError(f"limits are 0 to {HIGHEST} in order, not {self.low} to {self.high}")
 
     def crop(self, position: float) -> int:
-        """Return the nearest allowed position."""
         return min(max(round(position), self.low), self.high)
 
     def allow(self, position: int) -> bool:
-        """Whether a position is within the limits."""
         return self.low <= position <= self.high
 
 

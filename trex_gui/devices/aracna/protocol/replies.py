@@ -129,7 +129,6 @@ class Reader:
         return None if match is None else tuple(map(int, match[1].split(b",")[:-1]))
 
     def feed(self, data: bytes) -> list[Reply]:
-        """Return the replies that these bytes complete."""
         *lines, self._rest = (self._rest + data).split(b"\n")
         replies: list[Reply] = []
         for line in lines:

@@ -150,11 +150,9 @@ class AracnaClient:
     # Each raises PortUnavailable when the line is gone, and BadRequest while one is pending.
 
     def query(self, timeout: float = REPLY_TIMEOUT) -> None:
-        """Query version and number of motors."""
         self._send("q", (), commands.QUERY, timeout)
 
     def set_led(self, *, on: bool) -> None:
-        """Switch the debug LED."""
         self._send("l", (), commands.LED[on], REPLY_TIMEOUT)
 
     def set_speeds(self, values: Sequence[int]) -> None:

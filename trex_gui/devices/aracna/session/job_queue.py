@@ -44,17 +44,14 @@ class JobQueue:
         self._in_flight: Job | Drag | None = None
 
     def __bool__(self) -> bool:
-        """Whether anything is queued or in flight."""
         return self.has_queued or self._in_flight is not None
 
     @property
     def has_queued(self) -> bool:
-        """Whether anything is to be sent."""
         return bool(self._jobs) or self.drag is not None
 
     @property
     def has_jobs(self) -> bool:
-        """Whether a job is queued."""
         return bool(self._jobs)
 
     def add(self, job: Job) -> None:
@@ -134,7 +131,6 @@ class JobQueue:
             self._report(Outcome(request.id, error=error))
 
     def reject_drag(self, drag: Drag, error: StudioError) -> None:
-        """Report that a drag is not sent."""
         self._report(DragDropped(self._clock(), drag.goals, error))
 
     def drop(self, reason: StudioError) -> None:

@@ -48,7 +48,6 @@ class LivenessMonitor:
 
     @property
     def is_responding(self) -> bool:
-        """Whether requests are accepted."""
         return self.reason in {None, QueryReason.UNCERTAIN}
 
     def on_missing_reply(self, now: float) -> None:
@@ -74,7 +73,6 @@ class LivenessMonitor:
         self._query_at = now + RECONNECT_INTERVAL
 
     def on_reply(self, now: float) -> None:
-        """Postpone the next keep-alive query."""
         self._keepalive_at = now + KEEPALIVE_INTERVAL
 
     def on_version(self, now: float) -> QueryReason | None:
@@ -85,7 +83,6 @@ class LivenessMonitor:
         return reason
 
     def on_query_timeout(self, now: float) -> None:
-        """Schedule the next query after one without a reply."""
         self._query_at = max(self._query_at, now)
         if self.reason is QueryReason.NOT_RESPONDING:
             self._query_at = now + RECONNECT_INTERVAL - QUERY_INTERVAL
@@ -95,5 +92,4 @@ class LivenessMonitor:
         return max(0.0, (self._keepalive_at if self.reason is None else self._query_at) - now)
 
     def timed_out(self, now: float) -> bool:
-        """Whether to report now that the robot does not respond."""
         return self.reason not in {None, QueryReason.NOT_RESPONDING} and now >= self._deadline

@@ -95,7 +95,6 @@ class StepClock:
         self.is_ending = False
 
     def next(self) -> ScheduledStep | None:
-        """Return the next step; `None` at the end."""
         current, play = self.current, self.play
         if current is not None and current.part == "out":
             return self._blend_out(current.index + 1)
@@ -153,7 +152,6 @@ class SequencePlayer:
 
     @property
     def is_playing(self) -> bool:
-        """Whether a sequence plays."""
         return self._clock is not None
 
     def start(self, play: Play, now: float) -> None:
@@ -183,7 +181,6 @@ class SequencePlayer:
             self._clock.time_scale = time_scale
 
     def stop(self, now: float, why: Ending, error: StudioError | None = None) -> None:
-        """Stop playing, and report it."""
         clock, self._clock = self._clock, None
         self._goals, self._is_moving = None, False
         if clock is not None:
@@ -227,5 +224,4 @@ class SequencePlayer:
         return goals
 
     def on_arrival(self) -> None:
-        """Continue after the reply to the goals."""
         self._is_moving = False

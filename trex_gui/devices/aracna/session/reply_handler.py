@@ -70,7 +70,6 @@ class ReplyHandler:
         self._jobs.drop(reason)
 
     def handle(self, events: list[CommandEvent]) -> None:
-        """Handle the events of the command in flight, in order."""
         for event in events:
             match event:
                 case Answered(time=time):

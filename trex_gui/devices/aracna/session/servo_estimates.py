@@ -73,7 +73,6 @@ class ServoEstimates:
             raise BadRequest(str(error)) from error
 
     def crop(self, goals: Sequence[int]) -> tuple[int, ...]:
-        """Return the nearest allowed goals."""
         return crop(goals, self.limits)
 
     def forget_positions(self) -> None:
@@ -90,7 +89,6 @@ class ServoEstimates:
         self.forget_speeds()
 
     def expire_speeds(self, now: float, trust: float = TRUST) -> None:
-        """Forget speeds that were reported more than `trust` seconds ago."""
         if now - self._speeds_reported_at > trust:
             self.forget_speeds()
 
@@ -106,7 +104,6 @@ class ServoEstimates:
         self.present = tuple(None if value < 0 else value for value in present)
 
     def on_speeds(self, speeds: Sequence[int], now: float) -> None:
-        """Take the reply to a `.v`."""
         self._speeds_reported_at = now
         self.speeds = tuple(None if value < 0 else value for value in speeds)
 
@@ -154,7 +151,6 @@ def missed(goals: Sequence[int], present: Sequence[int], tolerance: int = FAR) -
 
 
 def move_timeout(expected: float) -> float:
-    """Return after how many seconds the reply to a motion is late."""
     return expected * MARGIN + ALLOWANCE
 
 

@@ -243,7 +243,6 @@ class AracnaSession:
         self._report(Moving(self._now(), goals, starts, expected))
 
     def _play(self, now: float) -> None:
-        """Send what the due step needs next."""
         self._servos.expire_speeds(now)
         if (speeds := self._player.next_speeds(now)) is not None:
             self._client.set_speeds(speeds)

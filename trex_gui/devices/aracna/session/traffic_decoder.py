@@ -28,8 +28,6 @@ _REPLY_KINDS: dict[bytes, type[Reply]] = {
 
 
 class AracnaDecoder(Decoder):
-    """Describes commands and replies in English."""
-
     def shown(self, data: bytes) -> str:
         r"""Text; line ends as `\r` and `\n`, other bytes as `\x00`."""
         return data.decode("latin-1").encode("unicode_escape").decode("ascii")
@@ -52,7 +50,6 @@ class AracnaDecoder(Decoder):
         return sent == b".q\n" and is_late
 
     def read(self, transaction: Transaction) -> Decoded:
-        """Describe the command, and each line that came."""
         *lines, rest = transaction.received.split(b"\n")
         replies = [reply for line in lines for reply in read_lines(line.removesuffix(b"\r"))]
         is_fault = any(map(_is_fault, replies))

@@ -119,7 +119,6 @@ def _show(line: AracnaLine, words: list[str]) -> str:
 
 
 def state(line: AracnaLine) -> dict[str, Any]:
-    """Return what `show` reports: board, servos, wire and counters."""
     firmware = line.station.firmware
     return {
         "aracna": True,

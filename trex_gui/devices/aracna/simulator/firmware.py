@@ -37,8 +37,6 @@ _BATCH = 0.05
 
 
 class State(Enum):
-    """State of the firmware."""
-
     OFF = "off"
     BOOTING = "booting"
     IDLE = "idle"
@@ -162,7 +160,6 @@ class Firmware:
                 self.counters["ignored"] += 1
 
     def _set_speeds(self, speeds: Sequence[int]) -> Program:
-        """Write all speeds, wait, and report the registers of the servos."""
         self.state = State.SPEEDS
         for servo, speed in zip(self.servos, speeds, strict=True):
             yield Pause(WRITING)
@@ -174,7 +171,6 @@ class Firmware:
             yield from self._print_value(servo.read(Register.SPEED), index)
 
     def _move(self, goals: Sequence[int]) -> Program:
-        """Write all goals, then wait for each servo and report its position."""
         self.state = State.MOVING
         for servo, goal in zip(self.servos, goals, strict=True):
             yield Pause(WRITING)

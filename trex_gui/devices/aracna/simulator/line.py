@@ -69,14 +69,12 @@ class RobotStation:
     # --- Power --------------------------------------------------------------------------
 
     def power_on(self) -> None:
-        """Start the firmware, if the board had no power."""
         if not self.powered:
             self.powered = True
             self._program = self.firmware.program()
             self._do(next(self._program))
 
     def power_off(self) -> None:
-        """Cut the power, in mid-byte if need be."""
         self.powered = False
         self._program = None
         self._is_waiting = False
@@ -133,7 +131,6 @@ class RobotStation:
     # --- Program ------------------------------------------------------------------------
 
     def _run(self, byte: int = 0) -> None:
-        """Run the program until it waits again."""
         self._is_waiting = False
         if self._program is not None:
             self._do(self._program.send(byte))

@@ -19,8 +19,6 @@ _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 
 
 class Register(Enum):
-    """Register that the firmware reads."""
-
     SPEED = "speed"
     MOVING = "moving"
     POSITION = "position"
@@ -89,7 +87,6 @@ class Servo:
 
     @property
     def answers(self) -> bool:
-        """Whether it responds on the bus."""
         return self.powered and self.alive
 
     # Motion

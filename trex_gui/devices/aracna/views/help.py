@@ -13,7 +13,6 @@ _OF_THE_FRAME = ("connect", "disconnect", "find")
 
 
 def tr(text: str) -> str:
-    """Translate a text of this module."""
     return QCoreApplication.translate("AracnaHelp", text)
 
 

@@ -18,8 +18,6 @@ _MAX_EVENTS = 500
 
 
 class LogPage(QWidget):
-    """Shows the events and the line statistics of a robot."""
-
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaLogPage")

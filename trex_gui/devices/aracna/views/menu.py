@@ -7,7 +7,6 @@ from trex_gui.ui.frame.actions import SEPARATOR, ActionInfo, Entries, Menu, Menu
 
 
 def tr(text: str) -> str:
-    """Translate a text of this module."""
     return QCoreApplication.translate("AracnaMenu", text)
 
 

@@ -163,17 +163,14 @@ class JointValues(QWidget):
             self._cells[motor, part] = cell
 
     def focus(self, motor: int) -> None:
-        """Put the keyboard focus on the row of a motor."""
         if motor < len(self._boxes):
             self._boxes[motor].setFocus(Qt.FocusReason.OtherFocusReason)
 
     def mark(self, motor: int | None) -> None:
-        """Highlight the name of a motor."""
         for number, box in enumerate(self._boxes):
             builders.set_bold(box, number == motor)
 
     def show_state(self, known: RobotState) -> None:
-        """Show what was known at a moment."""
         missed = {each.motor: each for each in known.missed_goals}
         for motor in range(len(self._boxes)):
             present = known.present[motor]

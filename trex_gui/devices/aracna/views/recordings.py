@@ -16,8 +16,6 @@ if TYPE_CHECKING:
 
 
 class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
-    """Records a robot and owns the windows of its recordings."""
-
     def __init__(self, robot: Robot, window: QWidget) -> None:
         super().__init__(
             AracnaRecorder(robot),

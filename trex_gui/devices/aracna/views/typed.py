@@ -19,7 +19,6 @@ def take_typed() -> None:
 
 
 def _view_of(editor: QWidget) -> QAbstractItemView | None:
-    """Return the list or table that an editor belongs to."""
     viewport = editor.parentWidget()
     view = viewport.parentWidget() if viewport is not None else None
     if isinstance(view, QAbstractItemView) and view.viewport() is viewport:

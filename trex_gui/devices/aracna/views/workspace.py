@@ -94,7 +94,6 @@ class AracnaWorkspace(Workspace):
 
     @property
     def help_text(self) -> str:
-        """Help on its pages and keys, and on what the robot cannot do."""
         return help_text(self.menus())
 
     @property
@@ -103,13 +102,11 @@ class AracnaWorkspace(Workspace):
         return (FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), self._open_poses),)
 
     def _open_poses(self, path: Path) -> None:
-        """Open a pose file and show it."""
         if self._poses.panel.files.open_file(path):
             self.show_page("poses")
 
     @property
     def docks(self) -> Sequence[QDockWidget]:
-        """The panel of the simulated robot."""
         return (self._demo,)
 
     # --- Menus --------------------------------------------------------------------------
@@ -118,7 +115,6 @@ class AracnaWorkspace(Workspace):
         return menus(self.page_actions())
 
     def slots(self) -> Mapping[str, Callable[[], object]]:
-        """Return what each of its actions does."""
         controls, files, undo = self._page.controls, self._poses.panel.files, self._library.undo
         return {
             "aracna_move": self._page.move_now,
@@ -142,7 +138,6 @@ class AracnaWorkspace(Workspace):
         }
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        """Take the actions of its slots, and show the last page."""
         self._actions = actions
         page = str(self._store.value(_PAGE, 0))
         self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
@@ -151,7 +146,6 @@ class AracnaWorkspace(Workspace):
         self._on_changed()
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        """Return which of its actions are available now."""
         robot, recorder = self._robot, self.recordings.recorder
         idle, undo = robot.state.playing is None, self._library.undo
         known = any(position is not None for position in robot.state.present)
@@ -171,12 +165,10 @@ class AracnaWorkspace(Workspace):
         }
 
     def _play(self) -> None:
-        """Play the current sequence or gait on its page."""
         self.show_page("poses")
         self._poses.panel.play()
 
     def _capture(self) -> None:
-        """Save the present position as a pose."""
         self.show_page("poses")
         self._poses.panel.capture()
 
@@ -210,18 +202,15 @@ class AracnaWorkspace(Workspace):
     # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Ask before unsaved poses are lost."""
         del leave
         return self._poses.panel.files.may_close()
 
     def prepare_to_close(self) -> None:
-        """Save the current page."""
         QObject.disconnect(self._undo_watch)  # the stack emits at its end, too
         self._demo.leave()
         self._store.setValue(_PAGE, self.pages.currentIndex())
 
     def finish(self) -> None:
-        """Close the recordings."""
         self.recordings.close_all()
 
     def shut_down(self) -> bool:

@@ -22,8 +22,6 @@ _LEAST = 44  # pixels of a slider
 
 
 class RobotPanel(DemoDock):
-    """The dock of the simulated robot."""
-
     def __init__(self, controller: AracnaController, parent: QWidget | None = None) -> None:
         super().__init__("aracnaDemoPanel", "aracna/demo_panel", controller, parent)
         self.setWindowTitle(self.tr("Demo Aracna"))
@@ -32,8 +30,6 @@ class RobotPanel(DemoDock):
 
 
 class DemoRobotView(DemoPanelBody[RobotSnapshot]):
-    """The robot: LED, switches, servos, cable."""
-
     def __init__(self, controller: AracnaController, parent: QWidget | None = None) -> None:
         robot = controller.demo_robot
         super().__init__(robot, controller, "aracnaDemoState", parent)
@@ -127,7 +123,6 @@ def _power_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
 
 
 def _servo_rows(robot: DemoRobot, parent: QWidget) -> RobotRows:
-    """Return a row for each servo: its real position, and its faults."""
     headings = (tr("Slowed"), tr("Dead"), tr("Blocked"))
     rows = RobotRows(tr("Servos"), Columns("0", str(HIGHEST), headings), parent)
     rows.add_headings(tr("Real position"), *headings, over_value=True)

@@ -7,12 +7,10 @@ from trex_gui.devices.aracna.protocol.units import degrees
 
 
 def tr(text: str) -> str:
-    """Translate a text of the panel."""
     return QCoreApplication.translate("AracnaDemo", text)
 
 
 def state_text(snapshot: RobotSnapshot) -> str:
-    """Return what the firmware does, and what it waits for."""
     if snapshot.is_held_up:
         if not snapshot.servo_power:
             return tr("Moving indefinitely: waiting for servos that have no power.")

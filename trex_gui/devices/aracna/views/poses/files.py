@@ -33,20 +33,17 @@ class PoseFiles(QObject):
 
     @Slot()
     def new(self) -> None:
-        """Start with the built-in poses and no file."""
         if self.may_close():
             self._library.new()
 
     @Slot()
     def ask_and_open(self) -> None:
-        """Let the user choose a file."""
         title, folder = self.tr("Open pose file"), str(self.folder())
         chosen, _ = QFileDialog.getOpenFileName(self._window, title, folder, self._filter())
         if chosen:
             self.open_file(Path(chosen))
 
     def open_file(self, path: Path) -> bool:
-        """Open a file in place of the present one."""
         if not self.may_close():
             return False
         try:
@@ -65,7 +62,6 @@ class PoseFiles(QObject):
 
     @Slot()
     def save(self) -> bool:
-        """Save the file in its place."""
         take_typed()
         path = self._library.path
         if path is None:
@@ -78,7 +74,6 @@ class PoseFiles(QObject):
 
     @Slot()
     def ask_and_save(self) -> bool:
-        """Let the user choose where to save the file."""
         take_typed()
         title = self.tr("Save pose file")
         proposal = str(self._library.path or self.folder() / self._library.name)
@@ -94,7 +89,6 @@ class PoseFiles(QObject):
         return self.save_to(path)
 
     def save_to(self, path: Path) -> bool:
-        """Save the file as `path`."""
         try:
             self._library.save(path)
         except SettingsError as error:
@@ -117,7 +111,6 @@ class PoseFiles(QObject):
         return False
 
     def folder(self) -> Path:
-        """Return the folder of the last file."""
         documents = QStandardPaths.StandardLocation.DocumentsLocation
         return Path(str(self._store.value(_FOLDER, QStandardPaths.writableLocation(documents))))
 

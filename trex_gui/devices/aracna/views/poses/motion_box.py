@@ -124,7 +124,6 @@ class MotionBox(QGroupBox):
 
     @property
     def current(self) -> ItemKey | None:
-        """The current sequence or gait."""
         return self._list.current
 
     @property
@@ -286,7 +285,6 @@ class StepView(QTableView):
 
     @Slot()
     def remove(self) -> None:
-        """Remove the current step."""
         row = self.row
         if row >= 0 and self._table.editable:
             self._table.remove(row)

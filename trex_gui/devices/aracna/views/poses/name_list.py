@@ -68,7 +68,6 @@ class NameList(QListView):
         return action
 
     def buttons(self, parent: QWidget) -> list[QToolButton]:
-        """Create the buttons for the current item: duplicate, delete, up, down."""
         kind = "Pose" if self._model.kind is ItemKind.POSE else "Sequence"
         up, down = Qt.ArrowType.UpArrow, Qt.ArrowType.DownArrow
         buttons = []
@@ -87,7 +86,6 @@ class NameList(QListView):
 
     @property
     def current(self) -> ItemKey | None:
-        """The current item."""
         return self._model.key(self.currentIndex().row())
 
     def choose(self, key: ItemKey | None) -> None:
@@ -96,13 +94,11 @@ class NameList(QListView):
         self.setCurrentIndex(self._model.index(row) if row >= 0 else QModelIndex())
 
     def choose_and_edit(self, name: str) -> None:
-        """Make a new item current and let the user type its name."""
         self.choose(ItemKey(name))
         self.edit_name()
 
     @Slot()
     def edit_name(self) -> None:
-        """Let the user type the name of the current item."""
         if self._rename.isEnabled():
             self.setFocus()
             self.edit(self.currentIndex())
@@ -205,7 +201,6 @@ def small_button(
 
 
 def paint_empty(view: QAbstractItemView, text: str) -> None:
-    """Paint a hint into an empty view."""
     margin = view.fontMetrics().averageCharWidth()
     area: QRect = view.viewport().rect().adjusted(margin, margin, -margin, -margin)
     with QPainter(view.viewport()) as painter:

@@ -106,7 +106,6 @@ class PosesPanel(QWidget):
     # --- The state of the robot ---------------------------------------------------------
 
     def show_link(self, can_move: bool, why_not: str = "") -> None:
-        """Set whether a robot can be moved; else why not."""
         why_not = why_not or self.tr("No robot is connected.")
         if (can_move, why_not) != (self._can_move, self._why_not):
             self._can_move, self._why_not = can_move, why_not
@@ -118,7 +117,6 @@ class PosesPanel(QWidget):
         self._poses.show_link(self._can_move and self._playing is None, why_not)
 
     def show_present(self, present: Present) -> None:
-        """Set the position of each motor; `None` where unknown."""
         if tuple(present) != self._present:
             self._present = tuple(present)
             self._poses.show_present(self._present)
@@ -126,14 +124,12 @@ class PosesPanel(QWidget):
                 self._update_preview()
 
     def show_limits(self, limits: tuple[Limits, ...]) -> None:
-        """Set the limits of each joint of the robot."""
         if limits != self._limits:
             self._limits = limits
             self._poses.show_limits(limits)
             self._update_preview()
 
     def show_playing(self, playing: PlayState | None) -> None:
-        """Set what is playing, and its step."""
         self._playing = playing
         self._show_whether_idle()
         self._mark_running_step()
@@ -189,7 +185,6 @@ class PosesPanel(QWidget):
 
     @Slot()
     def play(self) -> None:
-        """Request to play the current sequence or gait, if that is possible."""
         take_typed()
         self._update_preview()
         if self._preview.play is not None and self._can_move and self._playing is None:

@@ -126,7 +126,6 @@ class PlayBar(QWidget):
 
     @property
     def options(self) -> PlayOptions:
-        """How to play."""
         return PlayOptions(
             0 if self._loop.isChecked() else self._rounds.value(),
             100 / self._speed.value(),
@@ -135,12 +134,10 @@ class PlayBar(QWidget):
         )
 
     def set_play_enabled(self, enabled: bool, tip: str) -> None:
-        """Enable the button; `tip` says what it does, or why it is disabled."""
         self._play.setEnabled(enabled)
         self._play.setToolTip(tip)
 
     def show_summary(self, text: str, *, alarming: bool) -> None:
-        """Show what would be played."""
         self._summary.show_note(text, alarming=alarming)
         self._summary.setAccessibleName(text or self.tr("Nothing to play"))
 
@@ -178,7 +175,6 @@ def preview(
     present: Present,
     options: PlayOptions,
 ) -> Preview:
-    """Check what would be played."""
     if played is None:
         return Preview(text=tr("Choose a sequence or a gait to play it."))
     try:
@@ -245,5 +241,4 @@ def _duration(seconds: float) -> str:
 
 
 def tr(text: str) -> str:
-    """Translate a text of this module."""
     return QCoreApplication.translate("preview", text)

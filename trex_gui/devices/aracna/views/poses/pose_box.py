@@ -75,22 +75,18 @@ class PoseBox(QGroupBox):
 
     @property
     def current(self) -> Pose | None:
-        """The current pose."""
         key = self._list.current
         return self._library.project.pose(key.name) if key is not None else None
 
     def show_present(self, present: Present) -> None:
-        """Set the robot's position, which `Capture` takes."""
         self._present = tuple(present)
         self._update_buttons()
 
     def show_link(self, can_move: bool, why_not: str) -> None:
-        """Set whether the robot can be moved now; else why not."""
         self._can_move, self._why_not = can_move, why_not
         self._update_buttons()
 
     def show_limits(self, limits: tuple[Limits, ...]) -> None:
-        """Set the joints' limits."""
         self._fields.show_limits(limits)
 
     def _update_buttons(self) -> None:
@@ -116,7 +112,6 @@ class PoseBox(QGroupBox):
 
     @Slot()
     def capture(self) -> None:
-        """Save the robot's position as a new pose, and let the user type its name."""
         take_typed()
         try:
             name = self._library.capture(self._present)
@@ -191,7 +186,6 @@ class PositionFields(QWidget):
         self._update_tool_tips()
 
     def show_limits(self, limits: tuple[Limits, ...]) -> None:
-        """Set the joints' limits."""
         self._limits = limits
         self._update_tool_tips()
 

@@ -100,7 +100,6 @@ class RobotDrawing(QWidget):
         theme().changed.connect(self.update)
 
     def show_robot(self, state: RobotState, goals: tuple[int, ...]) -> None:
-        """Draw the reported state and one goal for each motor."""
         self._state, self._goals = state, goals
         self.update()
 
@@ -116,7 +115,6 @@ class RobotDrawing(QWidget):
         self.setMaximumHeight(max(self.width(), self.minimumSizeHint().height()))
 
     def mark(self, motor: int | None) -> None:
-        """Highlight a joint."""
         if motor != self._marked:
             self._marked = motor
             self.update()

@@ -36,8 +36,6 @@ _ALTERNATING = (_SPEED, _LOW, _HIGH)
 
 @dataclass(frozen=True, slots=True)
 class JointState:
-    """The reported state in a row."""
-
     present: int | None
     text: str = ""
     alarming: bool = False
@@ -96,7 +94,6 @@ class JointRow(QObject):
 
     @property
     def widgets(self) -> tuple[QWidget, ...]:
-        """Its widgets from left to right."""
         return (
             *(self.name, self.slider, self.units, self.degrees, self.present, self.state),
             *(self.speed, self.low, self.high),
@@ -121,7 +118,6 @@ class JointRow(QObject):
                 box.setValue(value)
 
     def show_state(self, state: JointState) -> None:
-        """Show the reported state."""
         if state == self._shown:
             return
         self._shown = state
@@ -133,14 +129,12 @@ class JointRow(QObject):
         self.update_colors()
 
     def update_colors(self) -> None:
-        """Use the colours of the present theme."""
         palette = self.name.palette()
         name = "danger" if self._shown.alarming else "window_text"
         palette.setColor(self.state.foregroundRole(), theme().color(name))
         self.state.setPalette(palette)
 
     def set_marked(self, marked: bool) -> None:
-        """Highlight the name."""
         if marked != self.name.autoFillBackground():
             role = self.name.palette().ColorRole
             self.name.setBackgroundRole(role.Highlight)
@@ -213,7 +207,6 @@ class JointTable(QWidget):
 
     @property
     def is_held(self) -> bool:
-        """Whether the user presses a slider."""
         return any(row.slider.held for row in self._rows)
 
     def show_limits(self, *, shown: bool) -> None:
@@ -224,12 +217,10 @@ class JointTable(QWidget):
         self._show_rows(self._robot.state.motors)
 
     def mark(self, motor: int | None) -> None:
-        """Highlight the name of a motor."""
         for number, row in enumerate(self._rows):
             row.set_marked(number == motor)
 
     def focus(self, motor: int) -> None:
-        """Focus the slider of a motor."""
         if motor < len(self._rows):
             self._rows[motor].slider.setFocus(Qt.FocusReason.MouseFocusReason)
 

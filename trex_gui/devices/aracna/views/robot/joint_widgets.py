@@ -40,14 +40,12 @@ class JointSlider(PressSlider):
         self.valueChanged.connect(self._on_value_changed)
 
     def set_limits(self, limits: Limits) -> None:
-        """Set the range of the handle."""
         if limits != self._limits:
             self._limits = limits
             self.setValue(limits.crop(self.value()))
             self.update()
 
     def set_present(self, present: int | None) -> None:
-        """Set the present position; `None` if unknown."""
         if present != self._present:
             self._present = present
             self.update()
@@ -93,7 +91,6 @@ class JointSlider(PressSlider):
         painter.drawRect(QRect(start, middle - 4, max(end - start, 1), 9))
 
     def paint_below(self, painter: QPainter, handle: QRect) -> None:
-        """Paint the wedge."""
         if self._present is None:
             return
         x, bottom = self.x_of(self._present, handle) + 0.5, float(self.height())
@@ -176,7 +173,6 @@ class CommonSpeedBox(SpeedBox):
 
     @property
     def differ(self) -> bool:
-        """Whether the motors have different speeds."""
         return self.value() == self._DIFFER
 
     def show_speeds(self, speeds: Sequence[int]) -> None:

@@ -68,7 +68,6 @@ class RobotPage(QWidget):
 
     @Slot()
     def move_now(self) -> None:
-        """Move every motor to its goal."""
         take_typed()
         self._robot.move(self._robot.targets.goals)
 
@@ -253,17 +252,14 @@ class Controls(QWidget):
 
     @property
     def is_live(self) -> bool:
-        """Whether goals are sent while the user drags."""
         return self._live.isChecked()
 
     @property
     def can_move(self) -> bool:
-        """Whether the robot can be moved now."""
         return not move_blocker(self._robot) and self._robot.state.playing is None
 
     @Slot()
     def take_present(self) -> None:
-        """Set the sliders to the present positions."""
         take_typed()
         pairs = zip(self._robot.state.present, self._robot.targets.goals, strict=False)
         goals = [goal if present is None else present for present, goal in pairs]
@@ -271,13 +267,11 @@ class Controls(QWidget):
 
     @Slot()
     def centre(self) -> None:
-        """Set the sliders to the middle of the servos' travel."""
         take_typed()
         self._robot.targets.set_all((CENTRE,) * self._robot.state.motors)
 
     @Slot()
     def stand(self) -> None:
-        """Set the sliders to the built-in standing pose."""
         take_typed()
         self._robot.targets.set_all(STAND.first(self._robot.state.motors))
 

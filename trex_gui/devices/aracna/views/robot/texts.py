@@ -9,7 +9,6 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 def tr(text: str) -> str:
-    """Translate a text of this module."""
     return QCoreApplication.translate("AracnaWords", text)
 
 
@@ -27,7 +26,6 @@ def joint_text(motor: int) -> str:
 
 
 def side_text(side: Side) -> str:
-    """Return the name of a leg."""
     return {
         Side.LEFT_FRONT: tr("Front left"),
         Side.RIGHT_FRONT: tr("Front right"),
@@ -50,18 +48,15 @@ def position_text(position: int | None) -> str:
 
 
 def signed(number: int) -> str:
-    """Return a difference with its sign."""
     return f"{number:+d}".replace("-", "−") if number else "0"
 
 
 def speed_text(speed: int) -> str:
-    """Return what a speed setting means."""
     per_second = degrees_per_second(speed)
     return tr("unlimited") if per_second is None else f"{per_second:.0f} °/s"
 
 
 def assumed_text() -> str:
-    """Return what the drawing assumes."""
     return tr("Which leg is which is assumed; even motors are inner joints, odd ones outer.")
 
 
