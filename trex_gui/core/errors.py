@@ -3,6 +3,9 @@
 They cross threads and processes as values, so every one pickles.
 """
 
+from collections.abc import Callable
+from enum import Enum
+
 
 class StudioError(Exception):
     """An error for users rather than for developers."""
@@ -22,6 +25,43 @@ class NoReply(StudioError):  # noqa: N818
 
 class BadReply(StudioError):  # noqa: N818
     """The received bytes cannot be the reply: wrong CRC, length, echo or content."""
+
+
+class CodedError(StudioError):
+    """An error with a code, whose value is the text with a place for each field.
+
+    A field may be another coded error, or a tuple of them. `str` gives the text in English.
+    """
+
+    def __init__(self, code: Enum, *fields: object) -> None:
+        super().__init__(code, *fields)
+        self.code = code
+        self.fields = fields
+
+    def __str__(self) -> str:
+        return describe(self.code, self.fields)
+
+
+def QT_TRANSLATE_NOOP(context: str, text: str) -> str:  # noqa: N802 - the name that lupdate finds
+    """Mark a text for translation without Qt."""
+    del context
+    return text
+
+
+def describe(
+    code: Enum, fields: tuple[object, ...] = (), translate: Callable[[str], str] = str
+) -> str:
+    """Return the text of a `CodedError`; `translate` is applied to the values of its codes."""
+
+    def text(field: object) -> object:
+        match field:
+            case CodedError():
+                return describe(field.code, field.fields, translate)
+            case tuple():
+                return " ".join(str(text(part)) for part in field)
+        return field
+
+    return translate(code.value).format(*map(text, fields))
 
 
 def sentence(error: BaseException | None) -> str:

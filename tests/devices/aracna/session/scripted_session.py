@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 from tests.support.aracna import AracnaStage
 from trex_gui.core.session import Close
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.session.messages import LineStatsChanged, Report, Request
+from trex_gui.devices.aracna.session.messages import LineStats, Report, Request
 from trex_gui.devices.aracna.session.session import AracnaSession
 
 KindT = TypeVar("KindT")
@@ -69,11 +69,9 @@ class ScriptedSession:
 
     @property
     def kinds(self) -> list[str]:
-        """Return the names of all reports, in order, except `LineStatsChanged`."""
+        """Return the names of all reports, in order, except `LineStats`."""
         return [
-            type(report).__name__
-            for report in self.reports
-            if not isinstance(report, LineStatsChanged)
+            type(report).__name__ for report in self.reports if not isinstance(report, LineStats)
         ]
 
     def get(self, seconds: float) -> Request | None:

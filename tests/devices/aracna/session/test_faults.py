@@ -1,5 +1,7 @@
 """What goes wrong in mid-command: restarts, servos that die, lines that are cut, silence."""
 
+from enum import Enum
+
 import pytest
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
@@ -13,7 +15,7 @@ from trex_gui.devices.aracna.session.messages import (
     Drag,
     DragDropped,
     Ending,
-    LineStatsChanged,
+    LineStats,
     Move,
     Moved,
     Moving,
@@ -34,7 +36,7 @@ SLOW = (100,) * 8
 STEPS = (Step(THERE, 0.6), Step(HERE, 0.6))
 
 
-def code(error: object) -> ErrorCode:
+def code(error: object) -> Enum:
     assert isinstance(error, RobotError)
     return error.code
 
@@ -219,7 +221,7 @@ def test_stuck_motor_ends_playback() -> None:
     assert session.of(Stuck)[0].motor == 6
     assert "motor 6" in str(session.of(Outcome)[0].error)
     assert session.when(Moving)[-1] < session.when(Stuck)[0]
-    reports = [report for report in session.reports if not isinstance(report, LineStatsChanged)]
+    reports = [report for report in session.reports if not isinstance(report, LineStats)]
     assert isinstance(reports[-2], Moved)  # reported after all
 
 

@@ -6,7 +6,6 @@ from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     LineStats,
-    LineStatsChanged,
     Move,
     SetSpeeds,
 )
@@ -16,14 +15,14 @@ THERE = (520,) * 8
 
 
 def last(session: ScriptedSession) -> LineStats:
-    return session.of(LineStatsChanged)[-1].stats
+    return session.of(LineStats)[-1]
 
 
 def test_counters_are_reported_soon_after_connecting() -> None:
     session = ScriptedSession().until(0.5)
     session.run()
     assert last(session).replies == last(session).requests == 1
-    assert session.when(LineStatsChanged)[0] - session.when(Connected)[0] < 0.1
+    assert session.when(LineStats)[0] - session.when(Connected)[0] < 0.1
 
 
 def test_unanswered_queries_during_boot_are_not_counted() -> None:
@@ -39,7 +38,7 @@ def test_counters_are_reported_at_most_once_a_second() -> None:
         session.at(1 + number / 10, SetSpeeds(number + 1, (100 + number,) * 8))
     session.until(6.0)
     session.run()
-    times = session.when(LineStatsChanged)
+    times = session.when(LineStats)
     assert 4 <= len(times) <= 7
     assert all(later - earlier >= STATS_INTERVAL for earlier, later in pairwise(times))
     assert last(session).replies >= 40
@@ -48,7 +47,7 @@ def test_counters_are_reported_at_most_once_a_second() -> None:
 def test_unchanged_counters_are_not_reported_again() -> None:
     session = ScriptedSession().until(1.9)  # before the keep-alive query
     session.run()
-    assert len(session.of(LineStatsChanged)) == 1
+    assert len(session.of(LineStats)) == 1
 
 
 def test_slowest_reply_time_excludes_motions() -> None:

@@ -272,6 +272,6 @@ def test_blend_in_precedes_rounds_and_blend_out_follows(
         playing.start(turn, playing.due)
         seen.append((turn.part, turn.index, turn.round))
         if len(seen) == end_after:
-            playing.is_ending = True
+            playing.end()
     cut = whole if end_after is None else whole[:end_after]
     assert seen == [*cut, *out]

@@ -6,7 +6,15 @@ import pickle
 import pytest
 
 from trex_gui.core import errors
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.errors import (
+    BadReply,
+    BadRequest,
+    CodedError,
+    NoReply,
+    PortUnavailable,
+    StudioError,
+    describe,
+)
 from trex_gui.devices.trex.protocol import errors as trex_errors
 from trex_gui.devices.trex.protocol.errors import (
     ErrorCode,
@@ -17,7 +25,6 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexError,
     TrexNoReplyError,
     TrexRequestError,
-    describe,
 )
 
 EVERY_ERROR: list[StudioError] = [
@@ -27,6 +34,7 @@ EVERY_ERROR: list[StudioError] = [
     NoReply("2 of 7 bytes came"),
     BadReply("the CRC is 08, not 07"),
     *(Rejected("Serial Timeout", code) for code in ResultCode if code),
+    CodedError(ErrorCode.NOT_READ),
     TrexError(ErrorCode.CLOSED),
     TrexRequestError(ErrorCode.LOCKED_OUT),
     TrexNoReplyError(ErrorCode.NO_REPLY, "81"),

@@ -7,7 +7,6 @@ from trex_gui.devices.aracna.protocol.replies import UNREADABLE
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     LineStats,
-    LineStatsChanged,
     Moved,
     Moving,
     NotResponding,
@@ -157,8 +156,8 @@ class RobotState:
                 self.playing = _play_state(self.play, report)
             case PlayEnded():
                 self.play, self.playing = None, None
-            case LineStatsChanged(stats=stats):
-                self.stats = stats
+            case LineStats():
+                self.stats = report
             case _:
                 pass
 

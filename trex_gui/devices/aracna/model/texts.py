@@ -1,12 +1,12 @@
 """Sentences about the robot's state, for the event log, the pages and the notifier."""
 
 from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.core.errors import StudioError
+from trex_gui.core.errors import CodedError, StudioError, describe
 from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
-from trex_gui.devices.aracna.session.errors import RobotError, describe
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Moved,
@@ -23,9 +23,9 @@ def tr(text: str) -> str:
 
 
 def error_text(error: StudioError) -> str:
-    if isinstance(error, RobotError):
+    if isinstance(error, CodedError):
         return describe(
-            error.code, error.fields, lambda text: QCoreApplication.translate("AracnaErrors", text)
+            error.code, error.fields, partial(QCoreApplication.translate, "AracnaErrors")
         )
     return str(error)
 

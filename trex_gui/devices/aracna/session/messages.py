@@ -121,7 +121,7 @@ Request = (
 
 @dataclass(frozen=True, slots=True)
 class LineStats:
-    """Counts since the robot's first reply.
+    """Counts since the robot's first reply; reported once a second at most, when they change.
 
     Attributes:
         requests: commands sent, including a pending one.
@@ -144,13 +144,6 @@ class LineStats:
     def finished(self) -> tuple[int, ...]:
         """The counts that a command on its way does not change."""
         return self.replies, self.timeouts, self.corrupted, self.unrecognized, self.restarts
-
-
-@dataclass(frozen=True, slots=True)
-class LineStatsChanged:
-    """The line's statistics; at most once a second, and only when they have changed."""
-
-    stats: LineStats
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,7 +277,7 @@ class PlayEnded:
 
 
 Report = (
-    LineStatsChanged
+    LineStats
     | Connected
     | Restarted
     | Moving

@@ -5,8 +5,9 @@ not when they did: the time for `.v`, `.c` and their replies counts towards a st
 robot cannot keep up, the next step starts late and is shortened, by half its seconds at most.
 """
 
+import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest, StudioError
@@ -77,6 +78,18 @@ def check_scale(scale: float) -> None:
         raise BadRequest(f"The time scale is {low:g} to {high:g}, not {scale:g}.")
 
 
+def _schedule(play: Play) -> Iterator[ScheduledStep]:
+    yield from _numbered("in", play.blend_in)
+    rounds = range(play.rounds) if play.rounds else itertools.count()
+    for number in rounds if play.steps else ():
+        yield from _numbered("steps", play.steps, number)
+    yield from _numbered("out", play.blend_out)
+
+
+def _numbered(part: str, steps: Sequence[Step], number: int = 0) -> Iterator[ScheduledStep]:
+    return (ScheduledStep(part, index, number, step) for index, step in enumerate(steps))
+
+
 class StepClock:
     """Schedules the steps of a sequence.
 
@@ -93,19 +106,16 @@ class StepClock:
         self.due = now
         self.current: ScheduledStep | None = None
         self.is_ending = False
+        self._steps = _schedule(play)
+
+    def end(self) -> None:
+        """Let only the blend-out follow the running step."""
+        self.is_ending = True
+        if self.current is None or self.current.part != "out":
+            self._steps = _numbered("out", self.play.blend_out)
 
     def next(self) -> ScheduledStep | None:
-        current, play = self.current, self.play
-        if current is not None and current.part == "out":
-            return self._blend_out(current.index + 1)
-        if self.is_ending:
-            return self._blend_out(0)
-        if current is None or current.part == "in":
-            index = 0 if current is None else current.index + 1
-            blend_in = self._step("in", play.blend_in, index)
-            return blend_in or self._first(0) or self._blend_out(0)
-        following = self._step("steps", play.steps, current.index + 1, current.round)
-        return following or self._first(current.round + 1) or self._blend_out(0)
+        return next(self._steps, None)
 
     def start(self, step: ScheduledStep, now: float) -> tuple[float, float]:
         """Start a step; return by how much it is late, and the time for its motion, in seconds.
@@ -121,19 +131,6 @@ class StepClock:
         self.current = step
         self.due += seconds
         return late, max(self.due - now - REPLY_TIME, seconds * _SHORTEST)
-
-    def _first(self, number: int) -> ScheduledStep | None:
-        if self.play.rounds and number >= self.play.rounds:
-            return None
-        return self._step("steps", self.play.steps, 0, number)
-
-    def _blend_out(self, index: int) -> ScheduledStep | None:
-        return self._step("out", self.play.blend_out, index)
-
-    def _step(
-        self, part: str, steps: Sequence[Step], index: int, number: int = 0
-    ) -> ScheduledStep | None:
-        return ScheduledStep(part, index, number, steps[index]) if index < len(steps) else None
 
 
 class SequencePlayer:
@@ -168,7 +165,7 @@ class SequencePlayer:
     def end(self) -> None:
         """End after the running step, with the blend-out."""
         if self._clock is not None:
-            self._clock.is_ending = True
+            self._clock.end()
 
     def set_time_scale(self, time_scale: float) -> None:
         """Change the time scale from the next step on.

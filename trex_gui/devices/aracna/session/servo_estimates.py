@@ -144,7 +144,7 @@ class ServoEstimates:
 def missed(goals: Sequence[int], present: Sequence[int], tolerance: int = FAR) -> dict[int, int]:
     """Return the distance from its goal of each motor that is further away than `tolerance`."""
     return {
-        motor: position - goal
+        motor: abs(position - goal)
         for motor, (goal, position) in enumerate(zip(goals, present, strict=True))
         if position >= 0 and abs(position - goal) > tolerance
     }

@@ -8,43 +8,66 @@ more.
 
 from collections.abc import Callable
 
-from trex_gui.core.errors import BadRequest, NoReply
+from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.session import SHORTEST_WAIT, Close, Closed, Closing, Inbox, run_until_closed
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
-from trex_gui.devices.aracna.session.client import LINE, AracnaClient
+from trex_gui.devices.aracna.protocol.replies import UNREADABLE, Led, Positions, Speeds, Version
+from trex_gui.devices.aracna.session.client import (
+    LINE,
+    Answered,
+    AracnaClient,
+    CommandEvent,
+    LateReply,
+    PartialReply,
+    ReplyLost,
+    SentCommand,
+    Voided,
+)
 from trex_gui.devices.aracna.session.errors import (
     ErrorCode,
     RobotBusyError,
     RobotError,
     RobotNoReplyError,
+    diagnose,
+    rejected_speeds,
 )
 from trex_gui.devices.aracna.session.job_queue import Job, JobQueue
-from trex_gui.devices.aracna.session.liveness import QUERY_INTERVAL, LivenessMonitor
+from trex_gui.devices.aracna.session.liveness import (
+    QUERY_INTERVAL,
+    LivenessMonitor,
+    QueryReason,
+)
 from trex_gui.devices.aracna.session.messages import (
+    Connected,
     Drag,
     Ending,
     EndPlay,
     Halt,
     LineStats,
-    LineStatsChanged,
     Move,
+    Moved,
     Moving,
+    NotResponding,
+    Passed,
     Play,
     Report,
     Request,
+    Restarted,
     SetLed,
     SetLimits,
     SetSpeeds,
     SetTimeScale,
+    SpeedsHeld,
+    Stuck,
 )
 from trex_gui.devices.aracna.session.player import SequencePlayer
-from trex_gui.devices.aracna.session.reply_handler import ReplyHandler
 from trex_gui.devices.aracna.session.servo_estimates import (
     TRUST,
     TRUST_BEFORE_MOVE,
     ServoEstimates,
+    missed,
     move_timeout,
 )
 
@@ -75,6 +98,7 @@ class AracnaSession:
         self._servos = ServoEstimates()
         self._jobs = JobQueue(report, self._now)
         self._player = SequencePlayer(report, self._servos)
+        self._is_stuck = False  # a late reply to a motion is still awaited
         self._reported_stats = LineStats()
         self._is_open = False
 
@@ -92,41 +116,33 @@ class AracnaSession:
         while (request := self._inbox.get(0.0)) is not None:
             self._jobs.reject(request, reason)
         if self._is_open:
-            self._handler.drop(self._now(), Ending.LOST, reason)
+            self._drop(self._now(), Ending.LOST, reason)
         self._report(Closed(error))
 
     def _open(self) -> None:
-        transport = self._open_transport(self._settings)
-        client = self._client = AracnaClient(transport, self._settings)
+        self._client = AracnaClient(self._open_transport(self._settings), self._settings)
         self._next_stats = self._now()
         self._liveness = LivenessMonitor(self._now())
-        self._handler = ReplyHandler(client, self._liveness, self._jobs, self._player, self._report)
         self._is_open = True
 
     def _now(self) -> float:
         return self._client.transport.clock()
 
-    def _report_stats(self) -> None:
-        stats, now = self._client.stats, self._now()
-        if now >= self._next_stats and stats.finished != self._reported_stats.finished:
-            self._reported_stats, self._next_stats = stats, now + STATS_INTERVAL
-            self._report(LineStatsChanged(stats))
-
     # --- The loop -----------------------------------------------------------------------
 
     def _step(self) -> None:
-        self._use_line()
-        self._report_stats()
-
-    def _use_line(self) -> None:
         if self._client.pending is not None:
             self._take_requests(0.0)
-            self._handler.handle(self._client.listen(_SLICE))
-            return
-        self._take_requests(max(SHORTEST_WAIT, min(self._seconds_to_wait(), _IDLE)))
-        self._handler.handle(self._client.listen())
-        if self._client.pending is None:
-            self._send_next()
+            self._handle(self._client.listen(_SLICE))
+        else:
+            self._take_requests(max(SHORTEST_WAIT, min(self._seconds_to_wait(), _IDLE)))
+            self._handle(self._client.listen())
+            if self._client.pending is None:
+                self._send_next()
+        stats, now = self._client.stats, self._now()
+        if now >= self._next_stats and stats.finished != self._reported_stats.finished:
+            self._reported_stats, self._next_stats = stats, now + STATS_INTERVAL
+            self._report(stats)
 
     def _seconds_to_wait(self) -> float:
         now = self._now()
@@ -139,7 +155,7 @@ class AracnaSession:
         now, liveness = self._now(), self._liveness
         query_due = liveness.seconds_to_query(now) <= 0
         if liveness.timed_out(now):
-            self._handler.set_not_responding(RobotNoReplyError(ErrorCode.TIMEOUT))
+            self._set_not_responding(RobotNoReplyError(ErrorCode.TIMEOUT))
         elif liveness.reason is not None:
             if query_due:
                 self._client.query(QUERY_INTERVAL)
@@ -168,7 +184,7 @@ class AracnaSession:
     def _take(self, request: Request) -> None:
         match request:
             case Halt():
-                self._handler.drop(self._now(), Ending.HALTED, RobotError(ErrorCode.HALTED))
+                self._drop(self._now(), Ending.HALTED, RobotError(ErrorCode.HALTED))
             case Drag():
                 self._take_drag(request)
             case SetLimits(limits=limits):
@@ -193,7 +209,7 @@ class AracnaSession:
     def _take_drag(self, drag: Drag) -> None:
         if not self._liveness.is_responding or self._player.is_playing:
             return
-        if self._handler.is_stuck:
+        if self._is_stuck:
             self._jobs.reject_drag(drag, RobotNoReplyError(ErrorCode.STUCK))
         else:
             self._jobs.drag = drag
@@ -206,8 +222,16 @@ class AracnaSession:
         self._check_responding()
         if self._player.is_playing:
             raise RobotBusyError(ErrorCode.PLAYING)
-        if self._handler.is_stuck:
+        if self._is_stuck:
             raise RobotNoReplyError(ErrorCode.STUCK)
+
+    def _drop(self, now: float, why: Ending, reason: StudioError) -> None:
+        """Drop all queued requests; after a halt the one in flight continues."""
+        is_halt = why is Ending.HALTED
+        if not is_halt:
+            self._jobs.finish(error=reason)
+        self._player.stop(now, why, None if is_halt else reason)
+        self._jobs.drop(reason)
 
     # --- Sending ------------------------------------------------------------------------
 
@@ -248,3 +272,128 @@ class AracnaSession:
             self._client.set_speeds(speeds)
         elif (goals := self._player.next_goals()) is not None:
             self._move(goals)
+
+    # --- Replies ------------------------------------------------------------------------
+
+    def _handle(self, events: list[CommandEvent]) -> None:
+        for event in events:
+            match event:
+                case Answered(time=time):
+                    self._liveness.on_reply(time)
+                    self._on_answered(event)
+                case PartialReply(present=present, time=time):
+                    self._liveness.on_reply(time)
+                    self._report(Passed(time, present))
+                case LateReply(motor=motor, time=time):
+                    self._on_late_reply(motor, time)
+                case ReplyLost():
+                    self._on_reply_lost(event)
+                case Voided(command=command, time=time):
+                    self._on_restart(command, time)
+
+    def _on_answered(self, answer: Answered) -> None:
+        command, now = answer.command, answer.time
+        self._is_stuck = False
+        match answer.reply:
+            case Version():
+                self._on_version(answer.reply, now)
+            case Speeds(values=held):
+                self._servos.on_speeds(held, now)
+                self._report(speeds := SpeedsHeld(now, command.values, held))
+                self._on_speeds(speeds)
+            case Positions(values=present):
+                self._servos.on_positions(command.values, present, now)
+                self._report(moved := Moved(now, command.values, present, now - command.sent))
+                self._player.on_arrival()
+                if off := missed(command.values, present):
+                    wrong = [RobotError(ErrorCode.GOAL_MISSED, *item) for item in off.items()]
+                    error = RobotNoReplyError(ErrorCode.GOALS_MISSED, tuple(wrong))
+                    self._player.stop(now, Ending.MISSED, error)
+                self._jobs.finish(moved)
+            case Led(on=on):
+                self._jobs.finish(on)
+
+    def _on_speeds(self, speeds: SpeedsHeld) -> None:
+        """Start a motion only if every servo has taken its speed."""
+        error = rejected_speeds(speeds.requested, speeds.held)
+        if self._jobs.is_setting_speeds:
+            if error is None:
+                self._jobs.on_speeds_set()
+            else:
+                self._jobs.finish(error=error)
+        elif not self._jobs.finish(speeds) and error is not None:
+            self._player.stop(speeds.time, Ending.SPEEDS, error)
+
+    def _on_version(self, reply: Version, now: float) -> None:
+        motors = reply.motor_count
+        was_restarted, was_responding = self._liveness.was_restarted, self._liveness.is_responding
+        reason = self._liveness.on_version(now)
+        if motors != self._client.motors:
+            self._client.motors = motors
+            self._servos.reset(motors)
+            if was_responding:  # queued requests were meant for another robot
+                self._drop(now, Ending.LOST, RobotNoReplyError(ErrorCode.OTHER_ROBOT))
+                reason, was_responding = QueryReason.NOT_RESPONDING, False
+        if not was_responding:
+            restarted = was_restarted and reason is not QueryReason.CONNECTING
+            self._report(Connected(reply.version, motors, self._settings, restarted))
+
+    def _on_late_reply(self, motor: int | None, now: float) -> None:
+        """Drop what is queued: it must not start when a servo recovers, perhaps in an hour."""
+        self._is_stuck = True
+        self._servos.forget_speeds()  # a servo without power loses its speed
+        self._report(Stuck(now, motor))
+        error = RobotNoReplyError(ErrorCode.TIMEOUT)
+        if motor is not None:
+            error = RobotNoReplyError(ErrorCode.MOTOR_STUCK, motor)
+        self._player.stop(now, Ending.STUCK, error)
+        self._jobs.drop(RobotNoReplyError(ErrorCode.STUCK))
+
+    def _on_reply_lost(self, loss: ReplyLost) -> None:
+        if loss.command.letter == "q":
+            self._liveness.on_query_timeout(loss.time)
+            self._liveness.on_missing_reply(loss.time)
+            if self._liveness.timed_out(loss.time):
+                self._set_not_responding(loss.error)
+            return
+        if loss.command.letter == "c":
+            self._is_stuck = False
+            goals = loss.command.values
+            unknown = (UNREADABLE,) * len(goals)
+            self._report(Moved(loss.time, goals, unknown, loss.time - loss.command.sent))
+        if loss.command.letter in {"c", "v"}:
+            self._servos.forget_speeds()
+        error: StudioError = loss.error
+        if self._jobs.is_setting_speeds:
+            error = RobotNoReplyError(ErrorCode.SPEEDS_UNCONFIRMED, loss.error)
+        self._jobs.finish(error=error)
+        self._player.stop(loss.time, Ending.LOST, loss.error)
+        if not loss.robot_free:
+            self._liveness.on_missing_reply(loss.time)
+
+    def _on_restart(self, command: SentCommand | None, now: float) -> None:
+        was_connecting = self._liveness.reason is QueryReason.CONNECTING
+        self._is_stuck = False
+        self._liveness.on_restart(now)
+        if was_connecting:
+            return
+        voided = self._player.is_playing or bool(self._jobs)
+        voided |= command is not None and command.letter != "q"
+        # Servos keep position and speed over a reset but not over a power cut; `.h` reports both.
+        self._servos.forget()
+        self._report(Restarted(now, voided))
+        self._drop(now, Ending.RESTARTED, RobotError(ErrorCode.RESTARTED))
+
+    def _set_not_responding(self, error: StudioError) -> None:
+        """Report that the robot does not respond.
+
+        Raises:
+            NoReply, BadReply: no robot has ever answered; says what to check.
+        """
+        if self._liveness.reason is QueryReason.CONNECTING:
+            raise diagnose(self._settings, self._client.received)
+        now = self._now()
+        self._liveness.set_not_responding(now)
+        self._servos.forget()
+        self._report(NotResponding(error))
+        self._drop(now, Ending.LOST, RobotNoReplyError(ErrorCode.NOT_RESPONDING))

@@ -7,7 +7,14 @@ from typing import Any
 import click
 
 from trex_gui.core.cli import CommandFailed, Interruption, UsageError, say
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.errors import (
+    BadReply,
+    BadRequest,
+    NoReply,
+    PortUnavailable,
+    StudioError,
+    describe,
+)
 from trex_gui.core.host import host
 from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.transport.linux_ports import holder_of
@@ -33,7 +40,7 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.protocol.commands import GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.protocol.errors import ErrorCode, describe
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (

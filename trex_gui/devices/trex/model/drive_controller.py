@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
-from trex_gui.core.errors import NoReply, StudioError
+from trex_gui.core.errors import NoReply, StudioError, describe
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
@@ -19,7 +19,6 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.errors import describe
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import Connected, ReadReason

@@ -1,9 +1,8 @@
 """Errors of a connection to a board: a code with fields, and the sentence for each code."""
 
-from collections.abc import Callable
-from enum import Enum, IntEnum, auto
+from enum import Enum, IntEnum, unique
 
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
+from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadReply, BadRequest, CodedError, NoReply
 
 
 class ResultCode(IntEnum):
@@ -19,158 +18,95 @@ class ResultCode(IntEnum):
     NOT_SERIAL_MODE = 3
 
 
+@unique
 class ErrorCode(Enum):
-    """What went wrong; `_TEXTS` shows the fields of each code."""
+    """What went wrong; the value is the sentence with a place for each field."""
 
     # Connecting
-    NO_BOARD = auto()
-    NO_BOARD_AT_NUMBER = auto()
-    ECHO_ONLY = auto()
-    OTHER_DEVICE = auto()
-    # Transactions
-    NO_REPLY = auto()
-    INCOMPLETE_REPLY = auto()
-    CORRUPTED_REPLY = auto()
-    LATE_REPLIES = auto()
-    # Motors
-    STOP_UNCONFIRMED = auto()
-    STOP_ON_NOISY_LINE = auto()
-    NO_HEARTBEAT = auto()
-    LOCKED_OUT = auto()
-    OVERTAKEN_BY_STOP = auto()
-    # Writes
-    BAD_PARAMETER = auto()
-    BAD_VALUE = auto()
-    NOT_SERIAL_MODE = auto()
-    PARAMETER_MISMATCH = auto()
-    CALIBRATION_MISMATCH = auto()
-    OTHER_SOURCE = auto()
-    WRITE_CANCELLED = auto()
-    LINE_SETTINGS_UNCERTAIN = auto()
-    # The session
-    SCANNING = auto()
-    NOT_READ = auto()
-    CLOSED = auto()
-    INTERNAL = auto()
-
-
-def QT_TRANSLATE_NOOP(context: str, text: str) -> str:  # noqa: N802 - the name that lupdate finds
-    """Mark a text for translation without Qt."""
-    del context
-    return text
-
-
-_TEXTS = {
-    ErrorCode.NO_BOARD: QT_TRANSLATE_NOOP(
+    NO_BOARD = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "No TReX answers on {0}. Check that the board has power (an LED is lit), that the "
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
         "ground is connected, and that the board's serial settings are these.",
-    ),
-    ErrorCode.NO_BOARD_AT_NUMBER: QT_TRANSLATE_NOOP(
+    )
+    NO_BOARD_AT_NUMBER = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "No TReX answers on {0}. Check that the board has power (an LED is lit), that the "
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
         "ground is connected, and that the board's serial settings are these, its device number "
         "is {1}.",
-    ),
-    ErrorCode.ECHO_ONLY: QT_TRANSLATE_NOOP(
+    )
+    ECHO_ONLY = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a "
         "board that is off or set to another baud rate, or the adapter's TX and RX are joined.",
-    ),
-    ErrorCode.OTHER_DEVICE: QT_TRANSLATE_NOOP(
+    )
+    OTHER_DEVICE = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "Something answers on {0}, but not as a TReX does. {1} Most often the baud rate, parity "
         "or CRC is not the one set in the board; or another device is connected.",
-    ),
-    ErrorCode.NO_REPLY: QT_TRANSLATE_NOOP("TrexErrors", "No answer to {0}."),
-    ErrorCode.INCOMPLETE_REPLY: QT_TRANSLATE_NOOP("TrexErrors", "Only {1} came in answer to {0}."),
-    ErrorCode.CORRUPTED_REPLY: QT_TRANSLATE_NOOP("TrexErrors", "The reply {0} is damaged: {1}."),
-    ErrorCode.LATE_REPLIES: QT_TRANSLATE_NOOP(
+    )
+    # Transactions
+    NO_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "No answer to {0}.")
+    INCOMPLETE_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "Only {1} came in answer to {0}.")
+    CORRUPTED_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "The reply {0} is damaged: {1}.")
+    LATE_REPLIES = QT_TRANSLATE_NOOP(
         "TrexErrors", "Late replies arrived and cannot be matched to requests."
-    ),
-    ErrorCode.STOP_UNCONFIRMED: QT_TRANSLATE_NOOP(
+    )
+    # Motors
+    STOP_UNCONFIRMED = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "The stop was sent, but the board does not confirm it. If a motor still turns, cut its "
         "power.",
-    ),
-    ErrorCode.STOP_ON_NOISY_LINE: QT_TRANSLATE_NOOP(
+    )
+    STOP_ON_NOISY_LINE = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "The stop was sent and the board answers, but the line damages bytes. It is sent again "
         "until the line is quiet. If a motor still turns, cut its power.",
-    ),
-    ErrorCode.NO_HEARTBEAT: QT_TRANSLATE_NOOP(
-        "TrexErrors", "The window did not respond for a second."
-    ),
-    ErrorCode.LOCKED_OUT: QT_TRANSLATE_NOOP(
+    )
+    NO_HEARTBEAT = QT_TRANSLATE_NOOP("TrexErrors", "The window did not respond for a second.")
+    LOCKED_OUT = QT_TRANSLATE_NOOP(
         "TrexErrors", "The motors are locked for a while after a stop; nothing was sent."
-    ),
-    ErrorCode.OVERTAKEN_BY_STOP: QT_TRANSLATE_NOOP(
-        "TrexErrors", "A stop came before it; nothing was sent."
-    ),
-    ErrorCode.BAD_PARAMETER: QT_TRANSLATE_NOOP(
+    )
+    OVERTAKEN_BY_STOP = QT_TRANSLATE_NOOP("TrexErrors", "A stop came before it; nothing was sent.")
+    # Writes
+    BAD_PARAMETER = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "{0}: the board does not know this parameter (code 1); its firmware may be too old for it",
-    ),
-    ErrorCode.BAD_VALUE: QT_TRANSLATE_NOOP(
-        "TrexErrors", "{0}: the board rejects this value (code 2)"
-    ),
-    ErrorCode.NOT_SERIAL_MODE: QT_TRANSLATE_NOOP(
+    )
+    BAD_VALUE = QT_TRANSLATE_NOOP("TrexErrors", "{0}: the board rejects this value (code 2)")
+    NOT_SERIAL_MODE = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper, "
         "switch it on again",
-    ),
-    ErrorCode.PARAMETER_MISMATCH: QT_TRANSLATE_NOOP(
+    )
+    PARAMETER_MISMATCH = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "{0} could not be verified: wrote {1}, but the board reads back {2}",
-    ),
-    ErrorCode.CALIBRATION_MISMATCH: QT_TRANSLATE_NOOP(
+    )
+    CALIBRATION_MISMATCH = QT_TRANSLATE_NOOP(
         "TrexErrors", "{0} could not be verified: the board reads back {1}"
-    ),
-    ErrorCode.OTHER_SOURCE: QT_TRANSLATE_NOOP(
+    )
+    OTHER_SOURCE = QT_TRANSLATE_NOOP(
         "TrexErrors", "{0} is for {1} inputs, but the board reads {2} now"
-    ),
-    ErrorCode.WRITE_CANCELLED: QT_TRANSLATE_NOOP(
+    )
+    WRITE_CANCELLED = QT_TRANSLATE_NOOP(
         "TrexErrors", "The writing was cancelled before this was tried."
-    ),
-    ErrorCode.LINE_SETTINGS_UNCERTAIN: QT_TRANSLATE_NOOP(
+    )
+    LINE_SETTINGS_UNCERTAIN = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "{0} {1} may be the factory default meanwhile: the board, switched off and on, then runs "
         "at {2}",
-    ),
-    ErrorCode.SCANNING: QT_TRANSLATE_NOOP(
-        "TrexErrors", "The board is not responding; scanning for it."
-    ),
-    ErrorCode.NOT_READ: QT_TRANSLATE_NOOP("TrexErrors", "No board has been read yet."),
-    ErrorCode.CLOSED: QT_TRANSLATE_NOOP(
-        "TrexErrors", "The connection was closed before this was done."
-    ),
-    ErrorCode.INTERNAL: QT_TRANSLATE_NOOP("TrexErrors", "Internal error in the connection: {0}"),
-}
+    )
+    # The session
+    SCANNING = QT_TRANSLATE_NOOP("TrexErrors", "The board is not responding; scanning for it.")
+    NOT_READ = QT_TRANSLATE_NOOP("TrexErrors", "No board has been read yet.")
+    CLOSED = QT_TRANSLATE_NOOP("TrexErrors", "The connection was closed before this was done.")
+    INTERNAL = QT_TRANSLATE_NOOP("TrexErrors", "Internal error in the connection: {0}")
 
 
-def describe(
-    code: ErrorCode, fields: tuple[object, ...] = (), translate: Callable[[str], str] = str
-) -> str:
-    """Return the sentence for an error; `translate` is applied to the texts of this module."""
-    texts = [
-        describe(field.code, field.fields, translate) if isinstance(field, TrexError) else field
-        for field in fields
-    ]
-    return translate(_TEXTS[code]).format(*texts)
-
-
-class TrexError(StudioError):
-    """An error with a code; `str` gives its sentence in English."""
-
-    def __init__(self, code: ErrorCode, *fields: object) -> None:
-        super().__init__(code, *fields)
-        self.code = code
-        self.fields = fields
-
-    def __str__(self) -> str:
-        return describe(self.code, self.fields)
+class TrexError(CodedError):
+    """An error of a connection to a board."""
 
 
 class TrexRequestError(TrexError, BadRequest):
