@@ -31,7 +31,7 @@ from trex_gui.devices.trex.session.messages import Connected, Reload, Request, R
 from trex_gui.devices.trex.session.polling import rates
 from trex_gui.devices.trex.simulator.motors import MotorDirection as EmulatedDirection
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.devices.simulator import Simulator
 from trex_gui.ui.runtime import runtime
 
 SPECS = parameters_of("trex", "1.2")

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.devices.trex.plugin import TREX
-from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.devices.simulator import Simulator
 
 
 class Overheard(Simulator):

@@ -9,9 +9,8 @@ from trex_gui.core.discovery.prober import Prober, ProberInfo
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.ui.devices.ports import Port, PortKind
-from trex_gui.ui.devices.scanner import DeviceScanner
-from trex_gui.ui.devices.simulator_process import Simulator
-from trex_gui.ui.workers.scan_worker import ScanWorker
+from trex_gui.ui.devices.scanner import DeviceScanner, ScanWorker
+from trex_gui.ui.devices.simulator import Simulator
 
 
 def at(url: str) -> Port:

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.scanner import DeviceScanner
-from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.devices.simulator import Simulator
 
 Until = Callable[[Callable[[], bool]], None]
 

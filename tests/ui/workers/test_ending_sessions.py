@@ -18,8 +18,8 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind
+from trex_gui.ui.devices.scanner import ScanWorker
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.workers.scan_worker import ScanWorker
 from trex_gui.ui.workers.session_thread import SessionThread
 from trex_gui.ui.workers.threads import has_running_orphans
 

@@ -21,7 +21,9 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     Other signals are emitted before `link` changes, and `changed` follows.
 
     Attributes:
-        traffic: every byte that went over the line.
+        status: `link` as a sentence.
+        settings: how the line is, or was last, opened.
+        traffic: every byte on the line.
 
     Signals:
         changed: `link` or `status`.
@@ -36,29 +38,14 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
 
     def __init__(self, decoder: Decoder, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._link = ConnectionState.DISCONNECTED
-        self._status = self.tr("Not connected.")
-        self._settings: SettingsT | None = None
+        self.link = ConnectionState.DISCONNECTED
+        self.status = self.tr("Not connected.")
+        self.settings: SettingsT | None = None
         self._next: SettingsT | None = None
         self.open_logged = logged(self.log, open_transport, now)
         self.traffic = TrafficModel(self, decoder)
         self.reported.connect(self.take)
         self.closed.connect(self._on_closed)
-
-    @property
-    def link(self) -> ConnectionState:
-        """State of the connection."""
-        return self._link
-
-    @property
-    def status(self) -> str:
-        """State of the connection, as a sentence."""
-        return self._status
-
-    @property
-    def settings(self) -> SettingsT | None:
-        """How the line is, or was last, opened."""
-        return self._settings
 
     def open(self, settings: SettingsT, *, may_move: bool = False) -> None:
         """Open a line; one that is open is closed first.
@@ -69,16 +56,16 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
             self.close()
             self._next = settings
             return
-        self._settings = settings
+        self.settings = settings
         make_session = self.new_session(settings, may_move=may_move)
         text = self.tr("Connecting to {0} …").format(settings.text())
         self._set_state(ConnectionState.CONNECTING, text)
         self.start(make_session, may_move=may_move)
 
     def close(self) -> None:
-        """Stop what moves, as far as that is possible, and close the line; does not wait."""
+        """Stop motors if possible, and close the line; does not wait."""
         self._next = None
-        if self.is_open and self._link is not ConnectionState.DISCONNECTING:
+        if self.is_open and self.link is not ConnectionState.DISCONNECTING:
             self.prepare_to_close()
             super().close()
             self._set_state(ConnectionState.DISCONNECTING, self.tr("Disconnecting …"))
@@ -100,14 +87,13 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         raise NotImplementedError
 
     def prepare_to_close(self) -> None:
-        """Do what has to be done before the line is closed."""
+        """Do what is due before the line is closed; nothing by default."""
 
     def take(self, report: object) -> None:
-        """Take a report of the session, in any state."""
         raise NotImplementedError
 
     def _set_state(self, link: ConnectionState, status: str) -> None:
-        self._link, self._status = link, status
+        self.link, self.status = link, status
         self.changed.emit()
 
     @Slot(object)

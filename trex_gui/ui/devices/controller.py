@@ -11,57 +11,44 @@ from trex_gui.ui.devices.connection import SettingsT
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
-from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.devices.simulator import Simulator
 from trex_gui.ui.notifier import Notifier
 
 SettingsT_contra = TypeVar("SettingsT_contra", bound=PortSettings, contravariant=True)
 
 
 class DeviceModel(Protocol[SettingsT_contra]):
-    """What a controller needs of the model of a device."""
+    """Model of a device, as its controller uses it; see `DeviceConnection`."""
 
     notifier: Notifier
 
     @property
-    def link_changed(self) -> SignalInstance:
-        """Emitted when `link` or `status` changes."""
-        ...
-
+    def link_changed(self) -> SignalInstance: ...
     @property
-    def link(self) -> ConnectionState:
-        """State of the connection."""
-        ...
-
+    def link(self) -> ConnectionState: ...
     @property
-    def status(self) -> str:
-        """State of the connection, as a sentence."""
-        ...
+    def status(self) -> str: ...
 
-    def connect_to(self, settings: SettingsT_contra) -> None:
-        """Open a line; one that is open is closed first."""
-        ...
-
-    def disconnect_line(self) -> None:
-        """Stop what moves, as far as that is possible, and close the line; does not wait."""
-        ...
-
-    def shut_down(self) -> bool:
-        """Close the line for the end of the program; return whether it ended in time."""
-        ...
+    def connect_to(self, settings: SettingsT_contra) -> None: ...
+    def disconnect_line(self) -> None: ...
+    def shut_down(self) -> bool: ...
 
 
 class DeviceController(QObject, Generic[SettingsT]):
     """Connects one kind of device, real or simulated, and stops it.
 
     Attributes:
-        plugin: the kind of device.
-        simulator: the process of the simulated device.
-        has_line_settings: whether the user chooses how the line is set.
+        has_line_settings: whether the user can change the line settings.
+        settings: for the next connection; the address comes with the port.
+        port: connected, or about to be.
+        starting: the simulator is being started, and will be connected to.
+        demo_in_use: the simulated device was chosen last and not disconnected since. It stays in
+            use when the line breaks: its panel is where that is repaired.
 
     Signals:
         changed: any property.
         progressed: steps done, steps in all, the next step.
-        stop_reported: what is known by now of a stop that `stop_because` sent, in sentences.
+        stop_reported: progress of a stop that `stop_because` sent, in sentences.
     """
 
     has_line_settings = False
@@ -84,10 +71,10 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model = model
         self._ports = ports
         self._scanner = scanner
-        self._settings = self._demo_settings = default
-        self._port: Port | None = None
-        self._starting = False
-        self._demo_in_use = False
+        self.settings = self._demo_settings = default
+        self.port: Port | None = None
+        self.starting = False
+        self.demo_in_use = False
         self._after_scan: Port | None = None
         self.simulator = Simulator(plugin, self)
         scanner.add(plugin, self.simulator)
@@ -99,41 +86,15 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     @property
     def link(self) -> ConnectionState:
-        """State of the connection."""
         return self._model.link
 
     @property
     def status(self) -> str:
-        """State of the connection, as a sentence."""
         return self._model.status
 
     @property
-    def settings(self) -> SettingsT:
-        """Settings for the next connection; the address comes with the port."""
-        return self._settings
-
-    @property
     def line_text(self) -> str:
-        """Line settings for the next connection, in short."""
-        return self._settings.short
-
-    @property
-    def port(self) -> Port | None:
-        """The port that is connected, or about to be; `None` when there is none."""
-        return self._port
-
-    @property
-    def starting(self) -> bool:
-        """Whether the simulated device is being started, and will be connected to."""
-        return self._starting
-
-    @property
-    def demo_in_use(self) -> bool:
-        """Whether the simulated device was chosen last and not disconnected since.
-
-        It stays in use when the line breaks: its panel is where that is repaired.
-        """
-        return self._demo_in_use
+        return self.settings.short
 
     # --- Connecting ---------------------------------------------------------------------
 
@@ -144,13 +105,13 @@ class DeviceController(QObject, Generic[SettingsT]):
             self._scanner.cancel()
             return
         self._after_scan = None
-        self._port = port
-        self._starting = self._demo_in_use = port.kind is PortKind.DEMO
+        self.port = port
+        self.starting = self.demo_in_use = port.kind is PortKind.DEMO
         self.changed.emit()
-        if self._starting:
+        if self.starting:
             self.simulator.start()
         else:
-            self._model.connect_to(replace(self._settings, url=port.url))
+            self._model.connect_to(replace(self.settings, url=port.url))
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         """Connect to a port where a scan found a device with these settings."""
@@ -158,17 +119,16 @@ class DeviceController(QObject, Generic[SettingsT]):
         self.connect_to(port)
 
     def leave(self) -> None:
-        """Stop what moves, as far as that is possible, and close the line."""
         self._after_scan = None
-        self._starting = self._demo_in_use = False
+        self.starting = self.demo_in_use = False
         if self.link is ConnectionState.DISCONNECTED:
-            self._port = None
+            self.port = None
         self.changed.emit()
         self._model.disconnect_line()
 
     def begin_to_shut_down(self) -> None:
-        """Stop what moves, and let the line end, for the end of the program; does not wait."""
-        self._starting = False
+        """Stop motors and start to close the line; does not wait."""
+        self.starting = False
         self._after_scan = None
         self._model.disconnect_line()
 
@@ -180,10 +140,10 @@ class DeviceController(QObject, Generic[SettingsT]):
         return in_time
 
     def _abandon_demo(self, reason: str) -> None:
-        """Connect nothing; a line that was to make room for the simulated device closes too."""
-        self._starting = False
+        """Connect nothing; also close a line that was to make room for the simulated device."""
+        self.starting = False
         if self.link is ConnectionState.DISCONNECTED:
-            self._port = None
+            self.port = None
         else:
             self._model.disconnect_line()
         self.changed.emit()
@@ -197,7 +157,7 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     @Slot(str)
     def _on_simulator_ready(self, url: str) -> None:
-        if not self._starting:
+        if not self.starting:
             return
         if not self.simulator.plugged:
             text = self.tr(
@@ -206,34 +166,34 @@ class DeviceController(QObject, Generic[SettingsT]):
             )
             self._abandon_demo(text.format(self.plugin.name))
             return
-        self._starting = False
+        self.starting = False
         settings = replace(self._demo_settings, url=url, name=self.simulator.label)
         self._model.connect_to(settings)
 
     @Slot(str)
     def _on_simulator_failed(self, reason: str) -> None:
-        if self._starting:
-            self._demo_in_use = False
+        if self.starting:
+            self.demo_in_use = False
             self._abandon_demo(reason)
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self.link is ConnectionState.CONNECTED and self._port is not None:
-            self._ports.note_used(self._port)
-        if self.link is ConnectionState.DISCONNECTED and not self._starting:
-            self._port = None
+        if self.link is ConnectionState.CONNECTED and self.port is not None:
+            self._ports.note_used(self.port)
+        if self.link is ConnectionState.DISCONNECTED and not self.starting:
+            self.port = None
         self.changed.emit()
 
     # --- For each device ----------------------------------------------------------------
 
     @property
     def is_busy(self) -> bool:
-        """Whether disconnecting now would interrupt something."""
+        """Whether disconnecting now would interrupt writing."""
         return False
 
     @property
     def may_move(self) -> bool:
-        """Whether motors were driven and no stop has been confirmed since."""
+        """Whether motors were driven without a confirmed stop since."""
         return False
 
     @property
@@ -242,15 +202,13 @@ class DeviceController(QObject, Generic[SettingsT]):
         return ""
 
     def press_stop(self) -> None:
-        """Stop on the user's request."""
         raise NotImplementedError
 
     def stop_because(self, reason: str) -> str:
         """Stop because of an event.
 
-        `reason` is a clause without a full stop: "The screen was locked". Return what the stop
-        means for this device, no more than is known, in sentences that begin with the reason;
-        empty if there is nothing to stop.
+        `reason` is a clause without a full stop: "The screen was locked". Return what is known of
+        the stop, in sentences that begin with the reason; empty if there is nothing to stop.
         """
         raise NotImplementedError
 

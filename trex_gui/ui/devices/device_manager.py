@@ -19,7 +19,7 @@ class DeviceManager(QObject):
     """Connects to one device at a time; the previous one is disconnected first.
 
     Attributes:
-        scanner: looks for devices of every kind.
+        current: controller of the device that is connected, or was last.
 
     Signals:
         changed: any property of `current`.
@@ -43,7 +43,7 @@ class DeviceManager(QObject):
         super().__init__(parent)
         self.scanner = scanner
         self._controllers = {controller.plugin.key: controller for controller in controllers}
-        self._current = controllers[0]
+        self.current = controllers[0]
         self._next: Callable[[], None] | None = None
         for controller in controllers:
             controller.changed.connect(self._on_changed)
@@ -51,14 +51,8 @@ class DeviceManager(QObject):
             controller.stop_reported.connect(partial(self._on_stop_reported, controller))
 
     @property
-    def current(self) -> Controller:
-        """The device that is connected, or was last."""
-        return self._current
-
-    @property
     def is_idle(self) -> bool:
-        """Whether no device is connected or about to be."""
-        return self._current.link is ConnectionState.DISCONNECTED and not self._current.starting
+        return self.current.link is ConnectionState.DISCONNECTED and not self.current.starting
 
     def connect_to(self, port: Port) -> None:
         """Connect to a port; a device of another kind is disconnected first."""
@@ -76,28 +70,26 @@ class DeviceManager(QObject):
         Return whether it is in use: a connected device is not disconnected for it.
         """
         controller = self._controllers[device]
-        if controller is not self._current and self.is_idle:
+        if controller is not self.current and self.is_idle:
             self._switch_to(controller, lambda: None)
-        return controller is self._current
+        return controller is self.current
 
     def _switch_to(self, controller: Controller, then: Callable[[], None]) -> None:
         self._next = None
-        if controller is not self._current:
-            self._current.leave()  # an idle one may be waiting for a scan to end
+        if controller is not self.current:
+            self.current.leave()  # an idle one may be waiting for a scan to end
             if not self.is_idle:
                 self._next = lambda: self._switch_to(controller, then)
                 return
-            self._current = controller
+            self.current = controller
             self.current_changed.emit()
         then()
 
     def leave(self) -> None:
-        """Disconnect."""
         self._next = None
-        self._current.leave()
+        self.current.leave()
 
     def press_stop(self) -> None:
-        """Stop every device."""
         for controller in self._controllers.values():
             controller.press_stop()
 
@@ -111,13 +103,13 @@ class DeviceManager(QObject):
             controller.plugin.key: controller.stop_because(reason)
             for controller in self._controllers.values()
         }
-        texts_to_show = [texts.pop(self._current.plugin.key), *texts.values()]
+        texts_to_show = [texts.pop(self.current.plugin.key), *texts.values()]
         text = "\n".join(filter(None, texts_to_show)) or (f"{reason}." if is_news else "")
         if text:
             self.stop_reported.emit(text)
 
     def _on_stop_reported(self, controller: Controller, text: str) -> None:
-        if controller is self._current:
+        if controller is self.current:
             self.stop_reported.emit(text)
 
     @property
@@ -129,7 +121,6 @@ class DeviceManager(QObject):
 
     @property
     def may_move(self) -> bool:
-        """Whether motors of any device may be moving."""
         return any(controller.may_move for controller in self._controllers.values())
 
     def stop_now(self, *, ending: bool = False) -> None:

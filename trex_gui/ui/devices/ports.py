@@ -57,32 +57,27 @@ class Ports(QObject):
         self.plugins = tuple(plugins)
         self._settings = QSettings(self)
         self._typed = self._read_typed()
-        self._entries: tuple[Port, ...] = ()
+        self.entries: tuple[Port, ...] = ()
         self._timer = runtime().timer(self)
         self._timer.setInterval(_INTERVAL_MS)
         self._timer.timeout.connect(self.refresh)
         self.refresh()
         self._timer.start()
 
-    @property
-    def entries(self) -> tuple[Port, ...]:
-        """Every port that can be connected to."""
-        return self._entries
-
     def demo_of(self, device: str) -> Port:
         """Return the entry of the simulated device of a kind."""
         return next(
-            port for port in self._entries if port.kind is PortKind.DEMO and port.device == device
+            port for port in self.entries if port.kind is PortKind.DEMO and port.device == device
         )
 
     @property
     def preferred(self) -> Port | None:
         """The port to offer first: the one used last, or the only serial one."""
         last = self._settings.value(_LAST, "")
-        for port in self._entries:
+        for port in self.entries:
             if port.url == last and port.url:
                 return port
-        serial = [port for port in self._entries if port.kind is PortKind.SERIAL]
+        serial = [port for port in self.entries if port.kind is PortKind.SERIAL]
         return serial[0] if len(serial) == 1 else None
 
     @Slot()
@@ -99,14 +94,14 @@ class Ports(QObject):
         for plugin in self.plugins:
             label = self.tr("Demo {0} (no hardware)").format(plugin.name)
             entries.append(Port(PortKind.DEMO, "", label, plugin.key))
-        if tuple(entries) != self._entries:
-            self._entries = tuple(entries)
+        if tuple(entries) != self.entries:
+            self.entries = tuple(entries)
             self.changed.emit()
 
     def add_typed(self, url: str) -> Port:
         """Remember an address that a person typed, and return its entry."""
         url = url.strip()
-        if url not in self._typed and all(port.url != url for port in self._entries):
+        if url not in self._typed and all(port.url != url for port in self.entries):
             self._typed = (*self._typed, url)[-8:]
             self._settings.setValue(_REMEMBERED, "\n".join(self._typed))
             self.refresh()
@@ -140,7 +135,7 @@ class Ports(QObject):
 
     def find(self, url: str) -> Port | None:
         """Return the entry with this address, if there is one."""
-        return next((port for port in self._entries if port.url == url and url), None)
+        return next((port for port in self.entries if port.url == url and url), None)
 
     def note_used(self, port: Port) -> None:
         """Remember the port of a connection that worked; a simulated device is none."""

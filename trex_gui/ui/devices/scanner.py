@@ -1,28 +1,93 @@
-"""Looking for boards whose line settings nobody knows, as the window sees it."""
+"""Scan of the ports for boards with unknown line settings."""
 
-from collections.abc import Sequence
+import threading
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.discovery.prober import FoundDevice, ProberInfo, ScanProgress
+from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.devices.ports import Port, PortKind
-from trex_gui.ui.devices.simulator_process import Simulator
-from trex_gui.ui.workers.scan_worker import ScanJob, ScanResult, ScanWorker
-from trex_gui.ui.workers.threads import adopt_orphan
+from trex_gui.ui.devices.simulator import Simulator
+from trex_gui.ui.runtime import open_transport
+from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
+
+
+@dataclass(frozen=True, slots=True)
+class ScanJob:
+    """Scan of one port.
+
+    Attributes:
+        probers: the prober of each device kind by its key, the most common kind first.
+        first: key of the kind to probe first.
+    """
+
+    settings: PortSettings
+    probers: Mapping[str, ProberInfo]
+    first: str | None = None
+
+
+class ScanWorker(WorkerThread):
+    """Runs one scan.
+
+    `cancel` and `close` may be called from any thread. Its owner keeps it until it has ended.
+
+    Signals:
+        stepped: index of the port and the `ScanProgress` of its next step.
+        searched: index of the port and its `PortScan`, until the scan is cancelled.
+    """
+
+    stepped = Signal(int, object)
+    searched = Signal(int, object)
+
+    def __init__(
+        self, jobs: Sequence[ScanJob], parent: QObject | None = None, *, full: bool = False
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("ScanWorker")
+        self._jobs = tuple(jobs)
+        self._full = full
+        self._cancelled = threading.Event()
+
+    def run(self) -> None:
+        """Scan; called by Qt in the new thread."""
+        for index, job in enumerate(self._jobs):
+            if self._cancelled.is_set():
+                break
+            search = scan_port(
+                job.settings,
+                job.probers,
+                first=job.first,
+                full=self._full,
+                progress=partial(self.stepped.emit, index),
+                cancelled=self._cancelled.is_set,
+                open_wire=open_transport,
+            )
+            self.searched.emit(index, search)
+
+    def cancel(self) -> None:
+        """End after the current probe: within half a second, later over a network."""
+        self._cancelled.set()
+
+    def close(self, timeout_ms: int = 1000) -> bool:
+        """Cancel; return whether the thread ended in time."""
+        self.cancel()
+        return self.wait(timeout_ms)
 
 
 @dataclass(frozen=True, slots=True)
 class ScanFinding:
-    """What came of one port: a board, or in a sentence what was there instead.
+    """Result of one port: a device, or why none was found.
 
     Attributes:
-        text: for people: a paragraph, or one for each kind of device that was looked for.
-        found: the device; `None` where there was none.
-        device: the key of its kind.
+        text: a paragraph for the user, or one for each kind of device.
+        found: `None` if there was no device.
+        device: key of its kind.
     """
 
     port: Port
@@ -33,6 +98,13 @@ class ScanFinding:
 
 class DeviceScanner(QObject):
     """Scans one port after the other; requests only, moves nothing.
+
+    Attributes:
+        findings: of the ports that were scanned so far, in their order.
+        done: probes that are done or no longer needed.
+        total: most probes that may be needed.
+        text: what is probed now; empty while idle.
+        summary: how the last scan ended, in a sentence; empty before any did.
 
     Signals:
         changed: `running`, `findings` or `summary`.
@@ -51,74 +123,48 @@ class DeviceScanner(QObject):
         self._timeouts = timeouts or Timeouts()
         self._probers: dict[str, ProberInfo] = {}
         self._simulators: dict[str, Simulator] = {}
-        self._said: dict[str, str] = {}
+        self._found_kinds: dict[str, str] = {}
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
-        self._findings: tuple[ScanFinding, ...] = ()
+        self.findings: tuple[ScanFinding, ...] = ()
         self._searched = 0
-        self._done = 0
-        self._total = 1
-        self._text = ""
-        self._summary = ""
+        self.done = 0
+        self.total = 1
+        self.text = ""
+        self.summary = ""
         self._cancelled = False
         self._faults = 0
 
     def add(self, plugin: DevicePlugin, simulator: Simulator) -> None:
-        """Look for another kind of device, too; see `core.discovery.scan` for the order."""
+        """Look for this kind of device too; see `core.discovery.scan` for the order."""
         self._probers[plugin.key] = plugin.prober.load()
         self._simulators[plugin.key] = simulator
         simulator.ready.connect(self.simulators_changed)
         simulator.ended.connect(self.simulators_changed)
 
     def can_search(self, port: Port) -> bool:
-        """Whether there is something to look on: a simulated device has to run."""
+        """Whether a port can be scanned: a simulated device has to run."""
         return port.kind is not PortKind.DEMO or bool(self._simulators[port.device].url)
 
     @property
     def running(self) -> bool:
-        """Whether a search is under way."""
         return self._worker is not None
 
-    @property
-    def findings(self) -> tuple[ScanFinding, ...]:
-        """What came of the ports that were searched so far, in their order."""
-        return self._findings
-
-    @property
-    def done(self) -> int:
-        """How many of the `total` probes are done or no longer needed."""
-        return self._done
-
-    @property
-    def total(self) -> int:
-        """How many questions there are at most."""
-        return self._total
-
-    @property
-    def text(self) -> str:
-        """What is tried now; empty while nothing is."""
-        return self._text
-
-    @property
-    def summary(self) -> str:
-        """How the last search ended, in a sentence; empty before any did."""
-        return self._summary
-
     def is_searching(self, port: Port) -> bool:
-        """Whether a port is being searched, or will be."""
+        """Whether a port is being scanned, or will be."""
         return self.running and port in self._ports[self._searched :]
 
     def start(self, ports: Sequence[Port], *, full: bool = False) -> None:
-        """Search these ports; nothing happens while a search is under way, or without ports."""
+        """Scan these ports, unless a scan is running."""
         if self._worker is not None or not ports:
             return
         self._ports = tuple(ports)
-        self._findings = ()
-        self._searched = self._done = self._faults = 0
-        self._total = 1
-        self._summary = ""
+        self.findings = ()
+        self._searched = self.done = self._faults = 0
+        self.total = 1
+        self.summary = ""
         self._cancelled = False
-        self._text = self.tr("Opening {0} …").format(_name(self._ports[0]))
+        self.text = self.tr("Opening {0} …").format(_name(self._ports[0]))
         self._worker = ScanWorker([self._job(port) for port in self._ports], full=full)
         self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
         self._worker.searched.connect(self._on_searched, Qt.ConnectionType.QueuedConnection)
@@ -129,18 +175,15 @@ class DeviceScanner(QObject):
 
     @Slot()
     def cancel(self) -> None:
-        """End the search after the question that is on its way; does not wait for it."""
+        """End the scan after the current probe; does not wait."""
         if self._worker is not None and not self._cancelled:
             self._cancelled = True
-            self._text = self.tr("Ending the search …")
+            self.text = self.tr("Ending the search …")
             self._worker.cancel()
             self.progressed.emit()
 
     def shut_down(self) -> bool:
-        """End the search and wait for it, at most a second; return whether it ended in time.
-
-        For the end of the program only; see `Device.shut_down`.
-        """
+        """End the scan and wait at most a second; return whether it ended in time."""
         worker, self._worker = self._worker, None
         if worker is None:
             return True
@@ -153,9 +196,9 @@ class DeviceScanner(QObject):
         return in_time
 
     def _job(self, port: Port) -> ScanJob:
-        """Look for every kind of device, first for the one that the port is known to lead to."""
+        """Return the scan for every kind, first for the one found on this port before."""
         if port.kind is not PortKind.DEMO:
-            first = self._said.get(port.url, port.device)
+            first = self._found_kinds.get(port.url, port.device)
             settings = PortSettings(port.url, timeouts=self._timeouts)
             return ScanJob(settings, dict(self._probers), first)
         simulator = self._simulators[port.device]
@@ -164,30 +207,29 @@ class DeviceScanner(QObject):
 
     @Slot(int, object)
     def _on_stepped(self, index: int, step: ScanProgress) -> None:
-        self._total = len(self._ports) * step.total
-        self._done = index * step.total + step.done
+        self.total = len(self._ports) * step.total
+        self.done = index * step.total + step.done
         if not self._cancelled:
-            how = step.line.short
             what = step.kind
             if step.number is not None:
                 what = self.tr("{0} with device number {1}").format(what, step.number)
             text = self.tr("Looking for {0} at {1} on {2} …")
-            self._text = text.format(what, how, _name(self._ports[index]))
+            self.text = text.format(what, step.line.short, _name(self._ports[index]))
         self.progressed.emit()
 
-    @Slot(object)
-    def _on_searched(self, searched: ScanResult) -> None:
-        port, search = self._ports[searched.index], searched.search
-        self._searched = searched.index + 1
+    @Slot(int, object)
+    def _on_searched(self, index: int, search: PortScan) -> None:
+        port = self._ports[index]
+        self._searched = index + 1
         self._faults += search.is_fault
         if search.found:
-            self._said[port.url] = search.device
-            self._findings += tuple(
+            self._found_kinds[port.url] = search.device
+            self.findings += tuple(
                 ScanFinding(port, self._sentence(found), found, search.device)
                 for found in search.found
             )
         elif not search.cancelled:
-            self._findings += (ScanFinding(port, "\n\n".join(search.lines)),)
+            self.findings += (ScanFinding(port, "\n\n".join(search.lines)),)
         self.changed.emit()
 
     def _sentence(self, found: FoundDevice) -> str:
@@ -205,9 +247,9 @@ class DeviceScanner(QObject):
             return
         self._worker.deleteLater()
         self._worker = None
-        self._text = ""
-        self._done = self._total
-        self._summary = self._sum_up()
+        self.text = ""
+        self.done = self.total
+        self.summary = self._sum_up()
         self.changed.emit()
         self.progressed.emit()
         self.finished.emit()
@@ -215,7 +257,7 @@ class DeviceScanner(QObject):
     def _sum_up(self) -> str:
         if self._cancelled:
             return self.tr("Search cancelled.")
-        boards = sum(finding.found is not None for finding in self._findings)
+        boards = sum(finding.found is not None for finding in self.findings)
         if boards == 0:
             text = self.tr("No board was found.")
         elif boards == 1:

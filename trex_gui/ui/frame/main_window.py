@@ -58,24 +58,19 @@ class MainWindow(QMainWindow):
         frame = QWidget(self)
         self._banner = Banner(frame, notifier)
         self._connection = ConnectionBar(device_manager, ports, frame)
-        self._question = InlinePrompt(frame)
+        self.question = InlinePrompt(frame)
         self._stack = QStackedWidget(frame)
         rows = QVBoxLayout(frame)
-        for widget in (self._connection, self._banner, self._question):
+        for widget in (self._connection, self._banner, self.question):
             rows.addWidget(widget)
         rows.addWidget(self._stack, 1)
         self.setCentralWidget(frame)
         self._workspaces: tuple[Workspace, ...] = ()
         self._help = HelpDialog(self)
-        self._warning = UnconfirmedStopWarning(device_manager, self._question, self)
+        self._warning = UnconfirmedStopWarning(device_manager, self.question, self)
         # After the event: a question about the file must not block the program it comes from.
         drop = AnyFileDrop(self)
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
-
-    @property
-    def question(self) -> InlinePrompt:
-        """Prompt for questions of the workspaces."""
-        return self._question
 
     def add_workspaces(self, workspaces: Sequence[Workspace]) -> None:
         """Add a workspace for each kind of device, and fill the menus; once."""
@@ -203,12 +198,12 @@ class MainWindow(QMainWindow):
         }
         for key, is_possible in enabled_actions.items():
             self._actions[key].setEnabled(is_possible)
-        self._question.reconsider()
+        self.question.reconsider()
 
     @Slot(object)
     def _on_interruption_wanted(self, then: Callable[[], object]) -> None:
         """Ask before the writing of settings is interrupted."""
-        self._question.ask(
+        self.question.ask(
             self.tr(
                 "Settings are still being written. Disconnect anyway? Unwritten settings stay "
                 "pending."

@@ -59,21 +59,16 @@ class UnconfirmedStopWarning(QObject):
         self._manager = device_manager
         self._question = question
         self._window = window
-        self._given = False
+        self.given = False
         self._log_out_at: float | None = None
         app = QApplication.instance()
         if isinstance(app, QApplication):
             app.commitDataRequest.connect(self.note_log_out)
 
     @property
-    def given(self) -> bool:
-        """Whether it is shown: closing the window needs no other question."""
-        return self._given
-
-    @property
     def is_due(self) -> bool:
         """Whether the window, with every line closed, must not close without it."""
-        return bool(self._manager.unconfirmed_stop) and not self._given and not self._is_log_out
+        return bool(self._manager.unconfirmed_stop) and not self.given and not self._is_log_out
 
     @property
     def _is_log_out(self) -> bool:
@@ -87,7 +82,7 @@ class UnconfirmedStopWarning(QObject):
     def give(self) -> None:
         """Show the warning; the window stays open."""
         text = self._manager.unconfirmed_stop
-        self._given = True
+        self.given = True
         self._window.setWindowState(self._window.windowState() & ~Qt.WindowState.WindowMinimized)
         self._window.activateWindow()
         self._question.ask(
@@ -102,4 +97,4 @@ class UnconfirmedStopWarning(QObject):
         if self._manager.is_idle and not self._manager.unconfirmed_stop:
             QTimer.singleShot(0, self._window.close)
         else:
-            self._given = False
+            self.given = False

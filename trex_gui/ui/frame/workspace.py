@@ -63,14 +63,9 @@ class Workspace(QWidget):
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
-        self._pages = QTabWidget(self)
-        self._pages.setDocumentMode(True)
+        self.pages = QTabWidget(self)
+        self.pages.setDocumentMode(True)
         self._infos: tuple[PageInfo, ...] = ()
-
-    @property
-    def pages(self) -> QTabWidget:
-        """The pages, in the order of their tabs."""
-        return self._pages
 
     @property
     def stop_text(self) -> str:
@@ -106,12 +101,12 @@ class Workspace(QWidget):
         """Add a tab for each page; the tab is found by the object name of the page."""
         self._infos = tuple(infos)
         for info in infos:
-            self._pages.addTab(ScrollBox(info.page, self), info.title.replace("&", ""))
+            self.pages.addTab(ScrollBox(info.page, self), info.title.replace("&", ""))
 
     def show_page(self, key: str) -> None:
         """Turn to a page."""
         keys = [info.key for info in self._infos]
-        self._pages.setCurrentIndex(keys.index(key))
+        self.pages.setCurrentIndex(keys.index(key))
 
     def page_actions(self) -> tuple[ActionInfo, ...]:
         """Return the menu entries that show the pages."""

@@ -71,21 +71,11 @@ class Theme(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._choice: Scheme = "system"
+        self.choice: Scheme = "system"
         self._system_was_dark = False
-        self._scheme = "light"
+        self.scheme = "light"
         self._colours = read_colours("light")
         self._app: QApplication | None = None
-
-    @property
-    def choice(self) -> Scheme:
-        """The chosen scheme, `system` included."""
-        return self._choice
-
-    @property
-    def scheme(self) -> str:
-        """The scheme that is shown: `light` or `dark`."""
-        return self._scheme
 
     @property
     def is_dark(self) -> bool:
@@ -123,7 +113,7 @@ class Theme(QObject):
         """Choose a scheme; `system` follows the desktop, also when that changes later."""
         if choice not in SCHEMES:
             raise ValueError(f"no scheme {choice!r}; there are {', '.join(SCHEMES)}")
-        self._choice = choice
+        self.choice = choice
         if self._app is not None:
             # Title bars and native dialogs follow where the platform lets them.
             self._app.styleHints().setColorScheme(
@@ -140,8 +130,8 @@ class Theme(QObject):
         self._show()
 
     def _resolve(self) -> str:
-        if self._choice != "system":
-            return self._choice
+        if self.choice != "system":
+            return self.choice
         if not isinstance(QGuiApplication.instance(), QGuiApplication):
             return "light"
         match QGuiApplication.styleHints().colorScheme():
@@ -154,8 +144,8 @@ class Theme(QObject):
 
     def _show(self) -> None:
         scheme = self._resolve()
-        changes = scheme != self._scheme
-        self._scheme = scheme
+        changes = scheme != self.scheme
+        self.scheme = scheme
         self._colours = read_colours(scheme)
         if self._app is not None:
             palette = self._colours.qpalette()

@@ -21,31 +21,27 @@ class RowBuffer:
     """The newest rows of one kind, oldest first, and the number of rows dropped before them."""
 
     def __init__(self) -> None:
-        self._rows: list[Transaction] = []
+        self.rows: list[Transaction] = []
         self._dropped = 0
-
-    @property
-    def rows(self) -> Sequence[Transaction]:
-        return self._rows
 
     @property
     def count(self) -> int:
         """Number of rows added since the last `clear`."""
-        return self._dropped + len(self._rows)
+        return self._dropped + len(self.rows)
 
     def since(self, count: int) -> Sequence[Transaction]:
         """Return the rows after the first `count`, as far as they are kept."""
-        return self._rows[max(count - self._dropped, 0) :]
+        return self.rows[max(count - self._dropped, 0) :]
 
     def add(self, transaction: Transaction) -> None:
         """Add a row; drop the oldest ones, many at a time."""
-        self._rows.append(transaction)
-        if len(self._rows) > MOST_KEPT:
-            self._dropped += len(self._rows) - _TRIMMED
-            del self._rows[:-_TRIMMED]
+        self.rows.append(transaction)
+        if len(self.rows) > MOST_KEPT:
+            self._dropped += len(self.rows) - _TRIMMED
+            del self.rows[:-_TRIMMED]
 
     def clear(self) -> None:
-        self._rows.clear()
+        self.rows.clear()
         self._dropped = 0
 
 

@@ -29,7 +29,7 @@ class TrafficTable(QAbstractTableModel):
     def __init__(self, traffic: TrafficModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._traffic = traffic
-        self._rows: list[Transaction] = []
+        self.rows: list[Transaction] = []
         self._count = 0
         self._last: Transaction | None = None
         self._polling = False
@@ -41,11 +41,6 @@ class TrafficTable(QAbstractTableModel):
         theme().changed.connect(self._repaint)
 
     # --- Filter -------------------------------------------------------------------------
-
-    @property
-    def rows(self) -> Sequence[Transaction]:
-        """The listed rows, oldest first."""
-        return self._rows
 
     @property
     def _source(self) -> RowBuffer:
@@ -67,7 +62,7 @@ class TrafficTable(QAbstractTableModel):
         self.beginResetModel()
         last = self._paused_at
         known = [row for row in self._source.rows if last is None or row.number <= last]
-        self._rows = [row for row in known if self._matches(row)]
+        self.rows = [row for row in known if self._matches(row)]
         self._note_listed(self._source.count - len(self._source.rows) + len(known), known)
         self.endResetModel()
 
@@ -78,9 +73,9 @@ class TrafficTable(QAbstractTableModel):
             self._update(self._last)
         new = [row for row in self._source.since(self._count) if self._matches(row)]
         if new:
-            first = len(self._rows)
+            first = len(self.rows)
             self.beginInsertRows(QModelIndex(), first, first + len(new) - 1)
-            self._rows += new
+            self.rows += new
             self.endInsertRows()
         self._note_listed(self._source.count, self._source.rows)
 
@@ -91,26 +86,26 @@ class TrafficTable(QAbstractTableModel):
     def _remove_dropped(self) -> None:
         kept = self._source.rows
         oldest = kept[0].number if kept else 0
-        gone = bisect_right(self._rows, oldest - 1, key=lambda row: row.number)
+        gone = bisect_right(self.rows, oldest - 1, key=lambda row: row.number)
         if gone:
             self.beginRemoveRows(QModelIndex(), 0, gone - 1)
-            del self._rows[:gone]
+            del self.rows[:gone]
             self.endRemoveRows()
 
     def _update(self, row: Transaction) -> None:
         """Update a row; with more bytes it may match the filter or match it no longer."""
-        listed = bool(self._rows) and self._rows[-1] is row
+        listed = bool(self.rows) and self.rows[-1] is row
         matches = self._matches(row)
-        last = len(self._rows) - 1
+        last = len(self.rows) - 1
         if listed and matches:
             self.dataChanged.emit(self.index(last, 0), self.index(last, WORDS))
         elif listed:
             self.beginRemoveRows(QModelIndex(), last, last)
-            self._rows.pop()
+            self.rows.pop()
             self.endRemoveRows()
         elif matches:
             self.beginInsertRows(QModelIndex(), last + 1, last + 1)
-            self._rows.append(row)
+            self.rows.append(row)
             self.endInsertRows()
 
     def _matches(self, row: Transaction) -> bool:
@@ -125,14 +120,14 @@ class TrafficTable(QAbstractTableModel):
         return any(self._text in text.casefold() for text in shown)
 
     def _repaint(self) -> None:
-        if self._rows:
-            last = self.index(len(self._rows) - 1, WORDS)
+        if self.rows:
+            last = self.index(len(self.rows) - 1, WORDS)
             self.dataChanged.emit(self.index(0, 0), last)
 
     # --- Appearance ---------------------------------------------------------------------
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
-        return 0 if parent.isValid() else len(self._rows)
+        return 0 if parent.isValid() else len(self.rows)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
         return 0 if parent.isValid() else WORDS + 1
@@ -160,7 +155,7 @@ class TrafficTable(QAbstractTableModel):
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid():
             return None
-        row, column = self._rows[index.row()], index.column()
+        row, column = self.rows[index.row()], index.column()
         match role:
             case Qt.ItemDataRole.DisplayRole:
                 return self.text(row, column)

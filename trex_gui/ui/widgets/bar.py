@@ -57,7 +57,7 @@ class Bar(QWidget):
         self._negative = negative
         self._connected = False
         self._heard = False
-        self._state = BarState.DISCONNECTED
+        self.state = BarState.DISCONNECTED
         self._static = QPixmap()
         self._static_key: tuple[object, ...] = ()
         self._small = QFont()
@@ -70,10 +70,6 @@ class Bar(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
         theme().changed.connect(self._on_theme_changed)
-
-    @property
-    def state(self) -> BarState:
-        return self._state
 
     def set_connected(self, connected: bool) -> None:
         """Say whether there is a device; a new connection starts without a value."""
@@ -137,18 +133,18 @@ class Bar(QWidget):
     def _refresh(self) -> None:
         """Work out the state, say it to screen readers, repaint."""
         if not self._connected:
-            self._state = BarState.DISCONNECTED
+            self.state = BarState.DISCONNECTED
         elif not self._heard:
-            self._state = BarState.WAITING
+            self.state = BarState.WAITING
         else:
-            self._state = BarState.LIVE if self._has_signal() else BarState.NO_SIGNAL
+            self.state = BarState.LIVE if self._has_signal() else BarState.NO_SIGNAL
         spoken = self._spoken()
         if spoken != self.accessibleDescription():
             self.setAccessibleDescription(spoken)
         self.update()
 
     def _spoken(self) -> str:
-        match self._state:
+        match self.state:
             case BarState.DISCONNECTED:
                 return self.tr("not connected")
             case BarState.WAITING:
@@ -159,7 +155,7 @@ class Bar(QWidget):
                 return self._spoken_value()
 
     def _caption(self) -> str:
-        match self._state:
+        match self.state:
             case BarState.WAITING:
                 return self.tr("no data yet")
             case BarState.NO_SIGNAL:
@@ -224,13 +220,13 @@ class Bar(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - always the whole bar
         track = self._track()
         self._ratio = self.devicePixelRatioF()
-        key = (self._ratio, self._state, *self._look())
+        key = (self._ratio, self.state, *self._look())
         if key != self._static_key:
             self._static = self._draw_static(track)
             self._static_key = key
         painter = QPainter(self)
         painter.drawPixmap(0, 0, self._static)
-        if self._state is BarState.LIVE:
+        if self.state is BarState.LIVE:
             self._paint_live(painter, track)
         if self._value_shown:
             self._paint_value(painter, track)
@@ -241,10 +237,10 @@ class Bar(QWidget):
         pixmap.setDevicePixelRatio(self._ratio)
         pixmap.fill(Qt.GlobalColor.transparent)
         color = theme().color
-        live = self._state is BarState.LIVE
+        live = self.state is BarState.LIVE
         with QPainter(pixmap) as painter:
             painter.fillRect(track, color("track" if live else "track_off"))
-            if self._state is BarState.NO_SIGNAL:
+            if self.state is BarState.NO_SIGNAL:
                 self._paint_hatch(painter, track)
             self._paint_static(painter, track)
             painter.setPen(QPen(color("track_edge"), 1))
@@ -279,7 +275,7 @@ class Bar(QWidget):
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, caption)
 
     def _paint_value(self, painter: QPainter, track: QRect) -> None:
-        live = self._state is BarState.LIVE
+        live = self.state is BarState.LIVE
         painter.setPen(self._marks.text if live else self._marks.muted)
         box = QRect(
             self.width() - self._value_width - 1, track.top(), self._value_width, track.height()

@@ -38,18 +38,13 @@ class Lamp(QWidget):
     def __init__(self, color: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._color = color
-        self._lit = False
+        self.lit = False
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         theme().changed.connect(self.update)
 
-    @property
-    def lit(self) -> bool:
-        """Whether it is lit."""
-        return self._lit
-
     def set_lit(self, lit: bool) -> None:
-        if lit != self._lit:
-            self._lit = lit
+        if lit != self.lit:
+            self.lit = lit
             self.update()
 
     def sizeHint(self) -> QSize:
@@ -63,10 +58,10 @@ class Lamp(QWidget):
         middle = QPointF(self.width() / 2, self.height() / 2)
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(QPen(color(self._color if self._lit else "track_edge"), 1.5))
-            painter.setBrush(color(self._color if self._lit else "track_off"))
+            painter.setPen(QPen(color(self._color if self.lit else "track_edge"), 1.5))
+            painter.setBrush(color(self._color if self.lit else "track_off"))
             painter.drawEllipse(middle, radius, radius)
-            if self._lit:  # a glint: a lit lamp differs from a dark one without its colour
+            if self.lit:  # a glint: a lit lamp differs from a dark one without its colour
                 painter.setPen(Qt.PenStyle.NoPen)
                 painter.setBrush(color("highlighted_text"))
                 painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
@@ -81,24 +76,19 @@ class Leds(QWidget):
         self._since = now()
         self._timer = runtime().timer(self)
         self._timer.setInterval(_FRAME_MS)
-        self._lamps = (Lamp("led_red", self), Lamp("led_green", self))
+        self.lamps = (Lamp("led_red", self), Lamp("led_green", self))
         self._names = (self.tr("Red"), self.tr("Green"))
         self._words = (QLabel(self), QLabel(self))
 
         layout = QGridLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        for index, (lamp, words) in enumerate(zip(self._lamps, self._words, strict=True)):
+        for index, (lamp, words) in enumerate(zip(self.lamps, self._words, strict=True)):
             layout.addWidget(lamp, 0, 2 * index)
             layout.addWidget(words, 0, 2 * index + 1)
             layout.setColumnStretch(2 * index + 1, 1)
 
         self._timer.timeout.connect(self._on_frame)
         self.show_patterns(("off", "off"), ("off", "off"), ("", ""))
-
-    @property
-    def lamps(self) -> tuple[Lamp, Lamp]:
-        """The red and the green lamp."""
-        return self._lamps
 
     def show_patterns(
         self, shown: tuple[str, str], words: tuple[str, str], meanings: tuple[str, str]
@@ -109,7 +99,7 @@ class Leds(QWidget):
             name, meaning = self._names[index], meanings[index]
             self._words[index].setText(f"{name}: {words[index]}" if words[index] else name)
             spoken = self.tr("{0} LED: {1}").format(name, meaning or words[index])
-            for widget in (self._lamps[index], self._words[index]):
+            for widget in (self.lamps[index], self._words[index]):
                 widget.setToolTip(spoken)
                 widget.setAccessibleName(spoken)
         self._on_frame()
@@ -118,7 +108,7 @@ class Leds(QWidget):
     @Slot()
     def _on_frame(self) -> None:
         seconds = now() - self._since
-        for index, lamp in enumerate(self._lamps):
+        for index, lamp in enumerate(self.lamps):
             lamp.set_lit(is_lit(self._shown[index], seconds, second=index == 1))
 
     def _run(self) -> None:

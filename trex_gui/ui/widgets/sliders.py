@@ -75,25 +75,21 @@ class PressSlider(PaintedSlider):
 
     def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
         super().__init__(lowest, highest, parent)
-        self._held = False
-
-    @property
-    def held(self) -> bool:
-        return self._held
+        self.held = False
 
     @Slot()
     def let_go(self) -> None:
         """End a hold, whatever the hand does; it has to press anew."""
-        if self._held:
-            self._held = False
+        if self.held:
+            self.held = False
             self.setSliderDown(False)
             self.setRepeatAction(QSlider.SliderAction.SliderNoAction)
             self.released.emit()
 
     def grab_handle(self) -> None:
         """Take note of a hand."""
-        if not self._held:
-            self._held = True
+        if not self.held:
+            self.held = True
             self.grabbed.emit()
 
     # --- Hands --------------------------------------------------------------------------
@@ -107,7 +103,7 @@ class PressSlider(PaintedSlider):
         super().mousePressEvent(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self._held:  # one that was let go meanwhile is not to follow the mouse
+        if self.held:  # one that was let go meanwhile is not to follow the mouse
             super().mouseMoveEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:

@@ -91,7 +91,7 @@ class SessionThread(QObject):
         self._worker: LineWorker | None = None
         self._late: LineWorker | None = None  # shut down; its last report still counts
         self._ending: list[LineWorker] = []  # orphaned, or between last report and end
-        self._last: Closed | None = None
+        self.last: Closed | None = None
         self._may_move = False
         self._ids = itertools.count(1)
         self._waiting: dict[int, Callable[[Outcome], None]] = {}
@@ -112,15 +112,10 @@ class SessionThread(QObject):
         """Whether a session owns the port or is about to open it."""
         return self._worker is not None
 
-    @property
-    def last(self) -> Closed | None:
-        """How the last session ended; `None` before its last report, or before any session."""
-        return self._last
-
     def start(self, make_session: MakeSession, *, may_move: bool) -> None:
         """Start a session; `may_move` says that motors may be turning from an earlier one."""
         self._may_move = may_move
-        self._late = self._last = None
+        self._late = self.last = None
         self._worker = LineWorker(make_session)
         self._worker.reported.connect(self._on_reported, Qt.ConnectionType.QueuedConnection)
         self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)
@@ -189,7 +184,7 @@ class SessionThread(QObject):
         if in_time:
             worker.reported.disconnect(self._on_reported)
             self._late = None
-            self._last = self._last or self._fault()
+            self.last = self.last or self._fault()
         return in_time
 
     def _keep(self, worker: LineWorker) -> None:
@@ -211,7 +206,7 @@ class SessionThread(QObject):
                 if then := self._waiting.pop(number, None):
                     then(report)
             case Closed() if self._worker is None:
-                self._last = report
+                self.last = report
             case _ if self._worker is None:
                 pass  # sent before the line was shut down
             case Closed():
@@ -232,7 +227,7 @@ class SessionThread(QObject):
         if self._worker is not None:
             self._keep(self._worker)
             self._worker = None
-        self._last = last
+        self.last = last
         self._forget_requests()
         self.closed.emit(last)
 
@@ -245,7 +240,7 @@ class SessionThread(QObject):
             self._end(self._fault())
         elif worker is self._late and worker in self._ending:
             self._late = None
-            self.closed.emit(self._last or self._fault())
+            self.closed.emit(self.last or self._fault())
         if worker in self._ending:
             self._ending.remove(worker)
             release_orphan(worker)

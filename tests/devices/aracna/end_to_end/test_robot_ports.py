@@ -75,7 +75,7 @@ def test_connect_uses_last_connected_robot(
     window.press_connect()
 
     command: tuple[str, list[str]] = ("/nothing/here", [])
-    monkeypatch.setattr("trex_gui.ui.devices.simulator_process.simulator_command", lambda: command)
+    monkeypatch.setattr("trex_gui.ui.devices.simulator.simulator_command", lambda: command)
     window.select("portCombo", ports.demo_of("aracna"))
     window.wait_for_text("bannerText", "does not start")
     window.wait(window.is_idle)

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
-from trex_gui.ui.devices.simulator_process import Simulator, simulator_command
+from trex_gui.ui.devices.simulator import Simulator, simulator_command
 
 
 @pytest.fixture
@@ -229,7 +229,7 @@ def test_simulator_that_exits_at_start_reports_the_reason(
     demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        "trex_gui.ui.devices.simulator_process.simulator_command",
+        "trex_gui.ui.devices.simulator.simulator_command",
         lambda: (sys.executable, ["-c", "raise SystemExit('no room')"]),
     )
     with qtbot.waitSignal(demo.failed) as failed:
@@ -241,7 +241,7 @@ def test_missing_simulator_program_is_reported(
     demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        "trex_gui.ui.devices.simulator_process.simulator_command", lambda: ("/nothing/here", [])
+        "trex_gui.ui.devices.simulator.simulator_command", lambda: ("/nothing/here", [])
     )
     with qtbot.waitSignal(demo.failed) as failed:
         demo.start()

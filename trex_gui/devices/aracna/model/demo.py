@@ -7,8 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
-from trex_gui.ui.devices.demo.device import DemoDevice, DemoLine, switch
-from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, switch
 
 PASSING = 6
 """Bytes of a reply before it is cut: `.c`, a position, its comma."""
@@ -159,7 +158,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         An unplugged cable stays unplugged; positions and speeds of the servos stay.
         """
         self._discard_unsent()
-        for motor in range(len(self._snapshot.servos) if self._snapshot is not None else 0):
+        for motor in range(len(self.snapshot.servos) if self.snapshot is not None else 0):
             self.set_dead(motor, dead=False)
             self.set_blocked(motor, blocked=False)
             self.set_load(motor, 0)

@@ -89,7 +89,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
 
     def follow(self, settings: ConnectionSettings) -> None:
         """Take how the board is addressed after a write, as the session does."""
-        self._settings = settings
+        self.settings = settings
 
     def take(self, report: object) -> None:
         match report:
@@ -116,7 +116,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
                 pass
 
     def _take_state(self, report: Connected) -> None:
-        self._settings = report.settings
+        self.settings = report.settings
         self.echo = report.echo
         self.port_rates = report.port_rates
         self.traffic.note_settings(report.settings, echo=report.echo)

@@ -48,7 +48,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         super().__init__(plugin, device, ports, scanner, self._default)
         self.device = device
         self._store = QSettings(self)
-        self._settings = self._read_settings()
+        self.settings = self._read_settings()
         self.demo_board = DemoBoard(self.simulator, self)
         self._automatic_stop = AutomaticStop(device, self)
 
@@ -68,7 +68,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     def set_settings(self, settings: ConnectionSettings) -> None:
         """Use and remember these line settings from the next connection on."""
-        self._settings = replace(settings, url="", name="")
+        self.settings = replace(settings, url="", name="")
         self._store.setValue(_LINE, settings.line.to_wire())
         number = settings.device_number
         self._store.setValue(_NUMBER, -1 if number is None else number)
@@ -92,7 +92,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         settings = replace(used, url="", name="")
         if port.kind is PortKind.DEMO:
             self._demo_settings = settings
-        elif settings != self._settings:
+        elif settings != self.settings:
             self.set_settings(settings)
 
     @Slot()

@@ -9,8 +9,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
-from trex_gui.ui.devices.demo.device import DemoDevice, DemoLine, switch
-from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, switch
 from trex_gui.ui.runtime import runtime
 
 STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}
@@ -207,9 +206,9 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
 
     def hold_stick(self, channel: int, value: float) -> None:
         """Hold a stick at a position in µs, or V in analog mode."""
-        if self._snapshot is None:
+        if self.snapshot is None:
             return
-        low, high = STICK_ENDS[self._snapshot.source]
+        low, high = STICK_ENDS[self.snapshot.source]
         self._held[channel] = (value - low) / (high - low)
         self._show_stick(channel)
         self.changed.emit()
@@ -226,7 +225,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
 
         Disconnected sticks stay disconnected.
         """
-        snapshot = self._snapshot
+        snapshot = self.snapshot
         if snapshot is None:
             return
         low, high = STICK_ENDS[snapshot.source]
@@ -242,9 +241,9 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         self.changed.emit()
 
     def centre_sticks(self) -> None:
-        if self._snapshot is not None:
-            low, high = STICK_ENDS[self._snapshot.source]
-            for channel, seen in zip(CHANNELS, self._snapshot.channels, strict=True):
+        if self.snapshot is not None:
+            low, high = STICK_ENDS[self.snapshot.source]
+            for channel, seen in zip(CHANNELS, self.snapshot.channels, strict=True):
                 if seen.has_signal:
                     self.hold_stick(channel, (low + high) / 2)
 
@@ -283,15 +282,15 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
     def _show_stick(self, channel: int) -> None:
         """Connect the signal that a stick gives now."""
         text = "rest"
-        if channel in self._held and self._snapshot is not None:
-            low, high = STICK_ENDS[self._snapshot.source]
-            text = signal_text(low + self._held[channel] * (high - low), self._snapshot.source)
+        if channel in self._held and self.snapshot is not None:
+            low, high = STICK_ENDS[self.snapshot.source]
+            text = signal_text(low + self._held[channel] * (high - low), self.snapshot.source)
         self._send_newest(f"channel {channel}", f"channel {channel} {text}")
 
     # --- Snapshots ----------------------------------------------------------------------
 
     def _take(self, snapshot: DemoSnapshot) -> None:
-        before = self._snapshot
+        before = self.snapshot
         super()._take(snapshot)
         if before is not None and before.source is not snapshot.source:
             # The sticks now give voltages instead of pulses, or the reverse; they stay in place.

@@ -9,8 +9,14 @@ from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
 from trex_gui.devices.aracna.views.demo.gauge import ServoGauge
 from trex_gui.devices.aracna.views.demo.texts import power_text, servo_text, state_text, tr
 from trex_gui.devices.aracna.views.robot.texts import spoken_joint
-from trex_gui.ui.devices.demo.panel import DemoDock, DemoPanelBody
-from trex_gui.ui.devices.demo.rows import CableTexts, Columns, Rows, cable_rows
+from trex_gui.ui.devices.demo_panel import (
+    CableTexts,
+    Columns,
+    DemoDock,
+    DemoPanelBody,
+    Rows,
+    cable_rows,
+)
 from trex_gui.ui.widgets.builders import button, label, named, row
 from trex_gui.ui.widgets.leds import Lamp
 

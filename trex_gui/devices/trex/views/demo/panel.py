@@ -16,8 +16,14 @@ from trex_gui.devices.trex.views.demo.texts import (
     state_text,
     tr,
 )
-from trex_gui.ui.devices.demo.panel import DemoDock, DemoPanelBody
-from trex_gui.ui.devices.demo.rows import CableTexts, Columns, Rows, cable_rows
+from trex_gui.ui.devices.demo_panel import (
+    CableTexts,
+    Columns,
+    DemoDock,
+    DemoPanelBody,
+    Rows,
+    cable_rows,
+)
 from trex_gui.ui.widgets.builders import button, label, named
 from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.sliders import StickSlider

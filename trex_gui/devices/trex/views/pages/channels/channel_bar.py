@@ -174,7 +174,7 @@ class ChannelBar(Bar):
         painter.setPen(self._marks.muted)
         self._paint_ticks(painter, track)
         if self._calibration is not None:
-            if self._state is BarState.LIVE:
+            if self.state is BarState.LIVE:
                 self._paint_deadband(painter, track, self._calibration)
             self._paint_marks(painter, track)
             painter.setPen(self._marks.text)

@@ -8,14 +8,15 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.discovery.prober import ScanProgress
+from trex_gui.core.discovery.scan import PortScan
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.discovery.prober import TREX_PROBER
 from trex_gui.devices.trex.protocol.commands import SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.ui.devices.scanner import ScanJob, ScanWorker
 from trex_gui.ui.runtime import now, open_transport
-from trex_gui.ui.workers.scan_worker import ScanJob, ScanResult, ScanWorker
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -26,7 +27,7 @@ class Watched:
 
     def __init__(self, *urls: str) -> None:
         self.steps: list[tuple[int, ScanProgress]] = []
-        self.searched: list[ScanResult] = []
+        self.searched: list[tuple[int, PortScan]] = []
         self.threads: set[threading.Thread] = set()
         self.worker = ScanWorker(
             [ScanJob(ConnectionSettings(url), {"trex": TREX_PROBER}) for url in urls]
@@ -38,9 +39,9 @@ class Watched:
         self.threads.add(threading.current_thread())
         self.steps.append((index, step))
 
-    def _on_searched(self, searched: ScanResult) -> None:
+    def _on_searched(self, index: int, search: PortScan) -> None:
         self.threads.add(threading.current_thread())
-        self.searched.append(searched)
+        self.searched.append((index, search))
 
 
 def search(qtbot: QtBot, *urls: str) -> Watched:
@@ -57,10 +58,10 @@ def test_scan_reports_ports_in_order(
 ) -> None:
     other = start_simulator("--unpaced", "--model", "trexjr")
     watched = search(qtbot, quick_simulator.url, "/dev/ttyNothing9", other.url)
-    first, second, third = watched.searched
-    assert first.search.found[0].name == "TReX 1.2"
-    assert isinstance(second.search.error, PortUnavailable)
-    assert third.search.found[0].name == "TReX Jr 1.2"
+    first, second, third = [search for _, search in watched.searched]
+    assert first.found[0].name == "TReX 1.2"
+    assert isinstance(second.error, PortUnavailable)
+    assert third.found[0].name == "TReX Jr 1.2"
     assert {index for index, _ in watched.steps} == {0, 2}
 
 
@@ -68,7 +69,7 @@ def test_scan_reports_ports_in_order(
 def test_scan_reports_arrive_in_gui_thread(quick_simulator: SimulatedDevice, qtbot: QtBot) -> None:
     watched = search(qtbot, quick_simulator.url, "/dev/ttyNothing9")
     assert watched.steps
-    assert [one.index for one in watched.searched] == [0, 1]
+    assert [index for index, _ in watched.searched] == [0, 1]
     assert watched.threads == {threading.main_thread()}
 
 
@@ -82,8 +83,8 @@ def test_cancelled_scan_ends_within_a_second(
     begun = now()
     assert watched.worker.close(15_000)
     assert now() - begun < 1.0
-    (searched,) = watched.searched
-    assert searched.search.cancelled
+    ((_, search),) = watched.searched
+    assert search.cancelled
 
 
 def test_scan_finds_board_at_other_baud_rate(
@@ -95,5 +96,5 @@ def test_scan_finds_board_at_other_baud_rate(
     client.close()
     quick_simulator.do("power cycle")
     watched = search(qtbot, quick_simulator.url)
-    (found,) = watched.searched[0].search.found
+    (found,) = watched.searched[0][1].found
     assert found.settings.line.baud == 115200

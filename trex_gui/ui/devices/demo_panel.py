@@ -1,0 +1,453 @@
+"""The dock of a simulated device: its state, groups of controls, a reset button."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, Generic
+
+from PySide6.QtCore import QCoreApplication, QSettings, Qt, Signal, Slot
+from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDockWidget,
+    QFrame,
+    QGroupBox,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QWidget,
+)
+
+from trex_gui.ui.devices.controller import DeviceController
+from trex_gui.ui.devices.simulator import DemoDevice, SnapshotT
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.sliders import StickSlider
+
+_NAME, _SLIDER, _VALUE, _TICK = range(4)
+_GROOVE = 7  # pixels from the edge of a slider to its groove: half a handle
+
+_NOISE_STEPS = 10  # slider positions per cent
+_MAX_NOISE = 5  # per cent of the bytes; with more the line is unusable
+
+
+@dataclass(frozen=True, slots=True)
+class Columns:
+    """The longest text of each column, which aligns the groups of a panel."""
+
+    name: str
+    value: str
+    ticks: tuple[str, ...] = ()
+
+
+class Rows(QGroupBox, Generic[SnapshotT]):
+    """A group of rows.
+
+    Its methods create controls and connect them to the device and, with `read`, to its state;
+    `add_row`, `add_text` and `add_wide` place them.
+
+    Attributes:
+        controls: widgets that take the focus, in tab order.
+    """
+
+    def __init__(self, title: str, columns: Columns, parent: QWidget | None = None) -> None:
+        super().__init__(title, parent)
+        self.controls: list[QWidget] = []
+        self._updates: list[Callable[[SnapshotT], object]] = []
+        self._row = 0
+        self._grid = ui.grid(self, margins=(8, 4, 8, 6), spacing=(6, 5), stretch=[(_SLIDER, 1)])
+        widest = {_NAME: columns.name, _VALUE: columns.value}
+        widest |= dict(enumerate(columns.ticks, start=_TICK))
+        for column, text in widest.items():
+            width = self.fontMetrics().horizontalAdvance(text)
+            self._grid.setColumnMinimumWidth(column, width + 2)
+
+    def show_snapshot(self, snapshot: SnapshotT) -> None:
+        for update in self._updates:
+            update(snapshot)
+
+    def on_snapshot(self, update: Callable[[SnapshotT], object]) -> None:
+        """Call `update` with every state."""
+        self._updates.append(update)
+
+    # --- Controls -----------------------------------------------------------------------
+
+    def check_box(
+        self,
+        name: str,
+        text: str,
+        tip: str,
+        on_click: Callable[[bool], object],
+        read: Callable[[SnapshotT], bool] | None = None,
+        *,
+        accessible: str = "",
+    ) -> QCheckBox:
+        made = ui.check_box(
+            self, name, text, tip=tip, accessible=accessible or text, on_click=on_click
+        )
+        if read is not None:
+            self.on_snapshot(lambda snapshot: made.setChecked(read(snapshot)))
+        self.controls.append(made)
+        return made
+
+    def button(
+        self, name: str, text: str, tip: str, on_click: Callable[[], object], *, icon: str = ""
+    ) -> QPushButton:
+        made = ui.button(self, name, text, tip=tip, icon=icon, on_click=on_click)
+        self.controls.append(made)
+        return made
+
+    def combo_box(
+        self,
+        name: str,
+        accessible: str,
+        tip: str,
+        items: Iterable[tuple[str, object]],
+    ) -> ui.NoWheelComboBox:
+        made = ui.combo_box(self, name, accessible, items=items, tip=tip)
+        self.controls.append(made)
+        return made
+
+    def slider(
+        self,
+        name: str,
+        accessible: str,
+        *,
+        highest: float,
+        steps: int,
+        on_move: Callable[[float], object],
+        read: Callable[[SnapshotT], float],
+        show: Callable[[float], object],
+        lowest: float = 0,
+        color: str = "bar",
+        tip: str = "",
+    ) -> StickSlider:
+        """Create a slider with `steps` positions per unit; `show` displays its value."""
+        made = StickSlider(
+            round(lowest * steps), round(highest * steps), round(lowest * steps), color, self
+        )
+        ui.named(made, name, accessible=accessible, tip=tip)
+
+        def move(position: int) -> None:
+            show(position / steps)
+            on_move(position / steps)
+
+        def update(snapshot: SnapshotT) -> None:
+            made.follow(round(read(snapshot) * steps))
+            show(made.value() / steps)
+
+        made.valueChanged.connect(move)
+        self.on_snapshot(update)
+        self.controls.append(made)
+        return made
+
+    def note(self, name: str, lines: int, read: Callable[[SnapshotT], tuple[str, bool]]) -> None:
+        """Add a text over all columns, and whether it is alarming."""
+        made = ui.named(Note(lines, self), name)
+
+        def update(snapshot: SnapshotT) -> None:
+            text, alarming = read(snapshot)
+            made.show_note(text, alarming=alarming)
+
+        self.on_snapshot(update)
+        self.add_wide(made)
+
+    # --- Layout -------------------------------------------------------------------------
+
+    def add_headings(self, slider: str, *ticks: str, over_value: bool = False) -> None:
+        """Add headings of sliders (and their values) and check boxes."""
+        row_number = self._next()
+        for column, text in ((_SLIDER, slider), *enumerate(ticks, start=_TICK)):
+            heading = QLabel(text, self)
+            heading.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+            columns = 2 if over_value and column == _SLIDER else 1
+            self._grid.addWidget(heading, row_number, column, 1, columns)
+
+    def add_row(
+        self, name: str, slider: QWidget, value: QLabel, ticks: Sequence[QWidget] = ()
+    ) -> QLabel:
+        """Add a row; return the label with the name.
+
+        A widget other than a check box in `ticks` takes the width that is left.
+        """
+        row_number = self._next()
+        made = ui.label(self, text=name, buddy=slider)
+        value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        for column, widget in enumerate((made, slider, value)):
+            self._grid.addWidget(widget, row_number, column)
+        for column, tick in enumerate(ticks, start=_TICK):
+            if isinstance(tick, QCheckBox):
+                self._grid.addWidget(tick, row_number, column, Qt.AlignmentFlag.AlignHCenter)
+            else:
+                self._grid.addWidget(tick, row_number, column)
+                self._grid.setColumnStretch(column, 1)
+        return made
+
+    def add_text(self, text: QLabel) -> None:
+        """Add a text below the slider of the last row, over slider and value."""
+        text.setIndent(_GROOVE)
+        self._grid.addWidget(text, self._next(), _SLIDER, 1, 2)
+
+    def add_wide(self, *widgets: QWidget | tuple[QWidget, int]) -> None:
+        """Add widgets side by side over all columns, each with its stretch."""
+        line = QWidget(self)
+        ui.row(*widgets, into=line, margins=0)
+        self._grid.addWidget(line, self._next(), 0, 1, -1)
+
+    def _next(self) -> int:
+        self._row += 1
+        return self._row
+
+
+@dataclass(frozen=True, slots=True)
+class CableTexts:
+    """Tool tips of the cable's controls, and the faults that can be caused once.
+
+    Attributes:
+        fault_name: object name, accessible name and tool tip of the list of faults.
+        faults: text and value of each.
+        once: object name, text and tool tip of the button.
+    """
+
+    plugged: str
+    mute: str
+    noise: str
+    fault_name: tuple[str, str, str]
+    faults: Sequence[tuple[str, object]]
+    once: tuple[str, str, str]
+
+
+def cable_rows(
+    device: DemoDevice[SnapshotT],
+    prefix: str,
+    columns: Columns,
+    texts: CableTexts,
+    *,
+    cause: Callable[[str], object],
+    parent: QWidget,
+) -> Rows[SnapshotT]:
+    """Return the group of the cable; object names begin with `prefix`.
+
+    `cause` is called with the value of the fault that the user causes once.
+    """
+    rows: Rows[SnapshotT] = Rows(_tr("Cable"), columns, parent)
+    plugged = rows.check_box(
+        f"{prefix}Cable",
+        _tr("Plugged in"),
+        texts.plugged,
+        device.set_plugged,
+        lambda snapshot: snapshot.line.plugged,
+        accessible=_tr("Cable plugged in"),
+    )
+    mute = rows.check_box(
+        f"{prefix}Mute",
+        _tr("Replies lost"),
+        texts.mute,
+        device.set_mute,
+        lambda snapshot: snapshot.line.mute,
+    )
+    share = ui.label(rows, f"{prefix}NoiseValue")
+    noise = rows.slider(
+        f"{prefix}Noise",
+        _tr("Noise on the line"),
+        highest=_MAX_NOISE,
+        steps=_NOISE_STEPS,
+        on_move=lambda per_cent: device.set_noise(per_cent / 100),
+        read=lambda snapshot: snapshot.line.noise * 100,
+        show=lambda per_cent: share.setText(f"{per_cent:.1f}\u00a0%"),
+        tip=texts.noise,
+    )
+    noise.setPageStep(_NOISE_STEPS)
+    faults = rows.combo_box(*texts.fault_name, texts.faults)
+    once = rows.button(*texts.once, lambda: cause(str(faults.currentData())))
+
+    rows.add_wide((plugged, 1), (mute, 1))
+    rows.add_row(_tr("Noise"), noise, share)
+    rows.add_wide((faults, 1), (once, 0))
+
+    def enable(snapshot: SnapshotT) -> None:
+        for control in rows.controls[1:]:
+            control.setEnabled(snapshot.line.plugged)
+
+    rows.on_snapshot(enable)
+    return rows
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("CableRows", text)
+
+
+class DemoDock(QDockWidget):
+    """Visible while the simulated device is in use, unless the user has closed it.
+
+    Attributes:
+        wanted: whether the user wants to see it while the device is in use.
+
+    Signals:
+        wanted_changed: `wanted`.
+    """
+
+    wanted_changed = Signal(bool)
+
+    def __init__(
+        self, name: str, key: str, use: DeviceController[Any], parent: QWidget | None = None
+    ) -> None:
+        """Create a dock with an object name; `key` stores whether it is wanted.
+
+        Call `show_if_wanted` when `use` has changed.
+        """
+        super().__init__(parent)
+        self.setObjectName(name)
+        self._key = key
+        self._use = use
+        self._store = QSettings(self)
+        self._width = self._width_before = 0
+        self.wanted = self._store.value(key, "true") in {True, "true"}
+        self.hide()
+
+    def hold(self, view: QWidget) -> None:
+        """Show `view` at its minimum width at least; it scrolls on a low screen."""
+        scroll = QScrollArea(self)
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setWidgetResizable(True)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        scroll.setWidget(view)
+        bar = scroll.verticalScrollBar().sizeHint().width()
+        scroll.setMinimumWidth(view.minimumSizeHint().width() + bar)
+        self.setWidget(scroll)
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Show or hide it, now and at the next start."""
+        if wanted != self.wanted:
+            self.wanted = wanted
+            self._store.setValue(self._key, wanted)
+            self.wanted_changed.emit(wanted)
+        self.show_if_wanted()
+
+    @Slot()
+    def toggle(self) -> None:
+        self.set_wanted(not self.wanted)
+
+    @Slot()
+    def show_if_wanted(self) -> None:
+        """Show or hide it; the width of the window follows."""
+        there = self.wanted and self._use.demo_in_use
+        if there and self.isHidden():
+            self._make_room()
+            self.show()
+        elif not there and not self.isHidden():
+            self.leave()
+
+    def leave(self) -> None:
+        """Hide, and restore the width of the window unless the user has changed it.
+
+        Call it before the window's geometry is saved: a floating panel would outlive the window.
+        """
+        window = self.parentWidget()
+        unchanged = window is not None and window.width() in {
+            self._width,
+            window.minimumSizeHint().width(),
+        }
+        self.hide()
+        if window is not None and unchanged and self._width_before:
+            if layout := window.layout():
+                layout.activate()
+            window.resize(self._width_before, window.height())
+        self._width_before = 0
+
+    def _make_room(self) -> None:
+        """Widen the window so that the pages keep their width, as far as the screen goes."""
+        window = self.parentWidget()
+        if window is None or self.isFloating() or not window.isVisible() or window.isMaximized():
+            return
+        free = window.screen().availableGeometry().right() - window.frameGeometry().right()
+        self._width_before = window.width()
+        self._width = window.width() + max(min(self.sizeHint().width(), free), 0)
+        window.resize(self._width, window.height())
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        super().closeEvent(event)
+        self.set_wanted(False)
+
+
+class DemoPanelBody(QWidget, Generic[SnapshotT]):
+    """Polls a simulated device while visible, and shows its state.
+
+    A subclass calls `arrange` once, and provides the head and the texts for states.
+    """
+
+    def __init__(
+        self,
+        device: DemoDevice[SnapshotT],
+        use: DeviceController[Any],
+        state_name: str,
+        parent: QWidget | None = None,
+    ) -> None:
+        """Show `device`; the label with its state has the object name `state_name`."""
+        super().__init__(parent)
+        self._device = device
+        self._use = use
+        self._groups: Sequence[Rows[SnapshotT]] = ()
+        self._reset: QPushButton | None = None
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self._state = ui.named(Note(2, self), state_name)
+
+    def arrange(self, head: QWidget, groups: Sequence[Rows[SnapshotT]], reset: QPushButton) -> None:
+        """Lay out everything; Tab goes through the groups, then to `reset`."""
+        self._groups, self._reset = groups, reset
+        right = (reset, 0, Qt.AlignmentFlag.AlignRight)
+        ui.column(head, self._state, *groups, right, 1, into=self, margins=6, spacing=6)
+        controls = [control for group in groups for control in group.controls]
+        for control, following in pairwise([*controls, reset]):
+            QWidget.setTabOrder(control, following)
+        self._device.changed.connect(self.refresh)
+        self.refresh()
+
+    def absent_text(self, *, starting: bool) -> str:
+        """Describe a simulator that does not run, or is being started."""
+        raise NotImplementedError
+
+    def state_text(self, snapshot: SnapshotT) -> str:
+        """Describe what the device does."""
+        raise NotImplementedError
+
+    def show_head(self, snapshot: SnapshotT | None) -> None:
+        """Update the head; `None` while the simulator does not run."""
+        raise NotImplementedError
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._device.watch(True)
+        self.refresh()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._device.watch(False)
+
+    @Slot()
+    def refresh(self) -> None:
+        snapshot = self._device.snapshot
+        for widget in (*self._groups, self._reset):
+            if widget is not None:
+                widget.setEnabled(snapshot is not None)
+        self.show_head(snapshot)
+        if snapshot is None:
+            starting = self._use.starting or self._use.port is not None
+            self._state.show_note(self.absent_text(starting=starting), alarming=not starting)
+            return
+        todo = self._todo(snapshot)
+        self._state.show_note(todo or self.state_text(snapshot), alarming=bool(todo))
+        for group in self._groups:
+            group.show_snapshot(snapshot)
+
+    def _todo(self, snapshot: SnapshotT) -> str:
+        """Describe what the user has to do before connecting again."""
+        if not snapshot.line.plugged:
+            return self.tr("The cable is unplugged. Check “Plugged in”, then press Connect.")
+        if self._use.demo_in_use and self._use.port is None:
+            if not snapshot.power:
+                return self.tr("The power is off. Switch it on, then press Connect.")
+            return self.tr("The cable is plugged in again. Press Connect.")
+        return ""

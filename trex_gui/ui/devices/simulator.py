@@ -1,0 +1,279 @@
+"""Simulated devices in the port list: the simulator's process, and its control lines."""
+
+import sys
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Generic, Protocol, TypeVar
+
+from PySide6.QtCore import QObject, QProcess, Signal, Slot
+
+from trex_gui.core.plugin import DevicePlugin
+from trex_gui.ui.runtime import runtime
+
+SIMULATOR_ARGUMENT = "--simulator"
+"""First argument with which the program itself runs the simulator instead of the window."""
+
+_POLL_INTERVAL_MS = 125
+_STOP_TIMEOUT_MS = 1000
+
+
+def simulator_command() -> tuple[str, list[str]]:
+    """Return the program and its first arguments, installed or frozen."""
+    if getattr(sys, "frozen", False):
+        return sys.executable, [SIMULATOR_ARGUMENT]
+    return sys.executable, ["-m", "trex_gui.cli.simulator"]
+
+
+class Simulator(QObject):
+    """Starts the simulator once and keeps it running, with what was stored in the device.
+
+    Attributes:
+        label: name of the simulated device in messages.
+        url: address of the running simulator, empty while none runs; another one each time the
+            cable is plugged in.
+        plugged: whether the cable of the simulated device is plugged in.
+
+    Signals:
+        ready: the address to connect to.
+        failed: why it did not start.
+        ended: it has exited; pending replies never come.
+    """
+
+    ready = Signal(str)
+    failed = Signal(str)
+    ended = Signal()
+
+    def __init__(self, plugin: DevicePlugin, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._arguments = plugin.simulator_arguments
+        self.label = self.tr("the simulated {0}").format(plugin.name)
+        self.url = ""
+        self.plugged = True
+        self._ending = False
+        self._awaited: deque[Callable[[str], None] | None] = deque()
+        self._process = runtime().process(self)
+        self._process.setProcessChannelMode(QProcess.ProcessChannelMode.SeparateChannels)
+        self._process.readyReadStandardOutput.connect(self._on_output)
+        self._process.errorOccurred.connect(self._on_error)
+        self._process.finished.connect(self._on_finished)
+
+    def start(self) -> None:
+        """Start it, or announce it again when it runs."""
+        if self.url:
+            self.ready.emit(self.url)
+        elif self._process.state() is QProcess.ProcessState.NotRunning:
+            self._ending = False
+            program, arguments = simulator_command()
+            self._process.start(program, [*arguments, *self._arguments])
+
+    def send(self, line: str, then: Callable[[str], None] | None = None) -> None:
+        """Send one control line, such as `channel 1 1500us`.
+
+        `then` gets its answer, `ok ...` or `error ...`; answers come in the order of the lines.
+        """
+        if self.url:
+            self._awaited.append(then)
+            self._process.write(f"{line}\n".encode())
+
+    def stop(self) -> None:
+        self.url = ""
+        self._ending = True
+        if self._process.state() is not QProcess.ProcessState.NotRunning:
+            self._process.write(b"quit\n")
+            self._process.closeWriteChannel()
+            if not self._process.waitForFinished(_STOP_TIMEOUT_MS):
+                self._process.kill()
+                self._process.waitForFinished(_STOP_TIMEOUT_MS)
+
+    @Slot()
+    def _on_output(self) -> None:
+        while self._process.canReadLine():
+            line = bytes(self._process.readLine().data()).decode(errors="replace").strip()
+            if self.url:
+                self._take_answer(line)
+            elif line.startswith("ready "):
+                self.url = line.removeprefix("ready ")
+                self.plugged = True
+                self.ready.emit(self.url)
+
+    def _take_answer(self, answer: str) -> None:
+        match answer.split(maxsplit=2):
+            case ["ok", "unplugged"]:
+                self.plugged = False
+            case ["ok", "plugged", url]:
+                self.plugged, self.url = True, url
+        if self._awaited and (then := self._awaited.popleft()):
+            then(answer)
+
+    @Slot(QProcess.ProcessError)
+    def _on_error(self, error: QProcess.ProcessError) -> None:
+        if error is QProcess.ProcessError.FailedToStart:
+            self.failed.emit(self.tr("The simulator does not start. Install the program again."))
+
+    @Slot()
+    def _on_finished(self) -> None:
+        was_running, self.url = bool(self.url), ""
+        self._awaited.clear()
+        self.ended.emit()
+        if not was_running and not self._ending:
+            said = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
+            reason = said.strip().splitlines()[-1] if said.strip() else ""
+            self.failed.emit(self.tr("The simulator ended at once. {0}").format(reason).strip())
+
+
+@dataclass(frozen=True, slots=True)
+class DemoLine:
+    """The wire to this computer; `noise` is the probability that a byte is corrupted."""
+
+    plugged: bool
+    mute: bool
+    noise: float
+
+
+class DeviceSnapshot(Protocol):
+    """State that every simulated device reports."""
+
+    @property
+    def power(self) -> bool: ...
+    @property
+    def line(self) -> DemoLine: ...
+
+
+SnapshotT = TypeVar("SnapshotT", bound=DeviceSnapshot)
+
+
+class DemoDevice(QObject, Generic[SnapshotT]):
+    """Operates a simulated device by control lines, and polls its state.
+
+    It is polled only while watched and while the simulator runs. A slider may move faster than
+    the simulator answers: one control line for each key is under way, and of those that follow
+    only the newest is kept.
+
+    Attributes:
+        snapshot: the last state; `None` before the first one, and when the simulator has ended.
+
+    Signals:
+        changed: `snapshot` has changed.
+        rejected: why the simulator rejected a control line, for the user.
+    """
+
+    changed = Signal()
+    rejected = Signal(str)
+
+    def __init__(
+        self,
+        simulator: Simulator,
+        read: Callable[[str], SnapshotT],
+        parent: QObject | None = None,
+    ) -> None:
+        """Operate the device in `simulator`; `read` parses the JSON that `show` reports."""
+        super().__init__(parent)
+        self._simulator = simulator
+        self._read = read
+        self.snapshot: SnapshotT | None = None
+        self._unsent: dict[str, str] = {}
+        self._under_way: set[str] = set()
+        self._sent = 0
+        self._polling = False
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_POLL_INTERVAL_MS)
+        self._timer.timeout.connect(self._poll)
+        simulator.ended.connect(self._on_simulator_ended)
+
+    def watch(self, watched: bool) -> None:
+        """Start or stop polling."""
+        if watched and not self._timer.isActive():
+            self._timer.start()
+            self._poll()
+        elif not watched:
+            self._timer.stop()
+
+    # --- Power and cable ----------------------------------------------------------------
+
+    def set_power(self, on: bool) -> None:
+        self._send(f"power {switch(on)}")
+
+    def set_plugged(self, plugged: bool) -> None:
+        self._send("line plug" if plugged else "line unplug")
+
+    def set_mute(self, mute: bool) -> None:
+        """Cut or connect the wire that carries replies."""
+        self._send(f"line mute {switch(mute)}")
+
+    def set_noise(self, probability: float) -> None:
+        """Corrupt this share of the bytes on the wire."""
+        self._send_newest("noise", f"line noise {probability:.4f}")
+
+    # --- Lines to the simulator ---------------------------------------------------------
+
+    def _send(self, line: str, then: Callable[[], None] | None = None) -> None:
+        """Send a control line, and poll once it is executed."""
+
+        def answered(answer: str) -> None:
+            if answer.startswith("error"):
+                self.rejected.emit(_sentence(answer.removeprefix("error ")))
+                self.changed.emit()  # the panel shows the previous state again
+            if then is not None:
+                then()
+            if self._timer.isActive():
+                self._poll()
+
+        self._sent += 1
+        self._simulator.send(line, answered)
+
+    def _send_newest(self, key: str, line: str) -> None:
+        """Send a control line for a key as soon as the previous one is executed."""
+
+        def done() -> None:
+            self._under_way.discard(key)
+            if following := self._unsent.pop(key, ""):
+                self._send_newest(key, following)
+
+        if key in self._under_way:
+            self._unsent[key] = line
+        elif self._simulator.url:
+            self._under_way.add(key)
+            self._send(line, done)
+
+    def _discard_unsent(self) -> None:
+        self._unsent.clear()
+
+    @Slot()
+    def _poll(self) -> None:
+        if self._simulator.url and not self._polling:
+            sent, self._polling = self._sent, True
+            self._simulator.send("show", lambda answer: self._take_reply(answer, sent))
+
+    def _take_reply(self, answer: str, sent: int) -> None:
+        self._polling = False
+        if sent != self._sent:
+            if self._timer.isActive():
+                self._poll()  # the state is older than a control line sent since
+        elif answer.startswith("ok "):
+            self._take(self._read(answer.removeprefix("ok ")))
+
+    def _take(self, snapshot: SnapshotT) -> None:
+        before, self.snapshot = self.snapshot, snapshot
+        if snapshot != before:
+            self.changed.emit()
+
+    @Slot()
+    def _on_simulator_ended(self) -> None:
+        self._discard()
+        self.changed.emit()
+
+    def _discard(self) -> None:
+        """Discard all state: the simulator has ended."""
+        self.snapshot = None
+        self._polling = False
+        self._unsent.clear()
+        self._under_way.clear()
+
+
+def switch(on: bool) -> str:
+    return "on" if on else "off"
+
+
+def _sentence(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:].rstrip('. ')}."
