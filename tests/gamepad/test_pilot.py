@@ -4,10 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from trex_gui.gamepad.detection import InputDetector
 from trex_gui.gamepad.pads import PadState
-from trex_gui.gamepad.pilot import Pilot, Waits
-from trex_gui.gamepad.profile import Axis, GamepadProfile, Style
+from trex_gui.gamepad.profile import Axis, GamepadProfile, InputDetector, Pilot, Style, Waits
 
 PROFILE = GamepadProfile(dead_zone=0.1, expo=0.0)
 HOLD, STOP = 4, 1

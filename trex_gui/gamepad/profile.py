@@ -1,18 +1,21 @@
-"""Which parts of a gamepad do what, and how its axes are shaped: dead zone and curve."""
+"""What the parts of a gamepad do: its profile, and the setpoints that follow from its state."""
 
 import json
 import math
 from dataclasses import dataclass
-from enum import Enum
+from enum import Enum, auto
 
-from trex_gui.gamepad.pads import Pad
+from trex_gui.gamepad.pads import Pad, PadState
 
 WIDEST_DEAD_ZONE = 0.5
 REST = 0.05
-"""What counts as at rest at least, of the way to an end, however small the dead zone is.
+"""Share of the way to an end that counts as at rest, however small the dead zone is.
 
 Inferred: sticks settle within a few hundredths of where they were.
 """
+
+FAR = 0.5
+"""How far an axis must move, of its way to an end, to be the one that the user means."""
 
 
 def shape(value: float, dead_zone: float, expo: float) -> float:
@@ -29,11 +32,6 @@ def shape(value: float, dead_zone: float, expo: float) -> float:
         return 0.0
     reach = (reach - dead_zone) / (1.0 - dead_zone)
     return math.copysign((1.0 - expo) * reach + expo * reach**3, value)
-
-
-def is_at_rest(value: float, dead_zone: float) -> bool:
-    """Return whether the axis is near its rest position."""
-    return abs(value) <= max(dead_zone, REST)
 
 
 class Style(Enum):
@@ -76,13 +74,12 @@ class GamepadProfile:
     stop: int | None = 1
 
     def fits(self, pad: Pad) -> bool:
-        """Whether the gamepad has everything that is named here."""
+        """Whether the gamepad has all these axes and buttons."""
         return all(0 <= axis.number < pad.axes for axis in (self.first, self.second)) and all(
             button is None or 0 <= button < pad.buttons for button in (self.hold, self.stop)
         )
 
     def to_text(self) -> str:
-        """Write it down; `read_profile` reads it."""
         return json.dumps(
             {
                 "style": self.style.value,
@@ -151,3 +148,112 @@ def _part(found: object, most: float) -> float:
     if isinstance(found, int | float) and 0 <= found <= most:
         return float(found)
     raise ValueError(found)
+
+
+# --- Setpoints --------------------------------------------------------------------------
+
+
+class Waits(Enum):
+    """What a gamepad has to do before it drives."""
+
+    REST = auto()
+    """A stick was not at rest yet."""
+    RELEASE = auto()
+    """The button that is to be held was down all along."""
+    HOLD = auto()
+    MOVE = auto()
+    """No button need be held: a stick has to leave its middle."""
+    NOTHING = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class PilotRequest:
+    """The setpoints of a gamepad at one moment.
+
+    Attributes:
+        forward: -1 to 1.
+        turn: -1 to 1, positive to the right.
+        waits: why it does not drive; `NOTHING` while it does.
+        stop: the stop button was pressed just now.
+    """
+
+    forward: float
+    turn: float
+    waits: Waits
+    stop: bool
+
+    @property
+    def drives(self) -> bool:
+        """Whether it drives, even if at speed 0."""
+        return self.waits is Waits.NOTHING
+
+
+class Pilot:
+    """Reads one gamepad by one profile.
+
+    Some gamepads give random values for a stick until it is touched. So both axes must have been
+    seen at rest before they count, and the button must go down after `begin`.
+    """
+
+    def __init__(self, profile: GamepadProfile) -> None:
+        self._profile = profile
+        self._stop_was_down = False
+        self.begin()
+
+    def begin(self) -> None:
+        """Forget what was seen, as after the motors were armed."""
+        self._rested: set[int] = set()
+        self._released = False
+
+    def take(self, state: PadState) -> PilotRequest:
+        profile = self._profile
+        for axis in (profile.first, profile.second):
+            if abs(state.axis(axis.number)) <= max(profile.dead_zone, REST):
+                self._rested.add(axis.number)
+        self._released = self._released or not state.pressed(profile.hold)
+        first, second = (self._value(axis, state) for axis in (profile.first, profile.second))
+        stop_is_down = state.pressed(profile.stop)
+        stop = stop_is_down and not self._stop_was_down
+        self._stop_was_down = stop_is_down
+        waits = self._waits(state, moved=bool(first or second))
+        if profile.style is Style.TANK:
+            return PilotRequest((first + second) / 2, (first - second) / 2, waits, stop)
+        return PilotRequest(first, second, waits, stop)
+
+    def _value(self, axis: Axis, state: PadState) -> float:
+        if axis.number not in self._rested:
+            return 0.0
+        value = shape(state.axis(axis.number), self._profile.dead_zone, self._profile.expo)
+        return -value if axis.inverted and value else value
+
+    def _waits(self, state: PadState, *, moved: bool) -> Waits:
+        if not {self._profile.first.number, self._profile.second.number} <= self._rested:
+            return Waits.REST
+        if self._profile.hold is None:
+            return Waits.NOTHING if moved else Waits.MOVE
+        if not state.pressed(self._profile.hold):
+            return Waits.HOLD
+        return Waits.NOTHING if self._released else Waits.RELEASE
+
+
+class InputDetector:
+    """Finds the axis or button that the user moves, compared with the `start`."""
+
+    def __init__(self, start: PadState) -> None:
+        self._start = start
+
+    def axis(self, state: PadState) -> Axis | None:
+        """The axis that has moved farthest, if far enough; inverted if that was downwards."""
+        moves = [
+            (now - before, number)
+            for number, (before, now) in enumerate(zip(self._start.axes, state.axes, strict=False))
+        ]
+        move, number = max(moves, key=lambda each: abs(each[0]), default=(0.0, 0))
+        return Axis(number, inverted=move < 0) if abs(move) >= FAR else None
+
+    def button(self, state: PadState) -> int | None:
+        """The first button that is down and was not."""
+        for number, down in enumerate(state.buttons):
+            if down and not self._start.pressed(number):
+                return number
+        return None

@@ -1,7 +1,8 @@
-"""The setpoints of the motors, whether they may be sent at all, and the lock after a stop."""
+"""Setpoints of the motors, arming, the lock after a stop, and controls that are held."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from enum import Enum
 
 from PySide6.QtCore import QObject, QSettings, Signal, Slot
 
@@ -38,48 +39,6 @@ def remember_lockout(seconds: float) -> None:
     QSettings().setValue(_KEY, min(max(seconds, 0.0), LONGEST))
 
 
-class Lockout(QObject):
-    """A time that runs down.
-
-    Signals:
-        changed: `seconds_left` counts another whole second, or the lock is over.
-    """
-
-    changed = Signal()
-
-    def __init__(self, clock: Callable[[], float] = now, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._clock = clock
-        self._until = -math.inf
-        self._announced = 0
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_STEP_MS)
-        self._timer.timeout.connect(self._on_step)
-
-    @property
-    def seconds_left(self) -> float:
-        """How long it lasts still; 0 when nothing is locked."""
-        return max(0.0, self._until - self._clock())
-
-    def begin(self, seconds: float) -> None:
-        """Lock from now on for so long, or for as long as an earlier lock lasts."""
-        self._until = max(self._until, self._clock() + seconds)
-        if self.seconds_left > 0:
-            self._announced = math.ceil(self.seconds_left)
-            self._timer.start()
-
-    @Slot()
-    def _on_step(self) -> None:
-        left = self.seconds_left
-        if not left:
-            self._timer.stop()
-        if math.ceil(left) != self._announced:
-            self._announced = math.ceil(left)
-            self.changed.emit()
-
-
-__all__ = ["LOCKOUT", "Motors"]
-
 _AUXILIARY = 0
 """The number of the auxiliary motor beside motors 1 and 2."""
 
@@ -93,9 +52,7 @@ class Motors(QObject):
 
     Signals:
         arming_changed: `armed` or `stop_reason`.
-        availability_changed: `is_available`.
         setpoints_changed: what `drive`, `auxiliary` and `text` return.
-        holder_changed: `holder`.
         options_changed: `ceiling`, `linked` or `release_brake`.
         lockout_changed: `locked_for` began, passed another second, or ended.
         requested: a `SetMotor`, a `SetAuxiliary`, or a `SetMotors` if both motors start at once.
@@ -105,6 +62,19 @@ class Motors(QObject):
         accelerate: whether speeds follow the board's ramp (accelerate) or apply at once (set).
         lockout: seconds without arming after `press_stop`, 0 to 10; remembered under
             "motors/lockout".
+
+    These are changed by methods only:
+        armed: whether setpoints are sent.
+        is_available: whether a board can be driven by serial commands; `locked_for` may still
+            forbid it.
+        stop_reason: why the motors were stopped last; empty if the user pressed stop.
+        holder: the name of the control that has acquired the motors; empty if none has.
+        auxiliary: the setpoint of the auxiliary motor, 0-127.
+        ceiling: the greatest speed that is sent, 1-127; greater setpoints are limited to it.
+        ceiling_in_force: the `ceiling`, or a lower one that was in force when the motors were
+            acquired: raising it would speed up motors under a stick that is paused.
+        linked: whether a setpoint of one motor applies to both.
+        release_brake: the brake duty when a momentary control is released, 0 (coast) to 127.
     """
 
     arming_changed = Signal()
@@ -120,50 +90,22 @@ class Motors(QObject):
         super().__init__(parent)
         self.accelerate = True
         self.lockout = remembered_lockout()
-        self._lock = Lockout(clock, self)
-        self._lock.changed.connect(self.lockout_changed)
-        self._armed = False
-        self._is_available = False
+        self.armed = False
+        self.is_available = False
+        self.stop_reason = ""
+        self.holder = ""
+        self.auxiliary = 0
+        self.ceiling = self.ceiling_in_force = FULL_SCALE
+        self.linked = False
+        self.release_brake = FULL_SCALE
         self._drives: dict[int, Drive] = {}
-        self._auxiliary = 0
-        self._ceiling = self._ceiling_in_force = FULL_SCALE
-        self._linked = False
-        self._release_brake = FULL_SCALE
-        self._holder = ""
         self._held: set[int] = set()
-        self._stop_reason = ""
-
-    # --- What is known ------------------------------------------------------------------
-
-    @property
-    def armed(self) -> bool:
-        """Whether setpoints are sent."""
-        return self._armed
-
-    @property
-    def is_available(self) -> bool:
-        """Whether a board can be driven by serial commands; `locked_for` may still forbid it."""
-        return self._is_available
-
-    @property
-    def locked_for(self) -> float:
-        """Seconds for which the motors cannot be armed because stop was pressed, or 0."""
-        return self._lock.seconds_left
-
-    @property
-    def stop_reason(self) -> str:
-        """Why the motors were stopped last; empty if the user pressed stop."""
-        return self._stop_reason
-
-    @property
-    def holder(self) -> str:
-        """The name of the control that has acquired the motors; empty if none has."""
-        return self._holder
-
-    @property
-    def auxiliary(self) -> int:
-        """The setpoint of the auxiliary motor, 0-127."""
-        return self._auxiliary
+        self._clock = clock
+        self._locked_until = -math.inf
+        self._announced = 0
+        self._lockout_timer = runtime().timer(self)
+        self._lockout_timer.setInterval(_STEP_MS)
+        self._lockout_timer.timeout.connect(self._on_lockout_step)
 
     def drive(self, motor: int) -> Drive | None:
         """The setpoint of motor 1 or 2; `None` if there was none since arming."""
@@ -178,24 +120,11 @@ class Motors(QObject):
                 parts.append(self.tr("motor {0} brake").format(motor))
             else:
                 parts.append(self.tr("motor {0} {1:+d}").format(motor, drive.signed))
-        if self._auxiliary:
-            parts.append(self.tr("auxiliary {0}").format(self._auxiliary))
+        if self.auxiliary:
+            parts.append(self.tr("auxiliary {0}").format(self.auxiliary))
         return ", ".join(parts).replace("-", "−")
 
     # --- Options ------------------------------------------------------------------------
-
-    @property
-    def ceiling(self) -> int:
-        """The greatest speed that is sent, 1-127; greater setpoints are limited to it."""
-        return self._ceiling
-
-    @property
-    def ceiling_in_force(self) -> int:
-        """The `ceiling`, or a lower one that was in force when the motors were acquired.
-
-        Otherwise raising it would speed up motors under a stick that is paused.
-        """
-        return self._ceiling_in_force
 
     def set_ceiling(self, speed: int) -> None:
         """Send no greater speed from now on; motors that run faster are slowed down to it.
@@ -207,19 +136,14 @@ class Motors(QObject):
         """
         if not 1 <= speed <= FULL_SCALE:
             raise ValueError(f"the speed ceiling is 1 to {FULL_SCALE}, not {speed}")
-        self._ceiling = speed
-        if not self._holder or speed < self._ceiling_in_force:
-            self._ceiling_in_force = speed
+        self.ceiling = speed
+        if not self.holder or speed < self.ceiling_in_force:
+            self.ceiling_in_force = speed
         driven = {motor: drive for motor, drive in self._drives.items() if not drive.is_brake}
-        self._set({motor: Drive.at(self._limited(drive.signed)) for motor, drive in driven.items()})
-        if self._auxiliary > speed:
+        self._set({motor: self._at(drive.signed) for motor, drive in driven.items()})
+        if self.auxiliary > speed:
             self._set_auxiliary(speed)
         self.options_changed.emit()
-
-    @property
-    def linked(self) -> bool:
-        """Whether a setpoint of one motor applies to both."""
-        return self._linked
 
     @property
     def can_link(self) -> bool:
@@ -230,13 +154,8 @@ class Motors(QObject):
 
     def set_linked(self, linked: bool) -> None:
         """Apply setpoints to both motors from now on; ignored unless `can_link`."""
-        self._linked = linked and (self._linked or self.can_link)
+        self.linked = linked and (self.linked or self.can_link)
         self.options_changed.emit()
-
-    @property
-    def release_brake(self) -> int:
-        """The brake duty when a momentary control is released: 0 (coast) to 127 (full)."""
-        return self._release_brake
 
     def set_release_brake(self, duty: int) -> None:
         """Set the brake duty for the release of a momentary control.
@@ -244,14 +163,14 @@ class Motors(QObject):
         Raises:
             BadRequest: the duty is not 0 to 127.
         """
-        self._release_brake = seven_bits(duty, "brake duty")
+        self.release_brake = seven_bits(duty, "brake duty")
         self.options_changed.emit()
 
     # --- Arming and stopping ------------------------------------------------------------
 
     def set_available(self, available: bool) -> None:
         """Set whether a board can be driven; without one the motors are disarmed, unsent."""
-        was_available, self._is_available = self._is_available, available
+        was_available, self.is_available = self.is_available, available
         if not available:
             self._disarm()
         if available != was_available:
@@ -259,28 +178,44 @@ class Motors(QObject):
 
     def arm(self) -> None:
         """Send setpoints from now on, beginning at rest; ignored while locked or unavailable."""
-        if self._is_available and not self._armed and not self.locked_for:
-            self._armed = True
-            self._stop_reason = ""
+        if self.is_available and not self.armed and not self.locked_for:
+            self.armed = True
+            self.stop_reason = ""
             self.arming_changed.emit()
 
     def press_stop(self) -> None:
         """Stop because the user wants it: the motors cannot be armed for `lockout` seconds."""
-        self._lock.begin(self.lockout)
+        self._locked_until = max(self._locked_until, self._clock() + self.lockout)
+        self._announced = math.ceil(self.locked_for)
+        self._lockout_timer.start()
         self.stop()
         self.lockout_changed.emit()
 
+    @property
+    def locked_for(self) -> float:
+        """Seconds for which the motors cannot be armed because stop was pressed, or 0."""
+        return max(0.0, self._locked_until - self._clock())
+
+    @Slot()
+    def _on_lockout_step(self) -> None:
+        left = math.ceil(self.locked_for)
+        if not left:
+            self._lockout_timer.stop()
+        if left != self._announced:
+            self._announced = left
+            self.lockout_changed.emit()
+
     def stop(self, reason: str = "") -> None:
         """Stop everything and disarm, armed or not: a stop is never rejected."""
-        self._stop_reason = reason
+        self.stop_reason = reason
         self._disarm(stopping=True)
 
     def _disarm(self, *, stopping: bool = False) -> None:
-        was_armed, self._armed = self._armed, False
-        had_holder, had_setpoints = bool(self._holder), bool(self._drives or self._auxiliary)
+        was_armed, self.armed = self.armed, False
+        had_holder, had_setpoints = bool(self.holder), bool(self._drives or self.auxiliary)
         self._forget_holder()
         self._drives = {}
-        self._auxiliary = 0
+        self.auxiliary = 0
         if stopping:
             self.stop_requested.emit()
         if was_armed or stopping:
@@ -294,18 +229,18 @@ class Motors(QObject):
 
     def acquire(self, holder: str) -> bool:
         """Reserve the motors for a momentary control; return whether it has them now."""
-        if not self._armed or self._holder not in {"", holder}:
+        if not self.armed or self.holder not in {"", holder}:
             return False
-        if not self._holder:
-            self._holder = holder
+        if not self.holder:
+            self.holder = holder
             self.holder_changed.emit()
         return True
 
     def release(self, holder: str) -> None:
         """End the reservation; motors that this control drove brake with `release_brake`."""
-        if not holder or self._holder != holder:
+        if not holder or self.holder != holder:
             return
-        rest = Drive.brake(self._release_brake)
+        rest = Drive.brake(self.release_brake)
         self._set(dict.fromkeys(sorted(self._held - {_AUXILIARY}), rest))
         if _AUXILIARY in self._held:
             self._set_auxiliary(0)
@@ -314,13 +249,13 @@ class Motors(QObject):
 
     def abort(self, holder: str, reason: str) -> None:
         """Stop and disarm because a control is gone or out of sight while it is held."""
-        if holder and self._holder == holder:
+        if holder and self.holder == holder:
             self.stop(reason)
 
     def _forget_holder(self) -> None:
-        self._holder = ""
+        self.holder = ""
         self._held.clear()
-        self._ceiling_in_force = self._ceiling
+        self.ceiling_in_force = self.ceiling
 
     # --- Setpoints ----------------------------------------------------------------------
 
@@ -357,15 +292,15 @@ class Motors(QObject):
             BadRequest: the speed is outside its range.
         """
         seven_bits(speed, "speed of the auxiliary motor")
-        if holder == self._holder:
+        if holder == self.holder:
             if holder:
                 self._held.add(_AUXILIARY)
-            self._set_auxiliary(min(speed, self._ceiling_in_force))
+            self._set_auxiliary(min(speed, self.ceiling_in_force))
 
     def _set_for(self, drives: Mapping[int, Drive], holder: str) -> None:
         """Drive motors for a control; if they are linked, the first setpoint applies to both."""
-        if holder == self._holder:
-            if self._linked:
+        if holder == self.holder:
+            if self.linked:
                 drives = dict.fromkeys((1, 2), next(iter(drives.values())))
             if holder:
                 self._held.update(drives)
@@ -373,10 +308,7 @@ class Motors(QObject):
 
     def _at(self, speed: int) -> Drive:
         _ = Drive.at(speed)  # raises for a speed that no motor has; only valid ones are limited
-        return Drive.at(self._limited(speed))
-
-    def _limited(self, speed: int) -> int:
-        return max(-self._ceiling_in_force, min(self._ceiling_in_force, speed))
+        return Drive.at(max(-self.ceiling_in_force, min(self.ceiling_in_force, speed)))
 
     def _set(self, drives: Mapping[int, Drive]) -> None:
         """Request what is new, for both motors in one message so that they start together."""
@@ -385,14 +317,97 @@ class Motors(QObject):
             for motor, drive in drives.items()
             if drive != self._drives.get(motor)
         ]
-        if not self._armed or not new:
+        if not self.armed or not new:
             return
         self._drives.update((request.motor, request.drive) for request in new)
         self.requested.emit(SetMotors((new[0], new[1])) if len(new) > 1 else new[0])
         self.setpoints_changed.emit()
 
     def _set_auxiliary(self, speed: int) -> None:
-        if self._armed and speed != self._auxiliary:
-            self._auxiliary = speed
+        if self.armed and speed != self.auxiliary:
+            self.auxiliary = speed
             self.requested.emit(SetAuxiliary(speed, self.accelerate))
             self.setpoints_changed.emit()
+
+
+class MomentaryDrive:
+    """Turns forward and turn into setpoints under one name, and ends them on release.
+
+    Attributes:
+        joint: both drivers work as one motor, so there is nothing to turn with.
+    """
+
+    def __init__(self, motors: Motors, name: str) -> None:
+        self._motors = motors
+        self.name = name
+        self.joint = False
+
+    @property
+    def held(self) -> bool:
+        """Whether this control has acquired the motors."""
+        return self._motors.holder == self.name
+
+    @property
+    def can_turn(self) -> bool:
+        """Whether the motors may differ: not where they are linked or one."""
+        return not (self.joint or self._motors.linked)
+
+    def steer(self, forward: float, turn: float) -> bool:
+        """Drive at -1 to 1 of the speed ceiling each way; return whether the motors are ours."""
+        if not self._motors.acquire(self.name):
+            return False
+        ceiling = self._motors.ceiling_in_force
+        left, right = mix(forward, turn if self.can_turn else 0.0, ceiling)
+        if self.can_turn:
+            self._motors.set_speeds(left, right, self.name)
+        else:
+            self._motors.set_speed(1, left, self.name)
+        return True
+
+    def let_go(self) -> None:
+        """Brake what this control has driven; the motors stay armed."""
+        self._motors.release(self.name)
+
+    def lose(self, reason: str) -> None:
+        """Stop and disarm: it is unknown whether the control is still held."""
+        self._motors.abort(self.name, reason)
+
+
+def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
+    """Return the speeds of motors 1 and 2 for -1 to 1 each way.
+
+    Motor 1 is the left one: turning right (positive) adds to it. That is the board's own mixing
+    of channels (forward plus turn, forward minus turn; inferred there, reference section 3), so a
+    robot turns the same way by pad and by stick. Where a sum is beyond full speed both are reduced
+    in proportion: clipping would change the curve. `ceiling` (1 to 127) is the speed of full
+    deflection.
+    """
+    left, right = forward + turn, forward - turn
+    scale = ceiling / max(1.0, abs(left), abs(right))
+    return round(left * scale), round(right * scale)
+
+
+TURN_WHILE_GOING = 0.5
+"""How much turn is set while a key for forward or back is held, too.
+
+With a full turn one side would stop; half of one leaves a curve that can be steered.
+"""
+
+
+class Heading(Enum):
+    """Forward and turn of a key; forward and right are positive."""
+
+    FORWARD = 1, 0
+    BACK = -1, 0
+    LEFT = 0, -1
+    RIGHT = 0, 1
+
+
+def keys_setpoint(held: Iterable[Heading]) -> tuple[float, float]:
+    """Return forward and turn of the held keys, -1 to 1 each.
+
+    Two keys for the same heading count once, opposite ones cancel.
+    """
+    headings = set(held)
+    forward, turn = (sum(heading.value[way] for heading in headings) for way in (0, 1))
+    return float(forward), turn * (TURN_WHILE_GOING if forward else 1.0)

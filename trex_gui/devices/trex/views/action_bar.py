@@ -7,7 +7,7 @@ from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.timeout import Weakness, weakness_of_timeout
+from trex_gui.devices.trex.model.drive_texts import Weakness, weakness_of_timeout
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme, tint

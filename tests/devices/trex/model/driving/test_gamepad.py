@@ -10,10 +10,9 @@ from pytestqt.qtbot import QtBot
 from tests.support.pads import PAD, HeldPads
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.gamepad import HOLDER, Gamepad
+from trex_gui.devices.trex.model.gamepad import HOLDER, Gamepad
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.gamepad.pilot import Waits
-from trex_gui.gamepad.profile import Axis
+from trex_gui.gamepad.profile import Axis, Waits
 
 HOLD, STOP = 4, 1
 X, Y = 0, 1

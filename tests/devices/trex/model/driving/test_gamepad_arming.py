@@ -7,8 +7,8 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.pads import PAD, HeldPads
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.gamepad import Gamepad
-from trex_gui.gamepad.pilot import Waits
+from trex_gui.devices.trex.model.gamepad import Gamepad
+from trex_gui.gamepad.profile import Waits
 
 HOLD = 4
 STICK = 1

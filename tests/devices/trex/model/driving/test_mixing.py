@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.model.driving.momentary_drive import mix
+from trex_gui.devices.trex.model.motors import mix
 from trex_gui.devices.trex.simulator.mapping import motor_values
 
 SHARE = st.floats(-1, 1, allow_nan=False)

@@ -14,8 +14,7 @@ from trex_gui.devices.trex.driving.requests import (
     SetMotors,
     SetpointRequest,
 )
-from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
-from trex_gui.devices.trex.model.motors import LOCKOUT, Motors, remember_lockout
+from trex_gui.devices.trex.model.motors import LOCKOUT, MomentaryDrive, Motors, remember_lockout
 from trex_gui.devices.trex.protocol.driving import Drive
 
 

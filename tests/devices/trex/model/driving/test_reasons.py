@@ -10,12 +10,11 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.drive_status import (
+from trex_gui.devices.trex.model.drive_status import (
     DriveBlocker,
     DriveInputs,
     drive_inputs,
-    find_blocker,
-    status_text,
+    drive_status,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode, UartError
@@ -28,7 +27,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
         (DriveInputs(link=ConnectionState.DISCONNECTED), DriveBlocker.NO_BOARD, "No board"),
         (DriveInputs(link=ConnectionState.CONNECTING), DriveBlocker.OPENING, "being read"),
         (DriveInputs(link=ConnectionState.DISCONNECTING), DriveBlocker.CLOSING, "closed"),
-        (DriveInputs(link=ConnectionState.NOT_RESPONDING), DriveBlocker.SILENT, "does not answer"),
+        (DriveInputs(link=ConnectionState.NOT_RESPONDING), DriveBlocker.SILENT, "does not respond"),
         (DriveInputs(mode=None), DriveBlocker.UNKNOWN, "not reported yet"),
         (DriveInputs(by_serial=None), DriveBlocker.UNKNOWN, "not reported yet"),
         (DriveInputs(by_serial=False), DriveBlocker.NOT_SERIAL, "serial commands do not"),
@@ -51,7 +50,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
         (
             DriveInputs(mode=Mode.RC, by_serial=False, perhaps_held=True),
             DriveBlocker.CHANNELS_HELD,
-            "safe-start may be holding",
+            "Safe-start may be holding",
         ),
         (DriveInputs(locked_for=2.2), DriveBlocker.LOCKED, "locked for 3 s"),
         (DriveInputs(faults=(1,)), DriveBlocker.FAULT, "Motor 1"),
@@ -88,8 +87,9 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 def test_reason_explains_the_situation(
     situation: DriveInputs, kind: DriveBlocker, said: str
 ) -> None:
-    assert find_blocker(situation) is kind
-    assert said in status_text(situation)[0]
+    status = drive_status(situation)
+    assert status.blocker is kind
+    assert said in status.text
 
 
 _VALUES: dict[str, Sequence[Any]] = {
@@ -116,9 +116,9 @@ _EVERYTHING = [
 
 def test_every_situation_gives_a_sentence() -> None:
     for situation in _EVERYTHING:
-        text, remedy = status_text(situation)
-        assert text.endswith("."), situation
-        assert not remedy or remedy.endswith("."), situation
+        status = drive_status(situation)
+        assert status.text.endswith("."), situation
+        assert not status.remedy or status.remedy.endswith("."), situation
 
 
 def test_obeyed_is_set_only_when_serial_commands_act() -> None:
@@ -131,11 +131,11 @@ def test_obeyed_is_set_only_when_serial_commands_act() -> None:
             and not now.faults
             and not now.uart
         )
-        assert find_blocker(now).is_obeyed is obeyed, now
+        assert drive_status(now).blocker.is_obeyed is obeyed, now
 
 
 def test_every_kind_of_reason_can_occur() -> None:
-    met = {find_blocker(situation) for situation in _EVERYTHING}
+    met = {drive_status(situation).blocker for situation in _EVERYTHING}
     assert met == set(DriveBlocker)
 
 
@@ -146,10 +146,10 @@ def test_situation_follows_the_override_switch(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert drive_inputs(rc_device).by_serial is False
-    assert "may be holding" not in status_text(drive_inputs(rc_device))[0]
+    assert "may be holding" not in drive_status(drive_inputs(rc_device)).text
     rc_board.do("channel 5 1000us")
     qtbot.waitUntil(lambda: drive_inputs(rc_device).by_serial is True)
-    assert find_blocker(drive_inputs(rc_device)) is DriveBlocker.NOT_ARMED
+    assert drive_status(drive_inputs(rc_device)).blocker is DriveBlocker.NOT_ARMED
 
 
 def test_channel_is_missing_only_after_it_was_read(

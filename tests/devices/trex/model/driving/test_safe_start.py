@@ -5,7 +5,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.drive_status import SafeStartWatch
+from trex_gui.devices.trex.model.drive_status import SafeStartWatch
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 COUNT = 0.15

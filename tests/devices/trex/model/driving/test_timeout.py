@@ -3,7 +3,7 @@
 import pytest
 
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.model.driving.timeout import weakness_on
+from trex_gui.devices.trex.model.drive_texts import weakness_on
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 

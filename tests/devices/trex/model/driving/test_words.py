@@ -5,7 +5,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.setpoint_text import (
+from trex_gui.devices.trex.model.drive_texts import (
     auxiliary_report_text,
     channel_text,
     report_text,
@@ -61,7 +61,7 @@ def test_report_shows_the_speed_waiting_behind_channel_5(
     rc_board.do("channel 1 1900us")
     rc_board.do("channel 3 1100us")
     rc_board.do("channel 5 1000us")  # hands the motors to the serial port
-    qtbot.waitUntil(lambda: "waits with +" in report_text(rc_device, 1))
+    qtbot.waitUntil(lambda: "channel 1 at +" in report_text(rc_device, 1))
     assert report_text(rc_device, 1).startswith("Board: serial in control, ")
-    assert report_text(rc_device, 2).endswith(", channel 2 waits with 0")
-    assert auxiliary_report_text(rc_device).endswith(", channel 3 waits with +99")
+    assert report_text(rc_device, 2).endswith(", channel 2 at 0 (overridden)")
+    assert auxiliary_report_text(rc_device).endswith(", channel 3 at +99 (overridden)")

@@ -14,13 +14,18 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.driving.gamepad import Gamepad, GamepadWords
-from trex_gui.devices.trex.model.driving.momentary_drive import mix
+from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
+from trex_gui.devices.trex.model.motors import mix
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.driving.gamepad_parts import GamepadLive, PartBar, PartRow
-from trex_gui.gamepad.detection import InputDetector
 from trex_gui.gamepad.pads import Pad
-from trex_gui.gamepad.profile import WIDEST_DEAD_ZONE, GamepadProfile, Style, default_profile
+from trex_gui.gamepad.profile import (
+    WIDEST_DEAD_ZONE,
+    GamepadProfile,
+    InputDetector,
+    Style,
+    default_profile,
+)
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
 
@@ -36,12 +41,11 @@ class GamepadDialog(QDialog):
         self.setObjectName("gamepadDialog")
         self.setWindowTitle(self.tr("Set up the gamepad"))
         self._gamepad = gamepad
-        self._words = GamepadWords(self)
         self._detection: InputDetector | None = None
         self._detecting = ""
 
         self._name = ui.label(self, "gamepadName")
-        self._live = GamepadLive(self._words, self)
+        self._live = GamepadLive(self)
         uses = QGroupBox(self.tr("What it is for"), self)
         self._style = ui.combo_box(
             uses,
@@ -189,10 +193,10 @@ class GamepadDialog(QDialog):
             "second": self.tr("Right motor") if tank else self.tr("Turn"),
         }
         axes: list[tuple[str, int | None]] = [
-            (self._words.axis(pad, number), number) for number in range(pad.axes)
+            (axis_text(pad, number), number) for number in range(pad.axes)
         ]
         buttons: list[tuple[str, int | None]] = [
-            (self._words.button(pad, number), number) for number in range(pad.buttons)
+            (button_text(pad, number), number) for number in range(pad.buttons)
         ]
         for name, use in uses.items():
             axis = profile.first if name == "first" else profile.second

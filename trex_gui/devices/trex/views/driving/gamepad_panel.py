@@ -9,7 +9,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.gamepad import Gamepad
+from trex_gui.devices.trex.model.gamepad import Gamepad
 from trex_gui.devices.trex.views.driving.gamepad_dialog import GamepadDialog
 from trex_gui.devices.trex.views.driving.gamepad_parts import PartBar
 from trex_gui.gamepad.pads import PadSource
@@ -130,7 +130,7 @@ class GamepadPanel(QGroupBox):
             bar.setVisible(gamepad.on)
         self._unfocused.setVisible(gamepad.on)
         self._state.setVisible(bool(gamepad.text))
-        self._state.show_note(gamepad.text, alarming=bool(gamepad.failure) or gamepad.has_gone)
+        self._state.show_note(gamepad.text, alarming=bool(gamepad.failure) or bool(gamepad.gone))
         self._state.setAccessibleName(gamepad.text)
         self._attend()
         self._on_gamepad_moved()

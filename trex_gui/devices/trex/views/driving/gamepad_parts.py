@@ -3,7 +3,7 @@
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.driving.gamepad import GamepadWords
+from trex_gui.devices.trex.model.gamepad import axis_text, button_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.output_bar import OutputBar
 from trex_gui.gamepad.pads import Pad, PadState
@@ -43,11 +43,10 @@ _LAMPS_A_ROW = 6
 class GamepadLive(QGroupBox):
     """Made for one gamepad; made anew for another."""
 
-    def __init__(self, words: GamepadWords, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("gamepadLive")
         self.setTitle(self.tr("What the gamepad shows"))
-        self._words = words
         self._pad: Pad | None = None
         self._content = QWidget(self)
         self._bars: list[PartBar] = []
@@ -88,7 +87,7 @@ class GamepadLive(QGroupBox):
         grid = QGridLayout()
         grid.setColumnStretch(1, 1)
         for number in range(pad.axes):
-            name = self._words.axis(pad, number)
+            name = axis_text(pad, number)
             label = QLabel(name, self._content)
             bar = ui.named(PartBar("", self._content), f"gamepadAxisBar{number}", accessible=name)
             bar.setMinimumWidth(18 * bar.fontMetrics().averageCharWidth())
@@ -101,7 +100,7 @@ class GamepadLive(QGroupBox):
         grid = QGridLayout()
         grid.setHorizontalSpacing(12)
         for number in range(pad.buttons):
-            name = self._words.button(pad, number)
+            name = button_text(pad, number)
             lamp = ui.named(
                 Lamp("led_green", self._content), f"gamepadLamp{number}", accessible=name
             )

@@ -13,8 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.driving.momentary_drive import Heading, HeldKeys, MomentaryDrive
-from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.devices.trex.model.motors import Heading, MomentaryDrive, Motors, keys_setpoint
 from trex_gui.devices.trex.views.driving.press_monitor import PressMonitor
 
 _HEADINGS: dict[int, Heading] = {
@@ -73,7 +72,7 @@ class KeyDriver(QObject):
         self._page = page
         self._pad = pad
         self._enabled = False
-        self._keys = HeldKeys()
+        self._keys: dict[int, Heading] = {}  # those that are down, by their place
         self._modifiers = Qt.KeyboardModifier.NoModifier
         self._watch = PressMonitor(page)
 
@@ -121,7 +120,7 @@ class KeyDriver(QObject):
             return False
         if not event.isAutoRepeat():
             self._modifiers = _modifiers(event)
-            self._keys.press(_place(event), heading)
+            self._keys[_place(event)] = heading
             self._steer()
         return True
 
@@ -130,7 +129,7 @@ class KeyDriver(QObject):
             return event.key() in _HEADINGS and bool(self._keys)
         if not self._keys:
             return False
-        is_known = self._keys.release(_place(event))
+        is_known = self._keys.pop(_place(event), None) is not None
         if is_known and self._keys and _modifiers(event) == self._modifiers:
             self._steer()
         else:
@@ -152,9 +151,10 @@ class KeyDriver(QObject):
         return self._enabled and not isinstance(focus, _NEEDS_KEYS)
 
     def _steer(self) -> None:
-        if self._drive.steer(*self._keys.setpoint):
+        forward, turn = keys_setpoint(self._keys.values())
+        if self._drive.steer(forward, turn):
             self._watch.begin()
-            self.steered.emit(*self._keys.setpoint)
+            self.steered.emit(forward, turn)
         else:
             self._forget()
 

@@ -7,14 +7,14 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QWidget
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.driving.drive_status import SafeStartWatch, drive_inputs
-from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
-from trex_gui.devices.trex.model.driving.setpoint_text import (
+from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs
+from trex_gui.devices.trex.model.drive_texts import (
     auxiliary_report_text,
     channel_text,
     report_text,
     setpoint_text,
 )
+from trex_gui.devices.trex.model.motors import MomentaryDrive
 from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.driving.key_driver import KeyDriver
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
@@ -45,8 +45,8 @@ class MotorsPage(QWidget):
         self.setObjectName("motorsPage")
         self._device = device
         self._motors = device.motors
-        self._pad_drive = MomentaryDrive(device.motors, "drive pad", self)
-        self._key_drive = MomentaryDrive(device.motors, "keyboard", self)
+        self._pad_drive = MomentaryDrive(device.motors, "drive pad")
+        self._key_drive = MomentaryDrive(device.motors, "keyboard")
 
         self._safe_start = SafeStartWatch(device, self)
 

@@ -5,11 +5,11 @@ from html import escape
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
-from trex_gui.devices.trex.model.driving.drive_status import (
+from trex_gui.devices.trex.model.drive_status import (
     DriveBlocker,
     DriveInputs,
-    find_blocker,
-    status_text,
+    DriveStatus,
+    drive_status,
 )
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -31,8 +31,7 @@ class Head(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._blocker = DriveBlocker.NO_BOARD
-        self._shown = ("", "")
+        self._status = DriveStatus(DriveBlocker.NO_BOARD, "", "")
         self._sign = QLabel(self)
         self._text = ui.label(self, "motorsReason", wrap=True)
         self._text.setTextFormat(Qt.TextFormat.RichText)
@@ -57,19 +56,19 @@ class Head(QWidget):
     def show_status(self, inputs: DriveInputs, *, can_run: bool) -> None:
         """Show what the motors do and why."""
         self._run.setEnabled(can_run)
-        shown = status_text(inputs)
-        if shown == self._shown:
+        status = drive_status(inputs)
+        if status == self._status:
             return
-        self._shown, self._blocker = shown, find_blocker(inputs)
-        text, remedy = shown
+        self._status = status
+        text, remedy = status.text, status.remedy
         self._text.setText(f"<b>{escape(text)}</b> {escape(remedy)}".rstrip())
         self._text.setAccessibleName(f"{text} {remedy}".strip())
         self._on_theme_changed()
 
     @Slot()
     def _on_theme_changed(self) -> None:
-        alarming = self._blocker.is_alarming
-        name = "warning" if alarming else "ok" if self._blocker.is_obeyed else "info"
+        alarming = self._status.blocker.is_alarming
+        name = "warning" if alarming else "ok" if self._status.blocker.is_obeyed else "info"
         size = self.fontMetrics().height() + 6
         self._sign.setPixmap(icon(name, "good" if name == "ok" else name).pixmap(size, size))
         palette = self.palette()

@@ -1,0 +1,146 @@
+"""What the Motors page says of a motor, and of a serial timeout that is off or too short."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QCoreApplication
+
+from trex_gui.core.transport.serial_port import latency_of
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.session.polling import survives_a_loss
+
+
+def setpoint_text(drive: Drive | None) -> str:
+    """Setpoint of motor 1 or 2; `None`: none since it was armed."""
+    if drive is None:
+        return _tr("Setpoint: none")
+    if drive.is_brake:
+        if not drive.speed:
+            return _tr("Setpoint: coast")
+        return _tr("Setpoint: brake, {0:.0f} %").format(100 * drive.speed / FULL_SCALE)
+    return _tr("Setpoint: {0}").format(speed_text(drive.signed))
+
+
+def speed_text(speed: int) -> str:
+    """A signed speed with its share of full: `forward 64 (50 %)`."""
+    if not speed:
+        return "0"
+    direction = _tr("forward") if speed > 0 else _tr("reverse")
+    return f"{direction} {abs(speed)} ({100 * abs(speed) / FULL_SCALE:.0f} %)"
+
+
+def channel_text(device: Device, channel: int) -> str:
+    """The command of a channel where channels drive: the board's own view of its speed."""
+    telemetry = device.telemetry
+    value = telemetry.remapped_of(channel)
+    if value is None:
+        return _tr("Channel {0}: N/A").format(channel)
+    if telemetry.raw is not None and telemetry.raw_of(channel) is None:
+        return _tr("Channel {0}: no signal").format(channel)
+    # Channel 3 drives one way only, whichever side the stick is on.
+    text = str(abs(value)) if channel == 3 else speed_text(value)
+    return _tr("Channel {0}: {1}").format(channel, text)
+
+
+def report_text(device: Device, motor: int) -> str:
+    """What the board reports of a motor: who controls it, its current, its recent errors.
+
+    If channel 5 has handed over to serial, its channel shows what the motor does after that.
+    """
+    currents = device.telemetry.motor_currents
+    if currents is None:
+        return _tr("Board: N/A")
+    parts = [_control_text(device)]
+    if device.is_joint:
+        parts.append(_tr("no current sensing in joint mode"))
+    else:
+        parts.append(f"{currents[motor - 1]:.2f} A")
+        parts += [entry.name.lower() for entry in device.errors.recent(motor)]
+    parts.append(_pending_text(device, motor))
+    return _tr("Board: {0}").format(", ".join(filter(None, parts)))
+
+
+def auxiliary_report_text(device: Device) -> str:
+    """What the board reports of the auxiliary motor: only who controls it."""
+    if not (control := _control_text(device)):
+        return _tr("Board: N/A")
+    parts = [control, _pending_text(device, 3)]
+    return _tr("Board: {0}").format(", ".join(filter(None, parts)))
+
+
+def _control_text(device: Device) -> str:
+    """Who controls the motors; empty while that is not known."""
+    by_serial = device.telemetry.serial_controls
+    if by_serial is None:
+        return ""
+    return _tr("serial in control") if by_serial else _tr("serial not in control")
+
+
+def _pending_text(device: Device, channel: int) -> str:
+    """Command of a channel while serial overrides it; in serial mode it drives nothing."""
+    state, value = device.state, device.telemetry.remapped_of(channel)
+    overrides = device.telemetry.serial_controls and state is not None and not state.mode.is_serial
+    if not overrides or value is None:
+        return ""
+    value = abs(value) if channel == 3 else value
+    text = f"{value:+d}".replace("-", "−") if value else "0"
+    return _tr("channel {0} at {1} (overridden)").format(channel, text)
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("MotorsPage", text)
+
+
+# --- The serial timeout -----------------------------------------------------------------
+
+_OFFERED_S = (0.5, 1.0, 2.0, 5.0)
+"""Seconds offered, the first that this line can keep fed: in 0.5 s a robot at 2 m/s goes a metre,
+and no line that works is silent for so long."""
+
+
+@dataclass(frozen=True, slots=True)
+class Weakness:
+    """What is wrong with the serial timeout, in sentences, and how many seconds would be better."""
+
+    text: str
+    seconds: float
+
+
+def weakness_of_timeout(device: Device) -> Weakness | None:
+    """Return what is wrong with it; `None` if nothing is, or it is unknown."""
+    timeout, settings = device.serial_timeout_s, device.settings
+    return None if timeout is None or settings is None else weakness_on(settings, timeout)
+
+
+def weakness_on(settings: ConnectionSettings, timeout: float) -> Weakness | None:
+    """Return what is wrong with a timeout in seconds (0: off) on this line."""
+    latency = latency_of(settings.url) + settings.timeouts.extra
+
+    def can_keep(seconds: float) -> bool:
+        return survives_a_loss(settings.line, seconds, latency)
+
+    better = next(filter(can_keep, _OFFERED_S), _OFFERED_S[-1])
+    if timeout == 0:
+        text = _timeout_tr(
+            "Serial timeout is off: motors keep turning if the cable, this computer or this "
+            "program fails."
+        )
+    elif timeout >= better or can_keep(timeout):
+        return None
+    elif "://" in settings.url:
+        text = _timeout_tr(
+            "Serial timeout of {0:g} s is short for a network port: one late reply stops the "
+            "motors while you drive. Set a longer one, or connect the board to this computer."
+        ).format(timeout)
+    else:
+        text = _timeout_tr(
+            "Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors "
+            "while you drive. Set a longer one, or a faster baud rate."
+        ).format(timeout, settings.line.baud)
+    return Weakness(text, better)
+
+
+def _timeout_tr(text: str) -> str:
+    return QCoreApplication.translate("TimeoutNotice", text)

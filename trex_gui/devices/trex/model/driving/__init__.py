@@ -1,1 +1,0 @@
-"""Driving by hand: setpoints from sliders, pad, keys and gamepads."""

@@ -1,0 +1,319 @@
+"""A gamepad that drives: which one, its profile, and what it waits for."""
+
+from PySide6.QtCore import QCoreApplication, QObject, QSettings, Signal, Slot
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.motors import MomentaryDrive
+from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadSource, PadState
+from trex_gui.gamepad.profile import (
+    GamepadProfile,
+    Pilot,
+    PilotRequest,
+    Waits,
+    default_profile,
+    read_profile,
+)
+from trex_gui.ui.runtime import runtime
+
+HOLDER = "gamepad"
+"""The name under which a gamepad holds the motors."""
+
+STEP_MS = 17
+"""Milliseconds between two reads: some 59 a second, as often as a screen shows anything."""
+
+_NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
+
+
+class Gamepad(QObject):
+    """Reads gamepads while it is switched on, and sets speeds in their name.
+
+    It drives while `attend` has no objection; its stop button works whenever it is switched on.
+    One gamepad is read at a time. Each kind of gamepad has its own profile, which is remembered.
+
+    Signals:
+        changed: any attribute but `state` and `ask`.
+        moved: `state` and `ask`; many times a second while it is touched.
+
+    Attributes:
+        on: whether gamepads are read.
+        failure: why gamepads could not be switched on, and what helps; empty if they could.
+        pads: the gamepads that are connected.
+        pad: the one that is read.
+        gone: the name of the gamepad that was read and was disconnected, until another one is.
+        state: what it shows; `None` while none is read.
+        ask: its setpoints, whether the motors follow or not.
+        text: what it does or waits for, as a sentence; empty while it is switched off.
+    """
+
+    changed = Signal()
+    moved = Signal()
+
+    def __init__(self, device: Device, source: PadSource, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._motors = device.motors
+        self._drive_with = MomentaryDrive(device.motors, HOLDER)
+        self._source = source
+        self._store = QSettings(self)
+        self.on = False
+        self.failure = ""
+        self.pads: tuple[Pad, ...] = ()
+        self.pad: Pad | None = None
+        self.gone = ""
+        self.profile = GamepadProfile()
+        self.state: PadState | None = None
+        self.ask = _NOTHING
+        self.text = ""
+        self._pilot = Pilot(self.profile)
+        self._has_read = False  # since the pilot began
+        self._unattended = ""
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(STEP_MS)
+        self._timer.timeout.connect(self._on_step)
+        self._motors.arming_changed.connect(self._on_arming_changed)
+        self.destroyed.connect(source.close)
+
+    @property
+    def drives(self) -> bool:
+        """Whether the motors follow it now."""
+        return self._drive_with.held
+
+    @property
+    def stops_unfocused(self) -> bool:
+        """Whether motors that it drives stop when the window loses the focus."""
+        return bool(self._store.value("gamepad/stops_unfocused", defaultValue=True, type=bool))
+
+    # --- User actions -------------------------------------------------------------------
+
+    def switch_on(self) -> None:
+        """Begin to read gamepads; `failure` says why if that is impossible."""
+        if self.on:
+            return
+        try:
+            self._source.open()
+        except GamepadUnavailable as unavailable:
+            self.failure = str(unavailable)
+        else:
+            self.failure = self.gone = ""
+            self.on = True
+            self._timer.start()
+            self._look()
+        self._report()
+        self.changed.emit()
+
+    def switch_off(self) -> None:
+        """Read none any more; motors that one drives stop."""
+        self.failure = ""
+        if self.on:
+            self.on = False
+            self.gone = ""
+            self._timer.stop()
+            self._drive_with.lose(self.tr("Driving with a gamepad was switched off."))
+            self.pads = ()
+            self._take(None)
+            self._source.close()
+        self._report()
+        self.changed.emit()
+
+    def choose(self, pad: Pad) -> None:
+        """Read this one from now on; motors that another drives stop."""
+        if pad in self.pads and pad != self.pad:
+            self._store.setValue("gamepad/last", pad.guid)
+            self._drive_with.lose(self.tr("Another gamepad was chosen."))
+            self._take(pad)
+            self._report()
+            self.changed.emit()
+
+    def set_profile(self, profile: GamepadProfile) -> None:
+        """Use this profile for this kind of gamepad, now and later; motors that it drives stop."""
+        if self.pad is not None and profile != self.profile:
+            self._drive_with.lose(self.tr("The gamepad was set up anew."))
+            self._store.setValue(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
+            self._use(profile)
+            self._report()
+            self.changed.emit()
+
+    def set_stops_unfocused(self, stops: bool) -> None:
+        self._store.setValue("gamepad/stops_unfocused", stops)
+        self.changed.emit()
+
+    def attend(self, reason: str) -> None:
+        """Set why the user cannot see what the gamepad drives; empty: they can.
+
+        Motors that it drives stop with that reason, and none can be driven until it is empty.
+        """
+        if reason != self._unattended:
+            self._unattended = reason
+            if reason:
+                self._drive_with.lose(reason)
+            self._begin()
+            self._report()
+            self.changed.emit()
+
+    # --- Reading ------------------------------------------------------------------------
+
+    @Slot()
+    def _on_step(self) -> None:
+        self._look()
+        pad = self.pad
+        if pad is None:
+            self._report()
+            return
+        state = self._source.read(pad)
+        if state is None:  # gone since the last scan, or silent
+            self._on_pad_lost(pad)
+            self.changed.emit()
+            self._report()
+            return
+        self.ask = self._pilot.take(state)
+        self._has_read = True
+        if self.ask.stop:
+            self._motors.press_stop()
+        else:
+            self._drive()
+        if state != self.state:
+            self.state = state
+            self.moved.emit()
+        self._report()
+
+    def _look(self) -> None:
+        """Take notice of gamepads that came or went."""
+        pads = self._source.pads()
+        if pads == self.pads:
+            return
+        self.pads = pads
+        if self.pad is not None and self.pad not in pads:
+            self._on_pad_lost(self.pad)
+        if self.pad is None and pads:
+            last = str(self._store.value("gamepad/last", ""))
+            self.gone = ""
+            self._take(next((pad for pad in pads if pad.guid == last), pads[0]))
+        self.changed.emit()
+
+    def _on_pad_lost(self, pad: Pad) -> None:
+        """Stop what this one drives, and read it no more; the next look may find another."""
+        self.gone = pad.name
+        self._take(None)
+        self._drive_with.lose(self.tr("The gamepad “{0}” was disconnected.").format(pad.name))
+
+    def _drive(self) -> None:
+        if self._unattended or not self._motors.armed:
+            return
+        self._drive_with.joint = self._device.is_joint
+        if not self.ask.drives:
+            self._drive_with.let_go()
+        elif not self._drive_with.steer(self.ask.forward, self.ask.turn):
+            self._begin()  # another control drives: the button has to be pressed anew after it
+
+    @Slot()
+    def _on_arming_changed(self) -> None:
+        self._begin()
+        self._report()
+
+    def _begin(self) -> None:
+        """Require sticks at rest and the button released again."""
+        self._pilot.begin()
+        self._has_read = False
+
+    def _take(self, pad: Pad | None) -> None:
+        self.pad = pad
+        self.state, self.ask = None, _NOTHING
+        if pad is not None:
+            stored = read_profile(str(self._store.value(f"gamepad/profiles/{pad.guid}", "")))
+            fits = stored is not None and stored.fits(pad)
+            self._use(stored if stored is not None and fits else default_profile(pad))
+        self.moved.emit()
+
+    def _use(self, profile: GamepadProfile) -> None:
+        self.profile = profile
+        self._pilot = Pilot(profile)
+        self._has_read = False
+
+    # --- Text ---------------------------------------------------------------------------
+
+    def _report(self) -> None:
+        text = self._current_text()
+        if text != self.text:
+            self.text = text
+            self.changed.emit()
+
+    def _current_text(self) -> str:
+        if not self.on:
+            return self.failure
+        if self.pad is None:
+            if not self.gone:
+                return self.tr("No gamepad is connected. Plug one in or switch it on.")
+            text = self.tr("The gamepad “{0}” was disconnected. Plug it in again to continue.")
+            return text.format(self.gone)
+        if self._unattended:
+            return self._unattended
+        held = button_text(self.pad, self.profile.hold)
+        if not self._motors.armed:
+            if self.profile.hold is None:
+                return self.tr("Press Run motor, then move a stick.")
+            return self.tr("Press Run motor, then hold {0} and move a stick.").format(held)
+        if self._motors.holder and not self.drives:
+            return self.tr("Another control drives now.")
+        return self._waits_text().format(held) if self._has_read else self.text
+
+    def _waits_text(self) -> str:
+        match self.ask.waits:
+            case Waits.REST:
+                return self.tr(
+                    "Let go of the sticks: nothing drives before both axes were at rest. "
+                    "A worn stick may need a wider dead zone."
+                )
+            case Waits.RELEASE:
+                return self.tr("Let go of {0}, then hold it to drive.")
+            case Waits.HOLD:
+                return self.tr("Hold {0} and move a stick to drive.")
+            case Waits.MOVE:
+                return self.tr("Move a stick to drive.")
+            case Waits.NOTHING if self.profile.hold is None:
+                return self.tr("Driving. Let go of the sticks to stop.")
+            case Waits.NOTHING:
+                return self.tr("Driving. Let go of {0} to stop.")
+
+
+def button_text(pad: Pad, number: int | None) -> str:
+    """A button by its number, counted from 1, and its name if SDL knows it."""
+    if number is None:
+        return _tr("none")
+    if name := pad.part_name("b", number):
+        return _tr("button {0} ({1})").format(number + 1, _part_text(name))
+    return _tr("button {0}").format(number + 1)
+
+
+def axis_text(pad: Pad, number: int) -> str:
+    """An axis by its number, counted from 1, and its name if SDL knows it."""
+    if name := pad.part_name("a", number):
+        return _tr("axis {0} ({1})").format(number + 1, _part_text(name))
+    return _tr("axis {0}").format(number + 1)
+
+
+def _part_text(part: str) -> str:
+    """SDL's name of a part in words; as SDL has it where there is no better one."""
+    return {
+        "leftx": _tr("left stick, sideways"),
+        "lefty": _tr("left stick, up and down"),
+        "rightx": _tr("right stick, sideways"),
+        "righty": _tr("right stick, up and down"),
+        "lefttrigger": _tr("left trigger"),
+        "righttrigger": _tr("right trigger"),
+        "leftshoulder": _tr("left shoulder"),
+        "rightshoulder": _tr("right shoulder"),
+        "leftstick": _tr("left stick pressed"),
+        "rightstick": _tr("right stick pressed"),
+        "dpup": _tr("cross up"),
+        "dpdown": _tr("cross down"),
+        "dpleft": _tr("cross left"),
+        "dpright": _tr("cross right"),
+        "a": _tr("A, the lowest of four"),
+        "b": _tr("B, the right one of four"),
+        "x": _tr("X, the left one of four"),
+        "y": _tr("Y, the highest of four"),
+    }.get(part, part)
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("GamepadWords", text)
