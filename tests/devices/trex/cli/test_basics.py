@@ -27,10 +27,12 @@ def test_status_json_contains_product_and_parameters(trexcmd: RunCommand) -> Non
     report = json.loads(trexcmd("status", "--json").stdout)
     assert report["product"] == "TReX"
     assert report["firmware"] == "1.2"
+    assert report["mode"] == "r"
+    assert report["motor_1_current_A"] == 0.0
     assert report["channels"][0] == {
         "channel": 1,
         "raw": 3750,
-        "physical": "1500 µs",
+        "pulse_us": 1500.0,
         "remapped": 0,
     }
     assert len(report["parameters"]) == 28

@@ -16,9 +16,10 @@ def test_calibrations_are_shown_in_counts_and_physical_units(trexcmd: RunCommand
 
 def test_calibration_get_prints_json(trexcmd: RunCommand) -> None:
     report = json.loads(trexcmd("calibration", "get", "--json").stdout)
-    assert (report["source"], report["unit"]) == ("RC", "µs")
+    assert report["source"] == "RC"
     first = report["channels"][0]
     assert (first["minimum"], first["deadband"]) == (2500, 75)
+    assert (first["pulse_us"]["minimum"], first["pulse_us"]["deadband"]) == (1000.0, 30.0)
     assert not first["differs_from_default"]
 
 

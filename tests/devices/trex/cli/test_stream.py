@@ -35,13 +35,13 @@ def streamed(trexcmd: RunCommand, *words: str) -> str:
 def test_rows_have_units_in_header_and_complete_values(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    def current() -> str:
-        return str(json.loads(trexcmd("status", "--json").stdout)["motor_1_current"])
+    def current() -> float:
+        return float(json.loads(trexcmd("status", "--json").stdout)["motor_1_current_A"])
 
     quick_simulator.do("channel 2 1250us")
     quick_simulator.do("current 1 3.0")
     assert becomes(lambda: measured(quick_simulator)[1], 3125)
-    assert becomes(current, "3.00 A")
+    assert becomes(current, 3.0)
     result = trexcmd("stream", "--seconds", "0.5")
     assert result.exit_code == 0, result.stderr
     rows = rows_of(result.stdout)

@@ -11,11 +11,13 @@ from trex_gui.core.cli import Interruption, UsageError, json_option
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.changes import prepare_one, read_board, say_what_follows
 from trex_gui.devices.trex.cli.common import (
+    PHYSICAL_KEYS,
     identify,
     link_options,
     link_settings,
     open_line,
     open_line_to_change,
+    rounded,
 )
 from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.client.writing import write_calibration
@@ -50,7 +52,10 @@ def calibration() -> None:
 @link_options
 @json_option
 def get_command(as_json: bool, **options: Any) -> None:
-    """Show the calibration of each channel, in counts and in physical units."""
+    """Show the calibration of each channel, in counts and in physical units.
+
+    With --json, the fields of a channel are counts; pulse_us or voltage_V has them in that unit.
+    """
     with open_line(link_settings(options)) as client:
         identify(client)
         source = query(client.request, GetMode()).source
@@ -59,14 +64,13 @@ def get_command(as_json: bool, **options: Any) -> None:
     if as_json:
         report = {
             "source": source.value,
-            "unit": source.unit,
             "channels": [
                 {
                     "channel": channel,
                     "differs_from_default": channel in learned,
                     **{name: getattr(row, name) for name in CALIBRATION_FIELDS},
-                    "physical": {
-                        name: source.text(getattr(row, name)) for name in CALIBRATION_FIELDS
+                    PHYSICAL_KEYS[source]: {
+                        name: rounded(source, getattr(row, name)) for name in CALIBRATION_FIELDS
                     },
                 }
                 for channel, row in rows.items()

@@ -23,6 +23,7 @@ from trex_gui.devices.trex.client.client import TrexClient, diagnose
 from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
@@ -149,6 +150,16 @@ def as_options(settings: ConnectionSettings) -> str:
     if settings.device_number is not None:
         words.append(f"--protocol expanded --device {settings.device_number}")
     return " ".join(words)
+
+
+# --- Measurements in JSON ---------------------------------------------------------------
+
+PHYSICAL_KEYS = {InputSource.RC: "pulse_us", InputSource.ANALOG: "voltage_V"}
+
+
+def rounded(source: InputSource, count: int | None) -> float | None:
+    """Return a raw count in µs or V, without the noise of floating point."""
+    return None if count is None else round(source.physical(count), 4)
 
 
 # --- The line ---------------------------------------------------------------------------

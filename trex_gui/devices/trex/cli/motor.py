@@ -20,7 +20,6 @@ from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.transport.linux_ports import holder_of
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
-from trex_gui.devices.trex.cli.status import names_of
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP, who_controls
 from trex_gui.devices.trex.client.reading import DeviceState, query
 from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, StatusReader
@@ -41,7 +40,7 @@ from trex_gui.devices.trex.protocol.commands import GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
-from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.flags import Status, UartError, bit_names
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
@@ -256,7 +255,7 @@ class _Run:
             )
 
     def _take_status(self, latched: LatchedStatus) -> None:
-        names = ", ".join(names_of(latched))
+        names = ", ".join((*bit_names(latched.status), *bit_names(latched.uart)))
         if not self._is_running:
             say(f"Errors latched before this run: {names}.")
         elif latched.status & _FAULTS or latched.uart & UartError.TIMEOUT:

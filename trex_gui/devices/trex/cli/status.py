@@ -6,88 +6,92 @@ from typing import Any
 import click
 
 from trex_gui.core.cli import json_option
-from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
+from trex_gui.devices.trex.cli.common import (
+    PHYSICAL_KEYS,
+    identify,
+    link_options,
+    link_settings,
+    open_line,
+    rounded,
+)
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.explanations import MODE_TEXT, who_controls
 from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything
-from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
+from trex_gui.devices.trex.client.telemetry import StatusReader
 from trex_gui.devices.trex.protocol.commands import GetCurrents, GetRawChannels, GetRemappedChannels
-from trex_gui.devices.trex.protocol.flags import (
-    CHANNELS,
-    STATUS_MEANING,
-    UART_MEANING,
-    Status,
-    UartError,
-)
+from trex_gui.devices.trex.protocol.flags import CHANNELS, bit_names
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+
+_TITLES = {
+    "product": "Product",
+    "firmware": "Firmware",
+    "mode_text": "Mode",
+    "in_control": "In control",
+}
 
 
 @click.command()
 @link_options
 @json_option
 def status(as_json: bool, **options: Any) -> None:
-    """Show what the board is, how it is set and what it measures.
+    """Show the state of the board, its measurements and its parameters.
 
     Reading the error bits clears them in the board.
+
+    With --json, measurements are numbers with the unit in the key, as in stream and in
+    recordings: motor_1_current_A, motor_2_current_A; for each channel raw (counts), pulse_us or
+    voltage_V, null without a valid signal, and remapped (-127 to 127). mode is R or A for RC and
+    analog mode, r or a for serial mode with these inputs. Each parameter has its wire value and
+    a text.
     """
     with open_line(link_settings(options)) as client:
         identify(client)
         state = read_everything(client.request)
-        news = StatusReader(client.transport.clock).read(client.request)
-        report = _report(client, state, news)
+        report = _report(client, state)
     if as_json:
         click.echo(json.dumps(report, indent=2))
         return
-    for key, value in report.items():
-        if isinstance(value, str):
-            click.echo(f"{key.replace('_', ' ').capitalize() + ':':22}{value}")
+    for key, title in _TITLES.items():
+        click.echo(f"{title + ':':22}{report[key]}")
+    for motor in (1, 2):
+        click.echo(f"Motor {motor} current:      {report[f'motor_{motor}_current_A']:.2f} A")
     click.echo("Channels:")
     for row in report["channels"]:
-        physical = row["physical"] if row["raw"] is not None else "no signal"
-        counts = "" if row["raw"] is None else f" ({row['raw']})"
-        click.echo(f"  {row['channel']}  {physical}{counts}, remapped {row['remapped']}")
+        raw = row["raw"]
+        text = "no signal" if raw is None else f"{state.source.text(raw)} ({raw})"
+        click.echo(f"  {row['channel']}  {text}, remapped {row['remapped']}")
     click.echo("Errors: " + (", ".join(report["errors"]) or "none"))
     click.echo("Parameters:")
     for key, row in report["parameters"].items():
         click.echo(f"  {key:28}{row['value']:>4}  {row['text']}")
 
 
-def names_of(news: LatchedStatus | None) -> list[str]:
-    """Return the names of the latched bits."""
-    status_bits = news.status if news else Status(0)
-    uart_bits = news.uart if news else UartError(0)
-    names = [name for bit, (name, _) in STATUS_MEANING.items() if bit & status_bits]
-    return names + [name for bit, (name, _) in UART_MEANING.items() if bit & uart_bits]
-
-
-def _report(client: TrexClient, state: DeviceState, news: LatchedStatus | None) -> dict[str, Any]:
+def _report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
+    latched = StatusReader(client.transport.clock).read(client.request)
     raw = query(client.request, GetRawChannels())
     remapped = query(client.request, GetRemappedChannels())
     currents = query(client.request, GetCurrents())
     unit = state.signature.model.current_unit
+    joint = state.parameters.get(ParameterKey.MOTOR_MODE) == 1
     return {
         "product": state.signature.model.name,
         "firmware": state.signature.firmware,
-        "mode": MODE_TEXT[state.mode],
-        "in_control": who_controls(
-            state.mode,
-            state.serial_controls,
-            joint=state.parameters.get(ParameterKey.MOTOR_MODE) == 1,
-        ),
+        "mode": state.mode.value,
+        "mode_text": MODE_TEXT[state.mode],
+        "in_control": who_controls(state.mode, state.serial_controls, joint=joint),
         "serial_controls": state.serial_controls,
-        "motor_1_current": f"{currents[0] * unit:.2f} A",
-        "motor_2_current": f"{currents[1] * unit:.2f} A",
+        "motor_1_current_A": round(currents[0] * unit, 4),
+        "motor_2_current_A": round(currents[1] * unit, 4),
         "channels": [
             {
                 "channel": channel,
-                "raw": count,
-                "physical": None if count is None else state.source.text(count),
+                "raw": raw[channel],
+                PHYSICAL_KEYS[state.source]: rounded(state.source, raw[channel]),
                 "remapped": remapped[channel],
             }
             for channel in CHANNELS
-            for count in (raw[channel],)
         ],
-        "errors": names_of(news),
+        "errors": [*bit_names(latched.status), *bit_names(latched.uart)] if latched else [],
         "parameters": {
             key: {"value": wire, "text": state.specs[key].text(wire)}
             for key, wire in state.parameters.items()

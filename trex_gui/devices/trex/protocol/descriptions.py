@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS, Calibration
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     DriveAuxiliary,
@@ -31,16 +31,13 @@ from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import (
     CHANNELS,
-    STATUS_MEANING,
-    UART_MEANING,
     Mode,
     Status,
     UartError,
+    bit_names,
     channels_in,
 )
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
-
-_CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 
 _QUERIES: dict[type[Command[Any]], str] = {
     GetSignature: "get signature",
@@ -109,10 +106,8 @@ def describe_reply(command: Command[Any], value: Any, board: Signature | None = 
             return _MODES[value]
         case _, ResultCode():
             return _RESULTS[value]
-        case _, Status():
-            return _bits([name for bit, (name, _) in STATUS_MEANING.items() if bit & value])
-        case _, UartError():
-            return _bits([name for bit, (name, _) in UART_MEANING.items() if bit & value])
+        case _, (Status() | UartError()):
+            return ", ".join(bit_names(value)) or "none"
         case _, Calibration():
             return _calibration(value)
         case GetSerialControl(), _:
@@ -135,10 +130,6 @@ def is_refusal(value: object) -> bool:
     return isinstance(value, ResultCode) and value is not ResultCode.OK
 
 
-def _bits(names: list[str]) -> str:
-    return ", ".join(names) if names else "none"
-
-
 def _by_channel(values: Mapping[int, int | None]) -> str:
     said = (
         f"{channel}: {'no signal' if value is None else value}" for channel, value in values.items()
@@ -153,7 +144,7 @@ def _current(motor: int, count: int, board: Signature | None) -> str:
 
 
 def _calibration(calibration: Calibration) -> str:
-    return ", ".join(f"{name} {getattr(calibration, name)}" for name in _CALIBRATION_FIELDS)
+    return ", ".join(f"{name} {getattr(calibration, name)}" for name in CALIBRATION_FIELDS)
 
 
 def _channels(channels: tuple[int, ...]) -> str:

@@ -96,6 +96,13 @@ UART_MEANING: dict[UartError, tuple[str, str]] = {
 """Name and explanation of each UART error bit, highest bit first."""
 
 
+def bit_names(bits: Status | UartError) -> list[str]:
+    """Return the names of the bits that are set, highest bit first."""
+    if isinstance(bits, Status):
+        return [name for bit, (name, _) in STATUS_MEANING.items() if bit & bits]
+    return [name for bit, (name, _) in UART_MEANING.items() if bit & bits]
+
+
 class InputSource(Enum):
     """How the channel inputs are measured, and what one raw count is worth.
 
