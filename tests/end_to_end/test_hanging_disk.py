@@ -24,7 +24,7 @@ from PySide6.QtCore import QTimer
 from trex_gui import app, composition
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.model.telemetry import Series
-from trex_gui.devices.trex.model.traces import board_traces
+from trex_gui.devices.trex.model.telemetry import board_traces
 from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces
 

@@ -15,8 +15,8 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
-from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import theme

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.devices.trex.model.telemetry import Series
-from trex_gui.devices.trex.model.traces import board_traces
+from trex_gui.devices.trex.model.telemetry import Series, board_traces
 from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.plotting.panel import TracePanel

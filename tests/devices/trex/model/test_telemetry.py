@@ -22,8 +22,13 @@ from trex_gui.devices.trex.session.messages import Batch
 
 
 @pytest.fixture
-def telemetry(qtbot: QtBot) -> Telemetry:
-    telemetry = Telemetry()
+def motors(qtbot: QtBot) -> Motors:
+    return Motors()
+
+
+@pytest.fixture
+def telemetry(motors: Motors) -> Telemetry:
+    telemetry = Telemetry(motors)
     telemetry.begin(0.15)
     return telemetry
 
@@ -102,11 +107,6 @@ def test_begin_clears_the_history_and_sets_the_unit(telemetry: Telemetry) -> Non
     assert telemetry.motor_currents == pytest.approx((4.0, 0.0))
 
 
-def test_control_is_known_before_the_first_sample(telemetry: Telemetry) -> None:
-    telemetry.note_control(by_serial=True)
-    assert telemetry.serial_controls is True
-
-
 def test_current_history_holds_one_hour(telemetry: Telemetry) -> None:
     for number in range(3):
         take(telemetry, *(Currents(float(time), (number, 0)) for time in range(1000)))
@@ -114,12 +114,12 @@ def test_current_history_holds_one_hour(telemetry: Telemetry) -> None:
     assert telemetry.currents.capacity >= 3600 * 80
 
 
-def test_setpoints_and_channels_are_kept_with_the_currents(telemetry: Telemetry) -> None:
-    motors = Motors()
+def test_setpoints_and_channels_are_kept_with_the_currents(
+    telemetry: Telemetry, motors: Motors
+) -> None:
     take(telemetry, Currents(1.0, (0, 0)))
-    assert math.isnan(telemetry.currents.values(Series.SETPOINT1)[0])
+    assert telemetry.currents.values(Series.SETPOINT1)[0] == 0
     assert math.isnan(telemetry.currents.values(Series.CHANNEL5)[0])
-    telemetry.watch(motors)
     motors.set_available(available=True)
     motors.arm()
     motors.set_speed(1, -90)

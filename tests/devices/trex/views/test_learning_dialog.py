@@ -15,9 +15,9 @@ from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.learning.measuring_pages import ChannelRows
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
-from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets.labels import Note

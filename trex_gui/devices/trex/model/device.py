@@ -82,7 +82,8 @@ class Device(QObject):
     def __init__(self, notifier: Notifier | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.notifier = notifier or Notifier(self)
-        self.telemetry = Telemetry(self)
+        self.motors = Motors(self)
+        self.telemetry = Telemetry(self.motors, self)
         self.errors = ErrorLog(self)
         self.draft = SettingsDraft(self)
         self.undo = self.draft.undo
@@ -90,12 +91,10 @@ class Device(QObject):
         self.calibrations = self.draft.calibrations
         self.history = SettingsHistory()
         self._apply = Apply(self.draft, self.history, self._ask, self)
-        self.motors = Motors(self)
         self.connection = Connection(self)
         self._driving = DriveController(self.motors, self.connection, self.notifier, self)
         self.events = EventLog(self)
         self._event_watch = EventWatch(self.events, self.motors, self.connection, self)
-        self.telemetry.watch(self.motors)
         self._kept = EditBackup(self.history, self.notifier, self)
         self._reset_order = PendingReset()
         self._state: DeviceState | None = None
@@ -352,7 +351,7 @@ class Device(QObject):
                 )
                 self.notifier.delayed_info.emit(text.format(self.pending))
             self.telemetry.begin(state.signature.model.current_unit)
-        self.telemetry.note_control(state.serial_controls)
+        self.telemetry.serial_controls = state.serial_controls
         self._reset_order.note_read(state.parameters, power_cycled=occasion.power_cycled)
         self.draft.take_state(state, power_cycled=occasion.power_cycled)
         self.parameters.note_in_force(in_force(state, report.settings))

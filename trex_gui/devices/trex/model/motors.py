@@ -107,6 +107,10 @@ class Motors(QObject):
         self._lockout_timer.setInterval(_STEP_MS)
         self._lockout_timer.timeout.connect(self._on_lockout_step)
 
+    @property
+    def can_arm(self) -> bool:
+        return self.is_available and not self.armed and not self.locked_for
+
     def drive(self, motor: int) -> Drive | None:
         """The setpoint of motor 1 or 2; `None` if there was none since arming."""
         return self._drives.get(motor)
@@ -178,7 +182,7 @@ class Motors(QObject):
 
     def arm(self) -> None:
         """Send setpoints from now on, beginning at rest; ignored while locked or unavailable."""
-        if self.is_available and not self.armed and not self.locked_for:
+        if self.can_arm:
             self.armed = True
             self.stop_reason = ""
             self.arming_changed.emit()

@@ -11,8 +11,7 @@ from trex_gui.core.files import SettingsError
 from trex_gui.core.recording.kinds import Value
 from trex_gui.core.recording.store import Recording
 from trex_gui.devices.trex.client.telemetry import Currents
-from trex_gui.devices.trex.model.telemetry import Series
-from trex_gui.devices.trex.model.traces import board_traces
+from trex_gui.devices.trex.model.telemetry import Series, board_traces
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.parameters import MotorParameter

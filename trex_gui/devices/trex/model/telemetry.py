@@ -3,25 +3,20 @@
 import math
 from enum import IntEnum, auto
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
-from trex_gui.devices.trex.client.telemetry import (
-    Control,
-    Currents,
-    LatchedStatus,
-    ModeSample,
-    Raw,
-    Remapped,
-)
+from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.plotting.data.history import SampleHistory
+from trex_gui.ui.plotting.data.traces import TraceInfo
 
 _INPUT_HISTORY = 3_000
 """Samples of the inputs kept: a minute at 50 a second."""
 
 _UNKNOWN = (math.nan,) * len(CHANNELS)
+_CHANNEL_COLORS = ("good", "warning", "dirty", "muted", "plot_text")
 
 
 class Series(IntEnum):
@@ -38,11 +33,33 @@ class Series(IntEnum):
     CHANNEL5 = auto()
 
 
+def board_traces() -> list[TraceInfo]:
+    """Return the curves of a board, connected or recorded, in the order of `Series`."""
+
+    def tr(text: str, number: int) -> str:
+        return QCoreApplication.translate("board_traces", text).format(number)
+
+    currents = [
+        TraceInfo(f"motor{m}_current", tr("Motor {0}", m), "A", f"motor{m}", str(m)) for m in (1, 2)
+    ]
+    setpoints = [
+        TraceInfo(
+            f"motor{m}_setpoint", tr("Speed setpoint {0}", m), "", f"motor{m}", f"S{m}", False
+        )
+        for m in (1, 2)
+    ]
+    channels = [
+        TraceInfo(f"channel{c}", tr("Channel {0}", c), "", color, f"C{c}", shown=False)
+        for c, color in zip(CHANNELS, _CHANNEL_COLORS, strict=True)
+    ]
+    return [*currents, *setpoints, *channels]
+
+
 class Telemetry(QObject):
     """The newest values, the currents of the last hours and the inputs of the last minute.
 
     A row of `currents` holds what both motors draw (A), their speed setpoints (-127 to 127)
-    and the remapped channels at that moment. What is not known is not a number, in `inputs` a
+    and the remapped channels at that moment. Unknown values are not a number, in `inputs` a
     channel without a signal too. The newest values are `None` while nothing is known: before a
     connection and after it.
 
@@ -52,7 +69,7 @@ class Telemetry(QObject):
 
     updated = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, motors: Motors, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.currents = SampleHistory(len(Series))
         self.inputs = SampleHistory(len(CHANNELS), capacity=_INPUT_HISTORY)
@@ -63,10 +80,6 @@ class Telemetry(QObject):
         self.latest: float = 0.0
         self.samples = 0
         self._ampere = 1.0
-        self._motors: Motors | None = None
-
-    def watch(self, motors: Motors) -> None:
-        """Record the setpoints of these motors beside their currents."""
         self._motors = motors
 
     def begin(self, ampere_per_count: float) -> None:
@@ -77,20 +90,12 @@ class Telemetry(QObject):
         self.forget()
 
     def forget(self) -> None:
-        """Know nothing of the present any more; the history stays to be read."""
-        self.raw = None
-        self.remapped = None
-        self.motor_currents = None
-        self.serial_controls = None
+        """Discard the newest values; the history remains."""
+        self.raw = self.remapped = self.motor_currents = self.serial_controls = None
         self.updated.emit()
-
-    def note_control(self, by_serial: bool) -> None:
-        """Take who controls the motors from a reading of everything."""
-        self.serial_controls = by_serial
 
     @Slot(object)
     def take(self, batch: Batch) -> None:
-        """Take the samples of one batch."""
         for sample in batch.samples:
             match sample:
                 case Raw(time=time, counts=counts):
@@ -101,26 +106,19 @@ class Telemetry(QObject):
                     self.remapped = values
                 case Currents(time=time, counts=(first, second)):
                     self.motor_currents = first * self._ampere, second * self._ampere
-                    self.currents.append(
-                        time,
-                        *self.motor_currents,
-                        *self._setpoints(),
-                        *(self.remapped or _UNKNOWN),
-                    )
+                    setpoints = (self._setpoint(motor) for motor in (1, 2))
+                    channels = self.remapped or _UNKNOWN
+                    self.currents.append(time, *self.motor_currents, *setpoints, *channels)
                 case Control(by_serial=by_serial):
                     self.serial_controls = by_serial
-                case LatchedStatus() | ModeSample():
-                    pass
             self.latest = sample.time
         self.samples += len(batch.samples)
         self.updated.emit()
 
-    def _setpoints(self) -> tuple[float, float]:
-        """Return the speed setpoints of motors 1 and 2; 0 for none and for braking."""
-        if self._motors is None:
-            return math.nan, math.nan
-        first, second = (self._motors.drive(motor) for motor in (1, 2))
-        return first.signed if first else 0, second.signed if second else 0
+    def _setpoint(self, motor: int) -> int:
+        """Return a motor's speed setpoint; 0 for none and for braking."""
+        drive = self._motors.drive(motor)
+        return drive.signed if drive else 0
 
     def raw_of(self, channel: int) -> int | None:
         """Raw count of a channel (1-5); `None` without a valid signal or a connection."""

@@ -1,4 +1,4 @@
-"""The row below the pages, the same on every page: stop, run, apply, serial timeout."""
+"""The row below every page: stop, run, apply, serial timeout."""
 
 import math
 
@@ -12,19 +12,18 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme, tint
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.red_button import RedButton
 
 
 class TimeoutNotice(QWidget):
-    """One line while the serial timeout is off or too short; not there at all otherwise."""
+    """Visible while the serial timeout is off or too short."""
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("timeoutNotice")
         self._device = device
-
         self._weakness: Weakness | None = None
-
         self._text = ui.label(self, "timeoutLabel", wrap=True)
         self._button = ui.button(
             self,
@@ -37,7 +36,6 @@ class TimeoutNotice(QWidget):
         font = self._button.font()
         font.setUnderline(True)
         self._button.setFont(font)
-
         ui.row((self._text, 1), self._button, into=self, margins=0)
 
         device.link_changed.connect(self._on_changed)
@@ -48,14 +46,11 @@ class TimeoutNotice(QWidget):
 
     @Slot()
     def _on_changed(self) -> None:
-        weakness = weakness_of_timeout(self._device)
-        if weakness is not None and weakness != self._weakness:
-            self._show(weakness)
-        self._weakness = weakness
+        self._weakness = weakness = weakness_of_timeout(self._device)
         self.setVisible(weakness is not None)
         self._button.setEnabled(not self._device.applying)
-
-    def _show(self, weakness: Weakness) -> None:
+        if weakness is None:
+            return
         seconds = f"{weakness.seconds:g}"
         self._text.setText(weakness.text)
         self._button.setText(self.tr("Set {0} s").format(seconds))
@@ -64,8 +59,8 @@ class TimeoutNotice(QWidget):
         )
         self._button.setToolTip(
             self.tr(
-                "Writes this one setting into the board now: it then stops its motors {0} s after "
-                "the last byte. Other changes go on waiting for Apply."
+                "Writes only this setting now: the board stops its motors {0} s after the last "
+                "byte. Other changes stay pending."
             ).format(seconds)
         )
 
@@ -86,7 +81,6 @@ class StopButton(RedButton):
     """The same text, colour and effect everywhere; Esc does the same."""
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
-        """Stop the motors of `device`; `name` is what the button is found by."""
         super().__init__(name, device.motors.press_stop, parent)
         self.describe(
             self.tr("Stop motors"),
@@ -98,18 +92,12 @@ class StopButton(RedButton):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        self.setEnabled(
-            self._device.link
-            in {
-                ConnectionState.CONNECTING,
-                ConnectionState.CONNECTED,
-                ConnectionState.NOT_RESPONDING,
-            }
-        )
+        inactive = {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
+        self.setEnabled(self._device.link not in inactive)
 
 
 class ActionBar(QWidget):
-    """Stop motors in red, Run motor in green, what state they are in, Apply settings.
+    """Stop motors in red, Run motor in green, the state of the motors, Apply settings.
 
     Signals:
         apply_requested: the user wants the edits written.
@@ -121,17 +109,19 @@ class ActionBar(QWidget):
         super().__init__(parent)
         self._device = device
 
-        self._stop = StopButton(device, "stopButton", self)
+        stop = StopButton(device, "stopButton", self)
         self._run = ui.button(
             self,
             "runButton",
             self.tr("Run motor"),
             tip=self.tr("Let the sliders of the Motors page move the motors"),
+            on_click=device.motors.arm,
         )
         ui.set_bold(self._run)
         tint(self._run, "run")
         set_icon(self._run, "run", "run_text")
-        self._state = ui.label(self, "motorStateLabel", wrap=True)
+        self._state = ui.named(Note(1, self), "motorStateLabel")
+        self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         self._unapplied = ui.label(self, "unappliedLabel", self.tr("There are unapplied changes."))
         self._apply = ui.button(
             self,
@@ -142,19 +132,12 @@ class ActionBar(QWidget):
             on_click=self.apply_requested,
         )
         height = 2 * self.fontMetrics().height() + 4
-        for button in (self._stop, self._run, self._apply):
+        for button in (stop, self._run, self._apply):
             button.setMinimumSize(4 * height, height)
 
-        self._notice = TimeoutNotice(device, self)
+        buttons = ui.row(stop, self._run, (self._state, 1), self._unapplied, self._apply)
+        ui.column(TimeoutNotice(device, self), buttons, into=self, margins=0)
 
-        layout = ui.row(self._stop, self._run)
-        layout.addSpacing(8)
-        layout.addWidget(self._state, 1)
-        layout.addWidget(self._unapplied)
-        layout.addWidget(self._apply)
-        ui.column(self._notice, layout, into=self, margins=0)
-
-        self._run.clicked.connect(device.motors.arm)
         device.link_changed.connect(self._on_changed)
         motors = device.motors
         for signal in (
@@ -171,22 +154,18 @@ class ActionBar(QWidget):
 
     @Slot()
     def _on_changed(self) -> None:
-        motors, link = self._device.motors, self._device.link
-        self._run.setEnabled(motors.is_available and not motors.armed and not motors.locked_for)
-        self._state.setText(self._state_text())
-        is_beyond_reach = (
-            link is ConnectionState.CONNECTED and not motors.is_available and motors.locked_for > 0
+        motors, pending = self._device.motors, self._device.pending > 0
+        is_connected = self._device.link is ConnectionState.CONNECTED
+        is_beyond_reach = is_connected and not motors.is_available and motors.locked_for > 0
+        self._run.setEnabled(motors.can_arm)
+        self._state.show_note(
+            self._state_text(),
+            alarming=motors.armed or self._device.may_move or is_beyond_reach,
         )
-        alarming = motors.armed or self._device.may_move or is_beyond_reach
-        self._show_state(alarming=alarming)
-        pending = self._device.pending > 0
         self._unapplied.setVisible(pending)
-        self._apply.setEnabled(
-            pending and link is ConnectionState.CONNECTED and not self._device.applying
-        )
+        self._apply.setEnabled(pending and is_connected and not self._device.applying)
 
     def _state_text(self) -> str:
-        """What is known of the motors; never more than that."""
         motors, link = self._device.motors, self._device.link
         if motors.armed:
             return self.tr("Armed. Setpoint: {0}").format(motors.text or self.tr("none"))
@@ -204,24 +183,13 @@ class ActionBar(QWidget):
         if link is ConnectionState.CONNECTED and motors.stop_reason:
             return self.tr("Stopped. {0}").format(motors.stop_reason)
         if link is ConnectionState.CONNECTED and motors.is_available:
-            return self.tr("Not armed: nothing is sent before Run motor.")
+            return self.tr("Not armed: no command is sent until you click Run motor.")
         if link is ConnectionState.CONNECTED:
             return self.tr("Channels control the motors; Run motor needs serial control.")
         return self.tr("Motors: N/A")
-
-    def _show_state(self, *, alarming: bool) -> None:
-        """Emphasize what may move, in weight as well as in colour."""
-        font = self._state.font()
-        font.setBold(alarming)
-        self._state.setFont(font)
-        palette = self.palette()
-        if alarming:
-            palette.setColor(self._state.foregroundRole(), theme().color("warning"))
-        self._state.setPalette(palette)
 
     @Slot()
     def _on_theme_changed(self) -> None:
         palette = self._unapplied.palette()
         palette.setColor(self._unapplied.foregroundRole(), theme().color("dirty"))
         self._unapplied.setPalette(palette)
-        self._on_changed()

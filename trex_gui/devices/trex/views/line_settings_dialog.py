@@ -1,15 +1,9 @@
-"""How to talk to the board: baud rate, error detection, stop bits, addressing."""
+"""Line settings of this computer: baud rate, error detection, stop bits, addressing."""
 
 from dataclasses import replace
 
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QFormLayout,
-    QSpinBox,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QSpinBox, QWidget
 
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection
@@ -18,7 +12,7 @@ from trex_gui.ui.widgets import builders as ui
 
 
 class HexSpinBox(QSpinBox):
-    """A spin box for a byte that people write in hexadecimal."""
+    """Shows a byte as two hexadecimal digits."""
 
     def textFromValue(self, val: int) -> str:
         return f"{val:02X}"
@@ -28,8 +22,6 @@ class HexSpinBox(QSpinBox):
 
 
 class LineSettingsDialog(QDialog):
-    """Changes how this computer talks; it does not change the board."""
-
     def __init__(self, settings: ConnectionSettings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("lineSettingsDialog")
@@ -59,12 +51,9 @@ class LineSettingsDialog(QDialog):
             self.tr("Address one board of several by its number (Pololu protocol)"),
             checked=settings.device_number is not None,
         )
-        self._number = QSpinBox(self)
-        self._number.setObjectName("deviceNumberField")
-        self._number.setRange(0, 127)
-        number = settings.device_number
-        self._number.setValue(7 if number is None else number)
-        self._buttons = QDialogButtonBox(
+        number = 7 if settings.device_number is None else settings.device_number
+        self._number = ui.spin_box(self, "deviceNumberField", "", 0, 127, value=number)
+        buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok
             | QDialogButtonBox.StandardButton.Cancel
             | QDialogButtonBox.StandardButton.RestoreDefaults,
@@ -76,13 +65,13 @@ class LineSettingsDialog(QDialog):
         form.addRow(self.tr("CRC-7 &polynomial:"), self._polynomial)
         form.addRow(self._addressed)
         form.addRow(self.tr("&Device number:"), self._number)
-        ui.column(intro, form, 1, self._buttons, into=self)
+        ui.column(intro, form, 1, buttons, into=self)
 
         self._line.valueChanged.connect(self._on_changed)
         self._addressed.toggled.connect(self._on_changed)
-        self._buttons.accepted.connect(self.accept)
-        self._buttons.rejected.connect(self.reject)
-        restore = self._buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        restore = buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
         restore.clicked.connect(self._on_restore_clicked)
         self._on_changed()
 

@@ -1,9 +1,10 @@
 """The workspace of a TReX: pages, dialogs and menus."""
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 from PySide6.QtCore import QObject, QSettings, Slot
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget
 
 from trex_gui.core.errors import sentence
@@ -18,9 +19,8 @@ from trex_gui.devices.trex.views.demo.panel import DemoPanel
 from trex_gui.devices.trex.views.history.dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
-from trex_gui.devices.trex.views.menus import menus
 from trex_gui.devices.trex.views.pages.calibration.page import CalibrationPage
-from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
+from trex_gui.devices.trex.views.pages.channels import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
 from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
@@ -31,7 +31,7 @@ from trex_gui.devices.trex.views.review.power_cycle_dialog import PowerCycleDial
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.frame.actions import Menus
+from trex_gui.ui.frame.actions import SEPARATOR, ActionInfo, Menu, Menus
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import FileKind, PageInfo, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
@@ -43,17 +43,22 @@ GUIDE_URL = "https://www.pololu.com/docs/0J1"
 
 
 class TrexWorkspace(Workspace):
-    """Everything of the window that is about a TReX; it holds no state of the device."""
+    """Everything of the window that is about a TReX; it holds no state of the device.
+
+    Attributes:
+        files: opens and saves settings files.
+        recordings: records, and owns the windows of recordings.
+    """
 
     def __init__(self, controller: TrexController, frame: MainWindow) -> None:
         device = controller.device
         super().__init__(controller.plugin.key, device.notifier, frame)
         self._device = device
         self._controller = controller
-        self._question = question = frame.question
+        self._question = frame.question
         self._frame = frame
         self._store = QSettings(self)
-        self._was_up = False
+        self._was_connected = False
         self._may_leave = False
         self._actions: Mapping[str, QAction] = {}
 
@@ -78,11 +83,11 @@ class TrexWorkspace(Workspace):
             )
         )
 
-        self._recordings = Recordings(device, frame)
-        self._bar = ActionBar(device, self)
-        ui.column((tabs, 1), self._recordings.indicator, self._bar, into=self, margins=0)
+        self.recordings = Recordings(device, frame)
+        bar = ActionBar(device, self)
+        ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = DemoPanel(controller, frame)
-        self._files = SettingsFiles(device, frame)
+        self.files = SettingsFiles(device, frame)
         self._guided = PowerCycle(device, self)
         self._review = ReviewDialog(device, PowerCycle(device, self), frame)
         self._defaults = DefaultsDialog(device, frame)
@@ -92,11 +97,11 @@ class TrexWorkspace(Workspace):
         self._learn = LearnDialog(learning, frame)
         self._bench = BenchOpener(device, frame)
 
-        self._files.staged.connect(lambda: self.show_page("parameters"))
-        self._recordings.accept_drops(frame, self)
-        self._recordings.settings_wanted.connect(self._files.open_editor)
-        self._recordings.changed.connect(self._on_recording_changed)
-        self._bar.apply_requested.connect(self._review.review)
+        self.files.staged.connect(lambda: self.show_page("parameters"))
+        self.recordings.accept_drops(frame, self)
+        self.recordings.settings_wanted.connect(self.files.open_editor)
+        self.recordings.changed.connect(self._on_recording_changed)
+        bar.apply_requested.connect(self._review.review)
         self._bench.apply_requested.connect(self._review.review)
         self._defaults.staged.connect(self._review.review)
         self._history.restore_requested.connect(self._review.review)
@@ -112,80 +117,120 @@ class TrexWorkspace(Workspace):
         controller.demo_board.rejected.connect(self.notifier.error)
         self._demo.wanted_changed.connect(self._on_demo_changed)
         device.applied.connect(self._on_applied)
-        device.applied.connect(question.reconsider)
+        device.applied.connect(self._question.reconsider)
         device.link_changed.connect(self._on_link_changed)
         motors = device.motors
         for signal in (motors.arming_changed, motors.availability_changed, motors.lockout_changed):
             signal.connect(self._on_actions_changed)
         device.pending_changed.connect(self._on_actions_changed)
+        self._slots: dict[str, Callable[[], object]] = {}
+        self._menus = self._make_menus()
         self._undo_watch = device.undo.indexChanged.connect(self._on_undo_changed)
 
     @property
-    def files(self) -> SettingsFiles:
-        """Opening and saving of settings files."""
-        return self._files
-
-    @property
-    def recordings(self) -> Recordings:
-        """What is recorded, and the recordings that are open."""
-        return self._recordings
-
-    @property
     def help_url(self) -> str:
-        """The maker's guide."""
         return GUIDE_URL
 
     @property
     def file_kinds(self) -> Sequence[FileKind]:
-        """Settings files; recordings open in windows of their own."""
-        return (
-            FileKind(
-                TEXT,
-                self.tr("a settings file of a TReX"),
-                self._files.open_file,
-                self._files.edit_file,
-            ),
-        )
+        name = self.tr("a settings file of a TReX")
+        return (FileKind(TEXT, name, self.files.open_file, self.files.edit_file),)
 
     @property
     def docks(self) -> Sequence[QDockWidget]:
-        """The panel of the simulated board."""
         return (self._demo,)
 
     # --- What its menus do --------------------------------------------------------------
 
-    def menus(self) -> Menus:
-        return menus(self.page_actions())
+    def _make_menus(self) -> Menus:
+        def entry(
+            key: str,
+            text: str,
+            slot: Callable[[], object],
+            shortcut: str | QKeySequence.StandardKey = "",
+            icon: str = "",
+            *,
+            checkable: bool = False,
+        ) -> ActionInfo:
+            self._slots[key] = slot
+            return ActionInfo(key, text, shortcut, icon, checkable)
 
-    def slots(self) -> Mapping[str, Callable[[], object]]:
-        """Return what each of its actions does."""
+        device, files, keys, tr = self._device, self.files, QKeySequence.StandardKey, self.tr
+        factory = partial(self._defaults.preview, serial_only=False)
+        serial = partial(self._defaults.preview, serial_only=True)
         return {
-            "new": self._files.ask_and_begin,
-            "open": self._files.ask_and_open,
-            "history": self._history.open_history,
-            "record": self._recordings.toggle,
-            "open_recording": self._recordings.choose_and_open,
-            "save": self._files.ask_and_save,
-            "print": self._files.preview,
-            "export": self._files.ask_and_export,
-            "undo": self._device.undo.undo,
-            "redo": self._device.undo.redo,
-            "discard": self._device.discard_edits,
-            "run": self._device.motors.arm,
-            "reload": self._on_reload_requested,
-            "apply": self._review.review,
-            "power": self._on_power_cycle_wanted,
-            "learn": self._learn.learn,
-            "test_sticks": self._learn.test,
-            "bench": self._bench.open,
-            "defaults": lambda: self._defaults.preview(serial_only=False),
-            "serial_defaults": lambda: self._defaults.preview(serial_only=True),
-            **self.page_slots(),
-            "demo": self._demo.toggle,
+            Menu.FILE: (
+                entry("new", tr("&New settings file…"), files.ask_and_begin, keys.New, "new"),
+                entry("open", tr("&Open settings file…"), files.ask_and_open, "Ctrl+O", "open"),
+                entry("save", tr("&Save settings file…"), files.ask_and_save, "Ctrl+S", "save"),
+                entry("print", tr("Prin&t settings…"), files.preview, "", "print"),
+                entry("export", tr("&Export as code…"), files.ask_and_export, "", "console"),
+                SEPARATOR,
+                entry("history", tr("&History…"), self._history.open_history, "Ctrl+H", "history"),
+                SEPARATOR,
+                entry("record", tr("&Record…"), self.recordings.toggle, "Ctrl+Shift+R", "record"),
+                entry(
+                    "open_recording",
+                    tr("Open recor&ding…"),
+                    self.recordings.choose_and_open,
+                    "Ctrl+Shift+O",
+                    "plot",
+                ),
+            ),
+            Menu.EDIT: (
+                entry("undo", tr("&Undo"), device.undo.undo, keys.Undo, "undo"),
+                entry("redo", tr("&Redo"), device.undo.redo, keys.Redo, "redo"),
+                SEPARATOR,
+                entry("discard", tr("&Discard all edits"), device.discard_edits, "", "clear"),
+            ),
+            Menu.DEVICE: (
+                entry("run", tr("&Run motor"), device.motors.arm, "Ctrl+R", "run"),
+                SEPARATOR,
+                entry(
+                    "reload",
+                    tr("Re&load settings from device"),
+                    self._on_reload_requested,
+                    "Ctrl+L",
+                    "reload",
+                ),
+                entry("apply", tr("&Apply settings…"), self._review.review, "Ctrl+P", "apply"),
+                entry(
+                    "power",
+                    tr("Make stored settings acti&ve…"),
+                    self._on_power_cycle_wanted,
+                    "",
+                    "power",
+                ),
+                SEPARATOR,
+                entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
+                entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
+                entry("bench", tr("&Bench test…"), self._bench.open, "Ctrl+B", "plot"),
+                SEPARATOR,
+                entry(
+                    "defaults",
+                    tr("Restore &factory defaults…"),
+                    factory,
+                ),
+                entry(
+                    "serial_defaults",
+                    tr("Restore serial de&faults…"),
+                    serial,
+                ),
+            ),
+            Menu.WINDOW: (
+                *self.page_actions(),
+                SEPARATOR,
+                entry("demo", tr("&Demo TReX panel"), self._demo.toggle, checkable=True),
+            ),
         }
 
+    def menus(self) -> Menus:
+        return self._menus
+
+    def slots(self) -> Mapping[str, Callable[[], object]]:
+        return {**self.page_slots(), **self._slots}
+
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        """Take the actions of its slots, and restore what was shown last."""
         self._actions = actions
         page = str(self._store.value("window/page", 0))
         self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
@@ -194,30 +239,28 @@ class TrexWorkspace(Workspace):
         self._on_link_changed()
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        """Return which of its actions can be done now."""
-        link, motors = self._device.link, self._device.motors
-        up = link is ConnectionState.CONNECTED
-        shown = self._device.draft.shown is not None and not self._device.applying
-        waiting = bool(self._device.parameters.waiting_for_power)
-        edited = shown and self._device.pending > 0
-        recorder = self._recordings.recorder
+        device, recorder = self._device, self.recordings.recorder
+        connected = device.link is ConnectionState.CONNECTED
+        writable = connected and not device.applying
+        shown = device.draft.shown is not None and not device.applying
+        to_activate = bool(device.parameters.waiting_for_power) or device.reset_ordered
         return {
-            "reload": up and not self._device.applying,
-            "open": not self._device.applying,
+            "reload": writable,
+            "open": not device.applying,
             "save": shown,
             "print": shown,
             "export": shown,
             "record": recorder.recording or recorder.can_record,
-            "run": motors.is_available and not motors.armed and not motors.locked_for,
-            "apply": up and self._device.pending > 0 and not self._device.applying,
-            "power": up and (waiting or self._device.reset_ordered),
-            "defaults": up and not self._device.applying,
-            "serial_defaults": up and not self._device.applying,
-            "learn": up and not self._device.applying,
-            "test_sticks": up and not self._device.applying,
-            "discard": edited,
-            "undo": shown and self._device.undo.canUndo(),
-            "redo": shown and self._device.undo.canRedo(),
+            "run": device.motors.can_arm,
+            "apply": writable and device.pending > 0,
+            "power": connected and to_activate,
+            "defaults": writable,
+            "serial_defaults": writable,
+            "learn": writable,
+            "test_sticks": writable,
+            "discard": shown and device.pending > 0,
+            "undo": shown and device.undo.canUndo(),
+            "redo": shown and device.undo.canRedo(),
             "demo": self._controller.demo_in_use,
         }
 
@@ -225,15 +268,14 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        up = self._device.link is ConnectionState.CONNECTED
-        if up and not self._was_up:
+        is_connected = self._device.link is ConnectionState.CONNECTED
+        if is_connected and not self._was_connected:
             self.notifier.cleared.emit()
-        self._was_up = up
+        self._was_connected = is_connected
         self._on_actions_changed()
 
     @Slot()
     def _on_actions_changed(self) -> None:
-        """Let the menus say what can be done now."""
         self.actions_changed.emit()
         self._question.reconsider()
 
@@ -241,14 +283,13 @@ class TrexWorkspace(Workspace):
     def _on_recording_changed(self) -> None:
         if not self._actions:
             return
-        recording = self._recordings.recorder.recording
+        recording = self.recordings.recorder.recording
         text = self.tr("Stop &recording") if recording else self.tr("&Record…")
         self._actions["record"].setText(text)
         self.actions_changed.emit()
 
     @Slot()
     def _on_undo_changed(self) -> None:
-        """Say in the menu what would be undone."""
         undo = self._device.undo
         self._actions["undo"].setText(self.tr("&Undo {0}").format(undo.undoText()).strip())
         self._actions["redo"].setText(self.tr("&Redo {0}").format(undo.redoText()).strip())
@@ -278,9 +319,7 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _on_power_cycle_wanted(self) -> None:
-        if (
-            self._device.link is ConnectionState.CONNECTED
-        ):  # a window that closes has nothing to lead through
+        if self._device.link is ConnectionState.CONNECTED:  # not while the window closes
             self._guided.begin()
             self._power.guide()
 
@@ -306,18 +345,17 @@ class TrexWorkspace(Workspace):
     # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Ask before something is lost; an answer that lets the window go calls `leave`."""
         if self._may_leave or not (self._device.applying or self._device.pending):
             self._may_leave = False
-            return self._files.may_close()
+            return self.files.may_close()
 
-        def leave_all_the_same() -> None:
+        def leave_anyway() -> None:
             self._may_leave = True
             leave()
 
         def save_and_leave() -> None:
-            if self._files.ask_and_save():
-                leave_all_the_same()
+            if self.files.ask_and_save():
+                leave_anyway()
 
         self._frame.activateWindow()
         if self._device.applying:
@@ -326,34 +364,32 @@ class TrexWorkspace(Workspace):
                     "Settings are still being written. Close anyway? Unwritten settings will be "
                     "lost."
                 ),
-                PromptAnswer("closeYes", self.tr("Close anyway"), leave_all_the_same),
+                PromptAnswer("closeYes", self.tr("Close anyway"), leave_anyway),
                 still=lambda: self._device.applying,
             )
         else:
             self._question.ask(
                 self.tr("There are unapplied changes."),
                 PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
-                PromptAnswer("closeYes", self.tr("Discard and close"), leave_all_the_same),
+                PromptAnswer("closeYes", self.tr("Discard and close"), leave_anyway),
                 still=lambda: self._device.pending > 0 and not self._device.applying,
             )
         return False
 
     def prepare_to_close(self) -> None:
-        """Close every dialog and window of its own."""
         QObject.disconnect(self._undo_watch)  # the stack emits at its own end, too
         self._history.close()
         self._learn.close()
         self._bench.close()
         self._demo.leave()
-        self._files.close_all()
+        self.files.close_all()
         self._store.setValue("window/page", self.pages.currentIndex())
 
     def finish(self) -> None:
-        """Close the recordings."""
-        self._recordings.close_all()
+        self.recordings.close_all()
 
     def shut_down(self) -> bool:
-        return self._recordings.shut_down()
+        return self.recordings.shut_down()
 
     def edit_line_settings(self) -> None:
         dialog = LineSettingsDialog(self._controller.settings, self._frame)

@@ -10,13 +10,13 @@ from trex_gui.devices.trex.bench.figures import BAND
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.traces import current_limit
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.bench.figures_table import FiguresTable
 from trex_gui.devices.trex.views.bench.files import BenchFiles
 from trex_gui.devices.trex.views.bench.hold_button import HoldButton
 from trex_gui.devices.trex.views.bench.plan_form import PlanForm
 from trex_gui.devices.trex.views.bench.tuning import Tuning
+from trex_gui.devices.trex.views.pages.currents import current_limit
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import set_icon

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QVBoxLayout, QWidg
 
 from trex_gui.devices.trex.model.gamepad import axis_text, button_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.views.output_bar import OutputBar
+from trex_gui.devices.trex.views.bars import OutputBar
 from trex_gui.gamepad.pads import Pad, PadState
 from trex_gui.gamepad.profile import Axis
 from trex_gui.ui.widgets import builders as ui

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.learning.problem_text import problem_text, problems_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note, Sign
 

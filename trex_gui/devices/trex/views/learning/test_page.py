@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QLabel, QWidget
 from trex_gui.devices.trex.calibration.proof import Tested
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
+from trex_gui.devices.trex.views.bars import OutputBar
 from trex_gui.devices.trex.views.learning.measuring_pages import channel_label
-from trex_gui.devices.trex.views.output_bar import OutputBar
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
 

@@ -7,8 +7,10 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.traces import LiveTraces
+from trex_gui.devices.trex.model.telemetry import board_traces
+from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets.builders import column
 
@@ -20,6 +22,13 @@ _TRAILING_FRAMES = 30
 """Frames drawn after the last new sample or event, so that the figures are up to date."""
 
 
+def current_limit(device: Device, motor: int) -> float | None:
+    """Return the current limit in A that the board stores; `None` when off or not known."""
+    key = MotorParameter.CURRENT_LIMIT.of(motor)
+    wire = device.parameters.stored_of(key)
+    return wire * device.parameters.spec_of(key).scale if wire else None
+
+
 class CurrentsPage(QWidget):
     """A live plot; pyqtgraph is imported when the page is first shown."""
 
@@ -27,7 +36,7 @@ class CurrentsPage(QWidget):
         super().__init__(parent)
         self.setObjectName("currentsPage")
         self._device = device
-        self._live = LiveTraces(device, self)
+        self._limits: dict[str, float] = {}
         self._panel: TracePanel | None = None
         self._note = ""
         self._drawn = 0, 0
@@ -44,7 +53,8 @@ class CurrentsPage(QWidget):
 
         panel = TracePanel(parent=self)
         panel.plot.setObjectName("currentsPlot")
-        panel.set_source(self._live.traces)
+        history, events = self._device.telemetry.currents, self._device.events.all
+        panel.set_source(Traces(board_traces(), history, events, self._limits))
         column(panel, into=self)
         return panel
 
@@ -52,6 +62,9 @@ class CurrentsPage(QWidget):
     def _on_device_changed(self) -> None:
         if self._panel is None:
             return
+        limits = {motor: current_limit(self._device, motor) for motor in (1, 2)}
+        self._limits.clear()
+        self._limits |= {f"motor{m}_current": limit for m, limit in limits.items() if limit}
         state = self._device.state
         if state is None:
             note = empty = self.tr("Connect to a board to see its motor currents.")

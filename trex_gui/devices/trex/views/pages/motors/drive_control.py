@@ -4,8 +4,8 @@ from PySide6.QtCore import QEvent, QObject, QRect, QSignalBlocker, QSize, Qt, Si
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QSpinBox, QWidget
 
+from trex_gui.devices.trex.views.bars import OutputBar
 from trex_gui.devices.trex.views.driving.press_monitor import PressMonitor
-from trex_gui.devices.trex.views.output_bar import OutputBar
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import ElidedLabel

@@ -1,19 +1,16 @@
-"""Five live inputs: what comes in, and what the board makes of it."""
+"""Page of the five live inputs: the raw input, and what the board makes of it."""
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.views.output_bar import OutputBar
-from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
-
-_CHANNEL, _INPUT, _BAR, _OUTPUT = range(4)
 
 
 class ChannelsPage(QWidget):
@@ -29,29 +26,29 @@ class ChannelsPage(QWidget):
         self._bars: dict[int, ChannelBar] = {}
         self._outputs: dict[int, OutputBar] = {}
         self._summary = ui.label(self, "channelsSummary", wrap=True)
-        self._legend = ui.label(
+        legend = ui.label(
             self,
             "",
             self.tr(
-                "The bar shows the input as it comes in. Its marks are the channel's calibration: "
-                "full output at min and max, none within the shaded deadband around neutral. "
-                "Channels 1 to 3 drive motors in RC and analog mode; in serial mode they are only "
-                "measured."
+                "The bar shows the raw input. Its marks are the channel's calibration: full "
+                "output at min and max, none within the shaded deadband around neutral. Channels "
+                "1 to 3 drive motors in RC and analog mode; in serial mode they are only measured."
             ),
             wrap=True,
         )
 
-        grid = ui.grid(spacing=(16, 10), stretch=[(_BAR, 3), (_OUTPUT, 2)])
-        for column, text in (
-            (_CHANNEL, self.tr("Channel")),
-            (_INPUT, self.tr("Input (counts)")),
-            (_BAR, self.tr("Raw, with its calibration")),
-            (_OUTPUT, self.tr("Remapped (−127 to 127)")),
-        ):
-            grid.addWidget(self._heading(text), 0, column)
+        self._grid = ui.grid(spacing=(16, 10), stretch=[(2, 3), (3, 2)])
+        headings = (
+            self.tr("Channel"),
+            self.tr("Input (counts)"),
+            self.tr("Raw, with its calibration"),
+            self.tr("Remapped (−127 to 127)"),
+        )
+        for column, text in enumerate(headings):
+            self._grid.addWidget(ui.label(self, "", text, bold=True), 0, column)
         for channel in CHANNELS:
-            self._add_row(grid, channel)
-        ui.column(self._summary, grid, self._legend, 1, into=self)
+            self._add_row(channel)
+        ui.column(self._summary, self._grid, legend, 1, into=self)
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
@@ -59,14 +56,9 @@ class ChannelsPage(QWidget):
         device.telemetry.updated.connect(self._on_telemetry_updated)
         self._on_device_changed()
 
-    def _heading(self, text: str) -> QLabel:
-        return ui.label(self, "", text, bold=True)
-
-    def _add_row(self, grid: QGridLayout, channel: int) -> None:
-        row = channel
+    def _add_row(self, channel: int) -> None:
         role = CHANNEL_ROLES[channel]
-        name = QLabel(f"<b>{channel}</b><br><small>{role}</small>", self)
-        name.setTextFormat(Qt.TextFormat.RichText)
+        name = ui.label(self, "", f"<b>{channel}</b><br><small>{role}</small>")
         value = ui.label(self, f"channel{channel}Input")
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         value.setMinimumWidth(value.fontMetrics().horizontalAdvance("1500 µs (3750)") + 8)
@@ -81,8 +73,8 @@ class ChannelsPage(QWidget):
             f"channel{channel}Output",
             accessible=self.tr("Remapped channel {0}").format(channel),
         )
-        for column, widget in ((_CHANNEL, name), (_INPUT, value), (_BAR, bar), (_OUTPUT, output)):
-            grid.addWidget(widget, row, column)
+        for column, widget in enumerate((name, value, bar, output)):
+            self._grid.addWidget(widget, channel, column)
         self._inputs[channel] = value
         self._bars[channel] = bar
         self._outputs[channel] = output
@@ -90,22 +82,21 @@ class ChannelsPage(QWidget):
     @Slot()
     def _on_device_changed(self) -> None:
         state = self._device.state
-        there = state is not None and self._device.link is ConnectionState.CONNECTED
+        is_connected = state is not None and self._device.link is ConnectionState.CONNECTED
         if state is None:
             self._summary.setText(self.tr("Connect to a board to see its inputs."))
         else:
             self._source = state.source
-            kind = (
-                self.tr("RC pulses (µs; 0.4 µs a count)")
-                if state.source is InputSource.RC
-                else self.tr("voltages (V; 4.89 mV a count)")
-            )
-            self._summary.setText(self.tr("The inputs are read as {0}.").format(kind))
+            if state.source is InputSource.RC:
+                text = self.tr("The inputs are read as RC pulses (µs; 0.4 µs a count).")
+            else:
+                text = self.tr("The inputs are read as voltages (V; 4.89 mV a count).")
+            self._summary.setText(text)
         for channel in CHANNELS:
-            bar, output = self._bars[channel], self._outputs[channel]
-            bar.set_connected(there)
-            output.set_connected(there)
-            self._inputs[channel].setEnabled(there)
+            bar = self._bars[channel]
+            for widget in (bar, self._outputs[channel]):
+                widget.set_connected(is_connected)
+            self._inputs[channel].setEnabled(is_connected)
             if state is not None:
                 bar.set_source(state.source)
                 bar.set_calibration(self._device.calibrations.stored(channel))

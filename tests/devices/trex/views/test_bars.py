@@ -7,8 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.views.output_bar import OutputBar
-from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import Bar, BarState
 
@@ -269,14 +268,3 @@ def test_auxiliary_output_fills_from_the_left(qtbot: QtBot) -> None:
     assert colours(auxiliary, auxiliary.x_of(0), auxiliary.x_of(60)) == {named("bar")}
     assert colours(auxiliary, auxiliary.x_of(60), auxiliary.x_of(127)) == {named("track")}
     assert auxiliary.accessibleName() == "Auxiliary"
-
-
-def test_motor_bar_keeps_its_colour_in_reverse(qtbot: QtBot) -> None:
-    motor = OutputBar(label="Motor 2", color="motor2")
-    qtbot.addWidget(motor)
-    motor.resize(400, motor.sizeHint().height())
-    motor.set_connected(True)
-    motor.set_value(-100)
-    assert colours(motor, motor.x_of(-100), motor.x_of(0)) == {named("motor2")}
-    motor.set_label("Left")
-    assert motor.accessibleName() == "Left"

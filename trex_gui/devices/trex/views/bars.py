@@ -1,0 +1,355 @@
+"""The live bars: a channel's input with its calibration, and an output."""
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import QRect, QRectF, Qt
+from PySide6.QtGui import QPainter
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.ui.plotting.axes import spread, ticks
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.bar import Bar, BarState, with_sign
+
+# Raw counts. Ref: Pololu TReX User's Guide 4.b: a pulse counts from 0.5 to 2.5 ms.
+USUAL_AXIS = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
+_WIDEST = {InputSource.RC: (1250, 6250), InputSource.ANALOG: (0, 1023)}
+_GROWS_BY = 250  # 100 us
+_TICK_STEPS = {
+    InputSource.RC: (100.0, 200.0, 500.0, 1000.0),
+    InputSource.ANALOG: (0.5, 1.0, 2.5, 5.0),
+}
+
+_MARK_OVERSHOOT = 3
+_ZERO_OVERSHOOT = 2
+_POINTER_HEAD = 6
+
+
+def widened(axis: tuple[int, int], counts: Iterable[int]) -> tuple[int, int]:
+    """Return the ends of an axis, moved in round steps to include these counts."""
+    low, high = axis
+    for count in counts:
+        if count < low:
+            low = max(0, count // _GROWS_BY * _GROWS_BY)
+        if count > high:
+            high = -(-count // _GROWS_BY) * _GROWS_BY
+    return low, high
+
+
+class ChannelBar(Bar):
+    """Shows a raw channel value between minimum, neutral and maximum.
+
+    The fill runs from neutral to the value, so its side shows the direction; inside the
+    deadband it is grey. The axis widens for values and calibrations that lie outside it.
+
+    Attributes:
+        marks: names and counts of the marks that are drawn.
+        axis: raw counts at the left and the right end.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self._source = InputSource.RC
+        self._calibration: Calibration | None = None
+        self._raw: int | None = None
+        self.marks: dict[str, int] = {}
+        self.axis = USUAL_AXIS[self._source]
+        super().__init__("bar", "bar_negative", parent)
+        self.setAccessibleName(self.tr("Channel input"))
+        self._refresh()
+
+    def set_source(self, source: InputSource) -> None:
+        """Choose pulses or voltages; the value so far was in the other unit and is dropped."""
+        if source is not self._source:
+            self._source = source
+            self._raw = None
+            self._heard = False
+            self.axis = USUAL_AXIS[source]
+            self._widen()
+            self._measure()
+            self._refresh()
+
+    def set_calibration(
+        self, calibration: Calibration | None, *, minimum: bool = True, maximum: bool = True
+    ) -> None:
+        """Draw these marks, or none; an end that is not known yet can be left out."""
+        marks: dict[str, int] = {}
+        if calibration is not None:
+            if minimum:
+                marks[self.tr("min")] = calibration.minimum
+            marks[self.tr("neutral")] = calibration.neutral
+            if maximum:
+                marks[self.tr("max")] = calibration.maximum
+        if (calibration, marks) != (self._calibration, self.marks):
+            self._calibration, self.marks = calibration, marks
+            self.axis = USUAL_AXIS[self._source]
+            self._widen()
+            self._refresh()
+
+    def set_raw(self, raw: int | None) -> None:
+        """Show a count; `None` means that the channel has no valid signal."""
+        if not self._heard or raw != self._raw:
+            self._heard = True
+            self._raw = raw
+            self._widen()
+            self._refresh()
+
+    @property
+    def inset(self) -> int:
+        """Pixels from the left edge to the track: half a tick label."""
+        return self._small_metrics.horizontalAdvance("0000") // 2 + 1
+
+    def x_of(self, raw: float) -> float:
+        """Return where a count lies, in pixels from the left of the widget."""
+        return _x_on(self._track(), self.axis, raw)
+
+    def _widen(self) -> None:
+        shown = [] if self._raw is None else [self._raw]
+        if (calibration := self._calibration) is not None:
+            shown += [calibration.minimum, calibration.neutral, calibration.maximum]
+        lowest, highest = _WIDEST[self._source]
+        self.axis = widened(self.axis, (min(max(count, lowest), highest) for count in shown))
+
+    def _in_deadband(self, raw: int) -> bool:
+        calibration = self._calibration
+        return calibration is not None and abs(raw - calibration.neutral) <= calibration.deadband
+
+    def _forget_value(self) -> None:
+        self._raw = None
+
+    def _has_signal(self) -> bool:
+        return self._raw is not None
+
+    def _value_text(self) -> str:
+        return "" if self._raw is None else self._source.text(self._raw)
+
+    def _spoken_value(self) -> str:
+        raw, calibration, value = self._raw, self._calibration, self._value_text()
+        if raw is None or calibration is None:
+            return value
+        if self._in_deadband(raw):
+            return self.tr("{value}, neutral").format(value=value)
+        distance = self._source.text(abs(raw - calibration.neutral))
+        if raw > calibration.neutral:
+            text = self.tr("{value}, {distance} above neutral")
+        else:
+            text = self.tr("{value}, {distance} below neutral")
+        return text.format(value=value, distance=distance)
+
+    def _widest_value(self) -> str:
+        return self._source.text(_WIDEST[self._source][1])
+
+    def _height(self) -> int:
+        text = self._small_metrics.height()
+        return 2 * text + self._track_height() + _MARK_OVERSHOOT + _POINTER_HEAD + 2
+
+    def _track_height(self) -> int:
+        return self.fontMetrics().height() + 2
+
+    def _lay_out(self) -> QRect:
+        top = (self.height() - self._height()) // 2
+        top += self._small_metrics.height() + _MARK_OVERSHOOT
+        width = self.width() - 2 * self.inset - self._value_column()
+        return QRect(self.inset, top + 1, max(width, 1), self._track_height())
+
+    def _look(self) -> tuple[object, ...]:
+        return (self._source, self._calibration, tuple(self.marks), self.axis)
+
+    def _paint_static(self, painter: QPainter, track: QRect) -> None:
+        painter.setFont(self._small)
+        painter.setPen(self._marks.muted)
+        self._paint_ticks(painter, track)
+        if self._calibration is not None:
+            if self.state is BarState.LIVE:
+                self._paint_deadband(painter, track, self._calibration)
+            self._paint_marks(painter, track)
+            painter.setPen(self._marks.text)
+            self._paint_mark_labels(painter, track)
+        painter.setFont(self.font())
+
+    def _paint_ticks(self, painter: QPainter, track: QRect) -> None:
+        """Paint the smallest step whose labels have room."""
+        source, metrics = self._source, self._small_metrics
+        low, high = (source.physical(count) for count in self.axis)
+        gap = metrics.averageCharWidth() * 1.2
+        unit = f" {source.unit}"
+        # The unit may reach under the number, but not out of the widget.
+        end = float(self.width() - self._value_column() / 2)
+        for step in _TICK_STEPS[source]:
+            values = ticks(low, high, step)
+            texts = [f"{value:g}" for value in values]
+            texts[-1] += unit
+            xs = [self.x_of(value * source.counts_per_unit) for value in values]
+            widths = [float(metrics.horizontalAdvance(text)) for text in texts]
+            if sum(widths) + gap * len(widths) > track.width():
+                continue
+            # The digits are under the tick, the unit beside them.
+            wanted = [*xs[:-1], xs[-1] + metrics.horizontalAdvance(unit) / 2]
+            centres = spread(wanted, widths, 0.0, end, gap)
+            if centres is None:
+                continue
+            bottom = track.top() + track.height()
+            for x in xs:
+                painter.fillRect(QRectF(self._snap(x), bottom + 1, 1, 3), self._marks.muted)
+            self._paint_labels(painter, bottom + _POINTER_HEAD, centres, widths, texts)
+            return
+
+    def _paint_labels(
+        self,
+        painter: QPainter,
+        top: float,
+        centres: Iterable[float],
+        widths: Iterable[float],
+        texts: Iterable[str],
+    ) -> None:
+        for centre, width, text in zip(centres, widths, texts, strict=True):
+            where = QRectF(centre - width / 2, top, width + 1, self._small_metrics.height())
+            painter.drawText(where, Qt.AlignmentFlag.AlignCenter, text)
+
+    def _paint_deadband(self, painter: QPainter, track: QRect, calibration: Calibration) -> None:
+        left = self._snap(self.x_of(calibration.neutral - calibration.deadband))
+        right = self._snap(self.x_of(calibration.neutral + calibration.deadband))
+        if right > left:
+            band = QRectF(left, track.top(), right - left, track.height())
+            painter.fillRect(band, theme().color("deadband"))
+            for x in (left, right - 1):
+                edge = QRectF(x, track.top(), 1, track.height())
+                painter.fillRect(edge, self._marks.neutral)
+
+    def _paint_marks(self, painter: QPainter, track: QRect) -> None:
+        top, height = track.top() - _MARK_OVERSHOOT, track.height() + _MARK_OVERSHOOT
+        for count in self.marks.values():
+            x = self._snap(self.x_of(count) - 0.5)
+            painter.fillRect(QRectF(x, top, 1, height), self._marks.mark)
+
+    def _paint_mark_labels(self, painter: QPainter, track: QRect) -> None:
+        low, high = self.axis
+        metrics, counts = self._small_metrics, list(self.marks.values())
+        if counts != sorted(counts):  # the board rejects such a calibration
+            return
+        texts = [
+            f"◂ {name}" if count < low else f"{name} ▸" if count > high else name
+            for name, count in self.marks.items()
+        ]
+        widths = [float(metrics.horizontalAdvance(text)) for text in texts]
+        xs = [self.x_of(count) for count in counts]
+        gap = metrics.averageCharWidth() * 0.8
+        end = float(track.left() + track.width() + self.inset)
+        centres = spread(xs, widths, 0.0, end, gap)
+        if centres is None:  # too narrow for all: the ends alone, if those have room
+            texts, xs, widths = texts[::2], xs[::2], widths[::2]
+            centres = spread(xs, widths, 0.0, end, gap)
+        if centres is not None:
+            top = track.top() - _MARK_OVERSHOOT - metrics.height()
+            self._paint_labels(painter, top, centres, widths, texts)
+
+    def _paint_live(self, painter: QPainter, track: QRect) -> None:
+        raw = self._raw
+        if raw is None:
+            return
+        if self._calibration is not None:
+            self._paint_deviation(painter, track, self._calibration, raw)
+            self._paint_marks(painter, track)
+        self._paint_pointer(painter, track, self.x_of(raw), _POINTER_HEAD)
+
+    def _paint_deviation(
+        self, painter: QPainter, track: QRect, calibration: Calibration, raw: int
+    ) -> None:
+        """Fill from neutral to the value: grey as far as the deadband goes, coloured beyond."""
+        neutral, deadband = calibration.neutral, calibration.deadband
+        start = self.x_of(neutral)
+        if self._in_deadband(raw):
+            self._paint_fill(painter, track, start, self.x_of(raw), self._marks.neutral)
+            return
+        above = raw > neutral
+        edge = self.x_of(neutral + deadband if above else neutral - deadband)
+        color = self._marks.fill if above else self._marks.negative
+        self._paint_fill(painter, track, start, edge, self._marks.neutral)
+        self._paint_fill(painter, track, edge, self.x_of(raw), color)
+
+
+class OutputBar(Bar):
+    """Shows -127 to 127 from the centre, or 0 to 127 from the left; `value` is the one shown."""
+
+    def __init__(
+        self, parent: QWidget | None = None, *, label: str = "", bipolar: bool = True
+    ) -> None:
+        """Show a bar with `label` at its left."""
+        self._label = label
+        self._bipolar = bipolar
+        self.value: int | None = None
+        super().__init__("bar", "bar_negative", parent)
+        self.setAccessibleName(label or self.tr("Output"))
+        self._refresh()
+
+    def set_value(self, value: int | None) -> None:
+        """Show a value, kept within the bar; `None` means that there is no valid signal."""
+        if not self._heard or value != self.value:
+            self._heard = True
+            self.value = value
+            self._refresh()
+
+    def x_of(self, value: float) -> float:
+        """Return where a value lies, in pixels from the left of the widget."""
+        return _x_on(self._track(), (-FULL_SCALE if self._bipolar else 0, FULL_SCALE), value)
+
+    def _forget_value(self) -> None:
+        self.value = None
+
+    def _has_signal(self) -> bool:
+        return self.value is not None
+
+    def _value_text(self) -> str:
+        if self.value is None:
+            return ""
+        return with_sign(self.value) if self._bipolar else str(self.value)
+
+    def _spoken_value(self) -> str:
+        return self.tr("{value} of {full}").format(value=self._value_text(), full=FULL_SCALE)
+
+    def _widest_value(self) -> str:
+        return with_sign(-FULL_SCALE) if self._bipolar else str(FULL_SCALE)
+
+    def _height(self) -> int:
+        return self.fontMetrics().height() + 2 + 2 * _ZERO_OVERSHOOT + 2
+
+    def _label_column(self) -> int:
+        if not self._label:
+            return 0
+        metrics = self.fontMetrics()
+        return metrics.horizontalAdvance(self._label) + metrics.averageCharWidth()
+
+    def _lay_out(self) -> QRect:
+        height = self.fontMetrics().height() + 2
+        left = self._label_column() + 1
+        width = self.width() - left - self._value_column() - 2
+        return QRect(left, (self.height() - height) // 2, max(width, 1), height)
+
+    def _look(self) -> tuple[object, ...]:
+        return (self._label, self._bipolar)
+
+    def _paint_static(self, painter: QPainter, track: QRect) -> None:
+        painter.setPen(self._marks.text)
+        if self._label:
+            box = QRect(0, track.top(), self._label_column(), track.height())
+            painter.drawText(box, Qt.AlignmentFlag.AlignVCenter, self._label)
+        if not self._caption():
+            self._paint_zero(painter, track)
+
+    def _paint_zero(self, painter: QPainter, track: QRect) -> None:
+        x = self._snap(self.x_of(0) - 0.5)
+        top, height = track.top() - _ZERO_OVERSHOOT, track.height() + 2 * _ZERO_OVERSHOOT
+        painter.fillRect(QRectF(x, top, 1, height), self._marks.mark)
+
+    def _paint_live(self, painter: QPainter, track: QRect) -> None:
+        value = self.value
+        if value is not None:
+            color = self._marks.fill if value > 0 else self._marks.negative
+            self._paint_fill(painter, track, self.x_of(0), self.x_of(value), color)
+            self._paint_zero(painter, track)
+            self._paint_pointer(painter, track, self.x_of(value), 0)
+
+
+def _x_on(track: QRect, axis: tuple[int, int], value: float) -> float:
+    low, high = axis
+    return track.left() + min(max((value - low) / (high - low), 0.0), 1.0) * track.width()
