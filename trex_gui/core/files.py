@@ -60,6 +60,11 @@ class SettingsError(StudioError):
         self.findings = tuple(findings)
         super().__init__(name, self.findings)
 
+    @classmethod
+    def of(cls, name: object, message: str, line: int | None = None) -> "SettingsError":
+        """Return an error with one finding."""
+        return cls(str(name), [Finding(line, None, message)])
+
     def __str__(self) -> str:
         between = " " if len(self.findings) == 1 else "\n"
         return f"{self.name}:{between}" + "\n".join(map(str, self.findings))

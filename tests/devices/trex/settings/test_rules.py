@@ -15,7 +15,7 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibra
 from trex_gui.devices.trex.protocol.framing import crc7
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, accept, lint
+from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, lint
 
 thorough = examples(40, phases=[Phase.generate])
 NOTHING_ELSE = Context()
@@ -44,6 +44,10 @@ def only(given_settings: Settings, context: Context = NOTHING_ELSE) -> LintFindi
     """Return the only finding."""
     (found,) = lint(given_settings, context)
     return found
+
+
+def accept(settings: Settings, finding: LintFinding) -> Settings:
+    return replace(settings, parameters={**settings.parameters, **finding.change})
 
 
 def calibrated(key: str, *points: int) -> Settings:

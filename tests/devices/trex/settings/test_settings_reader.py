@@ -266,8 +266,8 @@ def test_repeated_product_is_reported() -> None:
         ),
         ("", "line 1: there are no settings here; the first is 'product: TReX'"),
         ("# nothing\n", "line 1: there are no settings here; the first is 'product: TReX'"),
-        ("TReX\n", "line 1: this is no setting; settings are plain 'key: value' lines"),
-        ("- TReX\n", "line 1: this is no setting; settings are plain 'key: value' lines"),
+        ("TReX\n", "line 1: this is not a setting; settings are plain 'key: value' lines"),
+        ("- TReX\n", "line 1: this is not a setting; settings are plain 'key: value' lines"),
     ],
 )
 def test_file_must_begin_with_known_product(text: str, sentence: str) -> None:

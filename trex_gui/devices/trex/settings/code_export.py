@@ -1,8 +1,4 @@
-"""Export settings as a program in C, Python or for Arduino.
-
-The program stores and checks the settings and drives the motors. `resources/code/` has a Jinja
-template for each language; this module has the values that fill them.
-"""
+"""Export settings as a program in C, Python or for Arduino, from a Jinja template for each."""
 
 import textwrap
 import unicodedata
@@ -31,7 +27,7 @@ _COMMENT_COLUMN = 42
 """Where comments begin at the latest, unless the code before them is longer."""
 
 _SOURCE_LETTERS = {mode.source: mode.value for mode in Mode if mode.is_serial}
-"""The reply to 0x82 in serial mode, by the inputs whose calibrations the board shows then."""
+"""The mode letter in serial mode, by the inputs whose calibrations the board then shows."""
 
 _PARITIES = {Detection.EVEN: "EVEN", Detection.ODD: "ODD"}
 
@@ -45,19 +41,20 @@ class Language(Enum):
 
     @property
     def title(self) -> str:
-        """Return the user's name for a program in the language."""
-        titles = {"arduino": "Arduino sketch", "python": "Python program", "c": "C program"}
-        return titles[self.value]
+        """The user's name for a program in the language."""
+        return _TITLES[self]
 
     @property
     def suffix(self) -> str:
-        """Return the end of a file name."""
-        return {"arduino": ".ino", "python": ".py", "c": ".c"}[self.value]
+        return _SUFFIXES[self]
 
-    @property
-    def comment(self) -> str:
-        """Return what begins a comment after code, in the usual style of the language."""
-        return "  #" if self is Language.PYTHON else " //"
+
+_TITLES = {
+    Language.ARDUINO: "Arduino sketch",
+    Language.PYTHON: "Python program",
+    Language.C: "C program",
+}
+_SUFFIXES = {Language.ARDUINO: ".ino", Language.PYTHON: ".py", Language.C: ".c"}
 
 
 def file_name(settings: Settings, language: Language) -> str:
@@ -72,12 +69,7 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
     """Return a complete program that stores and checks settings and drives motors.
 
     The same settings and line give the same text, plain ASCII. A value that the board would
-    reject is named in a comment and left out.
-
-    Args:
-        settings: what the program stores.
-        link: baud rate, framing and the like; the user gives the port to the program.
-        language: the language of the program.
+    reject is named in a comment and left out. The port of `link` is not used.
 
     Raises:
         BadRequest: the settings hold a key that their model and firmware do not have, or the
@@ -87,7 +79,6 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
     tables = _Tables.of(settings)
     product, device, line = settings.product, link.framing.device_number, link.line
     new_device = tables.wire(ParameterKey.DEVICE_NUMBER)
-    renumbers = None not in {new_device, device} and new_device != device
     firmware = "" if settings.firmware is None else f" with firmware {settings.firmware}"
     return _render(
         f"code/trex_board{language.suffix}.jinja",
@@ -102,27 +93,18 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
         new_line=_new_line(link, tables),
         baud=line.baud,
         parity=_PARITIES.get(line.detection, "NONE"),
-        even=line.detection is Detection.EVEN,
-        odd=line.detection is Detection.ODD,
         stop_bits=line.stop_bits,
-        two_stop_bits=line.stop_bits == 2,
-        serial_config=_serial_config(line),
         # Packets
         device=device,
-        with_device="" if device is None else f", device number {device}",
         new_device=new_device,
-        renumbers=renumbers,
-        device_name=_device_name(language, renumbers=renumbers),
-        device_parameter=_hexadecimal(parameter_number(ParameterKey.DEVICE_NUMBER)),
+        renumbers=None not in {new_device, device} and new_device != device,
+        device_parameter=parameter_number(ParameterKey.DEVICE_NUMBER),
         crc=link.framing.polynomial is not None,
-        polynomial=_hexadecimal(link.polynomial),
+        polynomial=link.polynomial,
         # Board and settings
         signature=plain(product.signature.decode("ascii")),
-        milliampere=f"{product.current_unit * 1000:.0f}",
-        ampere=f"{product.current_unit:g}",
-        power_cycle=_hexadecimal(
-            min(spec.number for spec in settings.specs if spec.needs_power_cycle)
-        ),
+        ampere=product.current_unit,
+        power_cycle=min(spec.number for spec in settings.specs if spec.needs_power_cycle),
         parameters=_aligned(language, [_row(language, *pair) for pair in tables.parameters]),
         calibrations=_aligned(
             language, [_calibration_row(language, *pair) for pair in tables.calibrations]
@@ -140,6 +122,7 @@ def _render(name: str, **values: object) -> str:
         undefined=StrictUndefined,
         autoescape=False,  # noqa: S701 - source code, not HTML; `plain` makes text safe
     )
+    environment.filters["hex"] = _hexadecimal
     template = environment.from_string(resource(name).read_text(encoding="utf-8"))
     return template.render(values)
 
@@ -165,46 +148,31 @@ _ASCII = str.maketrans({"µ": "u", "μ": "u", "−": "-", "–": "-", "—": "-"
 
 @dataclass(frozen=True, slots=True)
 class _Tables:
-    """The settings that can be stored, in the order in which the program stores them.
+    """The valid settings, in the order in which the program stores them.
 
-    Attributes:
-        parameters: with wire values; those that change the communication come last, so that the
-            board stays reachable after an interruption.
-        left_out: a sentence for each value that the board would reject.
+    Parameters that change the communication come last, so that the board stays reachable after
+    an interruption. `left_out` has a sentence for each value that the board would reject.
     """
 
-    parameters: tuple[tuple[ParameterSpec, int], ...]
-    calibrations: tuple[tuple[CalibrationKey, Calibration], ...]
-    left_out: tuple[str, ...]
+    parameters: list[tuple[ParameterSpec, int]]
+    calibrations: list[tuple[CalibrationKey, Calibration]]
+    left_out: list[str]
 
     @classmethod
     def of(cls, settings: Settings) -> "_Tables":
         check_keys(settings)
-        given = [
-            (spec, settings.parameters[spec.key])
-            for spec in settings.specs.readable
-            if spec.key in settings.parameters
-        ]
-        found = [
-            (key, settings.calibrations[key])
-            for key in CalibrationKey
-            if key in settings.calibrations
-        ]
-        left_out = [problem for spec, wire in given if (problem := spec.problem(wire))]
-        left_out += [
-            f"{key}: {problem}" for key, calibration in found if (problem := calibration.problem())
-        ]
-        valid = [(spec, wire) for spec, wire in given if not spec.problem(wire)]
-        valid.sort(key=lambda p: (p[0].needs_power_cycle, p[0].group == "serial", p[0].number))
-        return cls(tuple(valid), tuple(c for c in found if not c[1].problem()), tuple(left_out))
+        left_out = [p for spec, wire in settings.parameter_items() if (p := spec.problem(wire))]
+        left_out += [f"{key}: {p}" for key, c in settings.calibration_items() if (p := c.problem())]
+        valid = settings.without_invalid()
+        parameters = valid.parameter_items()
+        parameters.sort(key=lambda p: (p[0].needs_power_cycle, p[0].group == "serial", p[0].number))
+        return cls(parameters, valid.calibration_items(), left_out)
 
     def wire(self, key: str) -> int | None:
-        """Return the new wire value of a parameter; `None` if it is not stored."""
         return next((wire for spec, wire in self.parameters if spec.key == key), None)
 
 
 def _row(language: Language, spec: ParameterSpec, wire: int) -> tuple[str, str]:
-    """Return code and comment for a parameter."""
     number, name = _hexadecimal(spec.number), plain(spec.name)
     comment = plain(parameter_text(spec, wire))
     match language:
@@ -219,7 +187,6 @@ def _row(language: Language, spec: ParameterSpec, wire: int) -> tuple[str, str]:
 def _calibration_row(
     language: Language, key: CalibrationKey, calibration: Calibration
 ) -> tuple[str, str]:
-    """Return code and comment for a calibration."""
     letter = _SOURCE_LETTERS[key.source]
     values = ", ".join(str(getattr(calibration, name)) for name in CALIBRATION_FIELDS)
     comment = plain(calibration_text(key.source, calibration))
@@ -229,14 +196,11 @@ def _calibration_row(
 
 
 def _aligned(language: Language, rows: Sequence[tuple[str, str]]) -> str:
-    """Return the rows of a table with aligned comments."""
-    # The style of ruff and black has two spaces before a comment and none to align it.
-    is_aligned = language is not Language.PYTHON
-    width = max((len(code) for code, _ in rows), default=0) if is_aligned else 0
-    width = min(width, _COMMENT_COLUMN)
-    return "\n".join(
-        f"{code:{width}}{language.comment} {comment}" if comment else code for code, comment in rows
-    )
+    """Return rows of code and comment, in C and Arduino with aligned comments."""
+    if language is Language.PYTHON:
+        return "\n".join(f"{code}  # {comment}" if comment else code for code, comment in rows)
+    width = min(max((len(code) for code, _ in rows), default=0), _COMMENT_COLUMN)
+    return "\n".join(f"{code:{width}} // {comment}" if comment else code for code, comment in rows)
 
 
 def _stem(settings: Settings) -> str:
@@ -245,20 +209,6 @@ def _stem(settings: Settings) -> str:
 
 def _hexadecimal(byte: int) -> str:
     return f"0x{byte:02X}"
-
-
-def _serial_config(line: LineSettings) -> str:
-    """Return the second argument of Arduino's `begin`; empty for the default."""
-    letter = _PARITIES.get(line.detection, "NONE")[0]
-    name = f"SERIAL_8{letter}{line.stop_bits}"
-    return "" if name == "SERIAL_8N1" else f", {name}"
-
-
-def _device_name(language: Language, *, renumbers: bool) -> str:
-    """Return the name of the device number: a constant, or a variable if it changes."""
-    if language is Language.PYTHON:
-        return "self.device" if renumbers else "DEVICE"
-    return "trex_device" if renumbers else "TREX_DEVICE"
 
 
 def _new_line(link: ConnectionSettings, tables: _Tables) -> str:
@@ -276,7 +226,6 @@ def _new_line(link: ConnectionSettings, tables: _Tables) -> str:
 
 
 def _warning(tables: _Tables) -> str:
-    """Return what the motors do when the program ends."""
     timeout = next(
         (pair for pair in tables.parameters if pair[0].key == ParameterKey.SERIAL_TIMEOUT), None
     )

@@ -26,8 +26,7 @@ class ComparisonRow:
         name: for the user.
         before: wire value or calibration; `None`: not known, or not given.
         after: likewise; `None` leaves a setting as it is.
-        text_before: `before` in physical units; empty for `None`.
-        text_after: `after` in physical units; empty for `None`.
+        text_before, text_after: in physical units; empty for `None`.
     """
 
     key: str
@@ -51,6 +50,16 @@ class ComparisonRow:
     def is_calibration(self) -> bool:
         return isinstance(self.key, CalibrationKey)
 
+    @property
+    def differing_fields(self) -> tuple[str, ...]:
+        """The fields in which calibrations differ: all if one is not known."""
+        if not self.is_calibration or self.before == self.after:
+            return ()
+        old, new = self.before, self.after
+        return tuple(
+            f for f in CALIBRATION_FIELDS if getattr(old, f, None) != getattr(new, f, None)
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
@@ -58,8 +67,7 @@ class Comparison:
 
     Attributes:
         rows: in the order of the parameter table, calibrations behind.
-        left_out: sentences: what cannot be carried over to the other product or firmware, and
-            why.
+        left_out: a sentence for each setting that the other product or firmware does not have.
     """
 
     rows: tuple[ComparisonRow, ...]
@@ -99,8 +107,7 @@ class Comparison:
     def report(self) -> str:
         """Return a table of the rows that differ, old → new in wire and physical units.
 
-        What cannot be carried over follows, a line each. Ends without a line break; empty when
-        there is nothing to say.
+        `left_out` follows. Ends without a line break; empty without differences.
         """
         cells = [cell for row in self.differing for cell in _cells(row)]
         widths = [max((len(cell[column]) for cell in cells), default=0) for column in range(3)]
@@ -112,10 +119,10 @@ class Comparison:
 
 
 def compare(before: Settings, after: Settings) -> Comparison:
-    """Compare what is there (a board, an old file) with what is to be there.
+    """Compare the settings of a board or a file with those that will replace them.
 
-    Rows are equal when their wire values are: those are what a board stores. Where the same wire
-    value means something else to the other model, it is not carried over.
+    Rows with the same wire values are equal. A wire value that means something else to the other
+    model is left out.
     """
     numbers = {spec.number: key for side in (before, after) for key, spec in _specs(side).items()}
     keys = [key for _, key in sorted(numbers.items())]
@@ -126,7 +133,7 @@ def compare(before: Settings, after: Settings) -> Comparison:
 
 
 def _why_not_carried(key: str, before: Settings, after: Settings) -> str:
-    """Say why this parameter of one side is nothing to the other; empty: it is."""
+    """Say why the other side cannot have this parameter; empty if it can."""
     for side, other in ((before, after), (after, before)):
         spec, wire = _specs(side).get(key), side.parameters.get(key)
         if spec is not None and wire is not None and key not in _specs(other):
@@ -144,13 +151,13 @@ def _why_not_carried(key: str, before: Settings, after: Settings) -> str:
     )
 
 
-def _specs(settings: Settings) -> Mapping[str, ParameterSpec]:
-    return _specs_of(settings.product, settings.firmware)
-
-
 @cache
 def _specs_of(product: Model, firmware: str | None) -> Mapping[str, ParameterSpec]:
     return {spec.key: spec for spec in specs_for(product, firmware).readable}
+
+
+def _specs(settings: Settings) -> Mapping[str, ParameterSpec]:
+    return _specs_of(settings.product, settings.firmware)
 
 
 def _parameter_row(key: str, before: Settings, after: Settings) -> ComparisonRow:
@@ -192,21 +199,19 @@ def _counts(noun: str, rows: list[ComparisonRow]) -> str:
 
 def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
     """Yield the lines of a row: key, wire values, physical values."""
-    both = isinstance(row.before, Calibration) and isinstance(row.after, Calibration)
-    if both and isinstance(row.key, CalibrationKey):
-        source = row.key.source
-        for name in CALIBRATION_FIELDS:
+    if isinstance(row.key, CalibrationKey) and row.before is not None and row.after is not None:
+        for name in row.differing_fields:
             old, new = getattr(row.before, name), getattr(row.after, name)
-            if old != new:
-                texts = f"{source.text(old)} → {source.text(new)}"
-                yield f"{row.key} {name}", f"{old} → {new}", texts
+            texts = f"{row.key.source.text(old)} → {row.key.source.text(new)}"
+            yield f"{row.key} {name}", f"{old} → {new}", texts
         return
-    wires = f"{_wire_text(row.before)} → {_wire_text(row.after)}"
+    wires = f"{wire_text(row.before, _NOT_GIVEN)} → {wire_text(row.after, _NOT_GIVEN)}"
     texts = f"{row.text_before or _NOT_GIVEN} → {row.text_after or _NOT_GIVEN}"
     yield row.key, wires, "" if texts == wires else texts
 
 
-def _wire_text(value: int | Calibration | None) -> str:
+def wire_text(value: int | Calibration | None, missing: str) -> str:
+    """Return a wire value or the counts of a calibration; `missing` for `None`."""
     if isinstance(value, Calibration):
         return " ".join(str(getattr(value, name)) for name in CALIBRATION_FIELDS)
-    return _NOT_GIVEN if value is None else str(value)
+    return missing if value is None else str(value)

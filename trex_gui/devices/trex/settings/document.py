@@ -1,12 +1,17 @@
 """The settings of a board, as read, as written in a file, or as shipped."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import Model
-from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet, parameters_of
+from trex_gui.devices.trex.protocol.parameters import (
+    ParameterKey,
+    ParameterSet,
+    ParameterSpec,
+    parameters_of,
+)
 
 REACH = (
     ParameterKey.DEVICE_NUMBER,
@@ -14,15 +19,15 @@ REACH = (
     ParameterKey.CRC7_POLYNOMIAL,
     ParameterKey.UART_SETTINGS,
 )
-"""The parameters that decide how a board is reached."""
+"""The parameters that a connection to the board depends on."""
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """The settings of one board, as far as they are known.
+    """The known settings of one board.
 
     Attributes:
-        firmware: the version that the settings are for; `None`: unknown.
+        firmware: `None`: unknown.
         parameters: wire values by key.
     """
 
@@ -36,6 +41,23 @@ class Settings:
         """The parameters that these settings may have."""
         return specs_for(self.product, self.firmware)
 
+    def parameter_items(self) -> list[tuple[ParameterSpec, int]]:
+        """Return the given parameters with their wire values, in the order of their numbers."""
+        given = self.parameters
+        return [(spec, given[spec.key]) for spec in self.specs.readable if spec.key in given]
+
+    def calibration_items(self) -> list[tuple[CalibrationKey, Calibration]]:
+        """Return the given calibrations, those for RC pulses first."""
+        return [(key, self.calibrations[key]) for key in CalibrationKey if key in self.calibrations]
+
+    def without_invalid(self) -> "Settings":
+        """Return the settings without values that the board would reject."""
+        return replace(
+            self,
+            parameters={s.key: wire for s, wire in self.parameter_items() if not s.problem(wire)},
+            calibrations={key: c for key, c in self.calibration_items() if not c.problem()},
+        )
+
 
 def specs_for(product: Model, firmware: str | None) -> ParameterSet:
     """Return the parameters of a model with a firmware, by default the newest one known."""
@@ -43,9 +65,9 @@ def specs_for(product: Model, firmware: str | None) -> ParameterSet:
 
 
 def settings_of(state: DeviceState) -> Settings:
-    """Return what the board stores, including values that it would not accept.
+    """Return what the board stores, including values that it would reject.
 
-    The calibrations are those of the input source in force; the board hides the others.
+    The calibrations are those of the active input source; the board hides the others.
     """
     stored = state.parameters
     return Settings(
@@ -62,13 +84,13 @@ def settings_of(state: DeviceState) -> Settings:
 def factory_settings(product: Model, firmware: str | None) -> Settings:
     """Return the default parameters; a reset does not change the calibrations.
 
-    `ParameterSpec.default_confirmed` says which defaults no source confirms.
+    Some defaults are inferred: see `ParameterSpec.default_confirmed`.
     """
     specs = specs_for(product, firmware).readable
     return Settings(product, firmware, {spec.key: spec.default for spec in specs})
 
 
 def serial_defaults(product: Model, firmware: str | None) -> Settings:
-    """Return the defaults of the parameters that decide how a new board is reached."""
+    """Return the defaults of the `REACH` parameters."""
     defaults = factory_settings(product, firmware).parameters
     return Settings(product, firmware, {key: defaults[key] for key in REACH if key in defaults})

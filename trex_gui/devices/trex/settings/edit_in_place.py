@@ -9,12 +9,12 @@ import re
 from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from ruamel.yaml.nodes import MappingNode, Node
 
-from trex_gui.core.files import Finding, SettingsError
-from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, CalibrationKey
+from trex_gui.core.files import SettingsError
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import (
@@ -41,8 +41,8 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
 
     Changed values are replaced where they are, in the same base. A comment beside a value is
     updated if the program wrote it; the user's comments stay. Missing settings are appended;
-    settings to remove become comments, and so do values that the board would reject. With the
-    settings that it already has, a text does not change.
+    removed settings become comments, and so do values that the board would reject. A text that
+    has the settings already does not change.
 
     Args:
         text: the content of the file, line ends and byte order mark included.
@@ -55,18 +55,18 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
     """
     check_keys(settings)
     old, _ = read_settings(text, name)
-    wanted = _without_invalid(settings)
+    wanted = settings.without_invalid()
     mark = BYTE_ORDER_MARK if text.startswith(BYTE_ORDER_MARK) else ""
     document = _Document.of(text.removeprefix(BYTE_ORDER_MARK), name)
     _change_entries(document, old, wanted)
     document.append(list(_missing_lines(document, settings)))
     amended = mark + document.text()
     if amended != text and not _reads_as(wanted, amended):
-        message = (
+        raise SettingsError.of(
+            name,
             "this file is written in a way that cannot be changed in place; save the settings as "
-            "a new file"
+            "a new file",
         )
-        raise SettingsError(name, [Finding(None, None, message)])
     return amended
 
 
@@ -75,17 +75,6 @@ def _reads_as(settings: Settings, text: str) -> bool:
         return read_settings(text)[0] == settings
     except SettingsError:
         return False
-
-
-def _without_invalid(settings: Settings) -> Settings:
-    """Return the settings without values that the board would reject."""
-    parameters, calibrations = settings.parameters, settings.calibrations
-    valid = {spec.key: spec.valid for spec in settings.specs.readable}
-    return replace(
-        settings,
-        parameters={key: wire for key, wire in parameters.items() if wire in valid[key]},
-        calibrations={key: c for key, c in calibrations.items() if c.problem() is None},
-    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,7 +117,7 @@ class _Document:
         return cls(body, root, entries, line_starts)
 
     def text(self) -> str:
-        """Return the text with all changes; comments keep their columns if there is room."""
+        """Return the changed text; comments keep their columns if there is room."""
         parts = []
         for number in range(len(self.line_starts)):
             old, gap, comment, end = self._parts(number)
@@ -143,7 +132,6 @@ class _Document:
         return "".join([*parts[:number], text, *parts[number:]])
 
     def replace(self, node: Node, old: str, new: str) -> None:
-        """Replace a word within a value."""
         start = self.body.find(old, node.start_mark.index, node.end_mark.index)
         if old != new and start >= 0:
             self._edit(start, start + len(old), new)
@@ -210,7 +198,7 @@ class _Document:
         return range(self._line_at(entry.start), self._line_at(entry.end - 1) + 1)
 
     def _parts(self, number: int) -> tuple[str, str, str, str]:
-        """Return code, gap, comment and end of a line."""
+        """Return the code, gap, comment and end of a line."""
         line = self.body[slice(*[*self.line_starts, len(self.body)][number : number + 2])]
         found = _LINE.fullmatch(line)
         code, gap, comment, end = found.groups("") if found else (line, "", "", "")
@@ -260,18 +248,10 @@ def _missing_lines(document: _Document, settings: Settings) -> Iterator[str]:
     """Yield a line for each setting that the text lacks, in the order of the table."""
     if settings.firmware is not None and "firmware" not in document.entries:
         yield f"firmware: {settings.firmware}"
-    lines = [
-        (spec.key, parameter_line(spec, settings.parameters[spec.key]))
-        for spec in settings.specs.readable
-        if spec.key in settings.parameters
-    ]
-    lines += [
-        (key, calibration_line(key, settings.calibrations[key]))
-        for key in CalibrationKey
-        if key in settings.calibrations
-    ]
+    lines = [(spec.key, parameter_line(spec, wire)) for spec, wire in settings.parameter_items()]
+    lines += [(key, calibration_line(key, c)) for key, c in settings.calibration_items()]
     present = {line.strip() for line in document.body.splitlines()}
     for key, line in lines:
-        is_comment = line.startswith("#")  # a value that the board would reject
-        if (is_comment and line not in present) or (not is_comment and key not in document.entries):
+        is_rejected = line.startswith("#")
+        if line not in present if is_rejected else key not in document.entries:
             yield line

@@ -1,8 +1,7 @@
-"""Snapshots: what a board was set to before each change, kept so that nothing is lost.
+"""Snapshots: settings files with what a board stored before each change.
 
-A snapshot is a settings file like any other, whose head says when, why and of which board it was
-taken. Files in the folder that are no snapshots are left alone. How many snapshots are kept
-stands in the same folder, in a small text file: for every program that takes some.
+Comments at the head say when, why and of which board a snapshot was taken. A small text file in
+the same folder says to all programs how many snapshots to keep; other files are left alone.
 """
 
 import os
@@ -14,7 +13,7 @@ from pathlib import Path
 
 import platformdirs
 
-from trex_gui.core.files import Finding, SettingsError, load, save, save_new
+from trex_gui.core.files import SettingsError, load, save, save_new
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
@@ -26,9 +25,7 @@ KEPT = 500
 
 _NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
 _TIME = "%Y%m%dT%H%M%SZ"
-_HEAD = 4096
-"""Bytes that surely hold the head of a snapshot."""
-
+_HEAD_BYTES = 4096
 _HEAD_LINES = 12
 _NOTE = re.compile(r"# (taken|device number|adapter|reason): (.*)")
 _VALUE = re.compile(r"(product|firmware): *['\"]?([^'\"#]*[^'\"# ])")
@@ -45,17 +42,15 @@ kept: {}
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """One file of the history; what it holds is read by `SettingsHistory.load`.
+    """The head of a snapshot file.
 
     Attributes:
-        path: the file.
-        taken: when, in UTC; the order of the history, with `turn` within a second.
-        turn: 1 for the first of a second.
-        product, firmware: of which board, as the file says; empty where it cannot be read.
-        device_number: the board's number then; `None` when the file does not say.
-        adapter: through which port, for the user.
-        reason: what it was taken before.
-        problem: why it cannot be used, judging by its head; empty if it can.
+        taken: in UTC.
+        turn: 1 for the first snapshot of a second.
+        product, firmware: empty if they cannot be read.
+        adapter: the port of the board, for the user.
+        reason: the operation that followed.
+        problem: why the file cannot be used, judging by its head; empty if it can.
     """
 
     path: Path
@@ -71,11 +66,9 @@ class Snapshot:
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """How many snapshots to keep.
+    """How many snapshots to keep: at least 1, or `None` for all.
 
-    Attributes:
-        kept: that many, at least 1; `None` for all of them.
-        problem: why the setting cannot be read, as a sentence. Then all are kept.
+    If the setting cannot be read, `problem` is a sentence and all are kept.
     """
 
     kept: int | None = KEPT
@@ -83,22 +76,16 @@ class Bound:
 
 
 def default_folder() -> Path:
-    """Return the folder of this program's data on this system; it need not exist.
-
-    `TREX_STUDIO_DATA` in the environment names another place than the system's.
-    """
+    """Return `snapshots` in `$TREX_STUDIO_DATA`, by default in the system's folder for data."""
     given = os.environ.get("TREX_STUDIO_DATA")
     data = given or platformdirs.user_data_dir("TReX Studio", appauthor=False)
     return Path(data).absolute() / "snapshots"
 
 
 class SettingsHistory:
-    """The snapshots in one folder.
+    """The snapshots in one folder, which is created with the first one.
 
     Only the user's limit removes snapshots, the oldest first and never the newest.
-
-    Attributes:
-        folder: their path; created with the first one.
     """
 
     def __init__(self, folder: Path | None = None) -> None:
@@ -107,16 +94,10 @@ class SettingsHistory:
     def take(
         self, settings: Settings, *, adapter: str, reason: str, now: datetime | None = None
     ) -> Snapshot:
-        """Save what a board is set to.
-
-        Args:
-            settings: everything that is known of it.
-            adapter: through which port it was read, for the user.
-            reason: what comes next, such as `Apply of 3 settings`.
-            now: the time, if it is not the present.
+        """Save the settings of a board; `reason` is what follows: `Apply of 3 settings`.
 
         Raises:
-            SettingsError: it cannot be saved; then nothing must be written to the board.
+            SettingsError: they cannot be saved; then nothing must be written to the board.
         """
         taken = (now or datetime.now(UTC)).astimezone(UTC).replace(microsecond=0)
         self._make_folder()
@@ -137,15 +118,15 @@ class SettingsHistory:
         return Snapshot(path, taken, turn, settings.product.name, firmware, number, adapter, reason)
 
     def snapshots(self) -> tuple[Snapshot, ...]:
-        """Return all snapshots, the newest first; one that cannot be read is there too."""
+        """Return all snapshots, the newest first, including those that cannot be read."""
         found = [_look_at(path, match) for path, match in self._files()]
         return tuple(sorted(found, key=_age, reverse=True))
 
     def load(self, snapshot: Snapshot) -> Settings:
-        """Return what a snapshot holds.
+        """Return the settings in a snapshot.
 
         Raises:
-            SettingsError: the file is gone or was damaged; says where.
+            SettingsError: the file is gone or damaged.
         """
         settings, _ = read_settings(load(snapshot.path), str(snapshot.path))
         return settings
@@ -160,12 +141,9 @@ class SettingsHistory:
             snapshot.path.unlink(missing_ok=True)
         except OSError as error:
             why = f"it cannot be removed: {error.strerror or error}"
-            raise SettingsError(str(snapshot.path), [Finding(None, None, why)]) from error
-
-    # --- How many are kept --------------------------------------------------------------
+            raise SettingsError.of(snapshot.path, why) from error
 
     def bound(self) -> Bound:
-        """Return how many are kept; without a file that says so, as many as `KEPT` says."""
         path = self.folder / BOUND_FILE
         try:
             with path.open("rb") as file:
@@ -186,10 +164,7 @@ class SettingsHistory:
         return () if kept is None else self.snapshots()[kept:]
 
     def keep(self, kept: int | None) -> tuple[Snapshot, ...]:
-        """Set how many are kept, for every program, and remove the oldest that are more.
-
-        Returns:
-            Those that were removed; one that cannot be removed stays.
+        """Set how many are kept, for all programs; remove the oldest beyond, and return them.
 
         Raises:
             SettingsError: the bound cannot be saved; then nothing was removed.
@@ -201,10 +176,9 @@ class SettingsHistory:
         return tuple(found for found in self.beyond(kept) if _removed(found.path))
 
     def _remove_oldest(self, own: Path) -> None:
-        """Keep to the bound, after a snapshot of our own.
+        """Remove the oldest beyond the bound, but none that was saved after our own snapshot.
 
-        What was saved after it, by another program at the same time, is left to that program:
-        otherwise each of two could remove the other's.
+        Otherwise each of two programs could remove the other's.
         """
         bound = self.bound()
         if bound.problem or bound.kept is None:
@@ -217,14 +191,12 @@ class SettingsHistory:
             if _saved(snapshot.path) < _saved(own):
                 _removed(snapshot.path)
 
-    # --- The folder ---------------------------------------------------------------------
-
     def _make_folder(self) -> None:
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             why = f"the folder for snapshots cannot be made: {error.strerror or error}"
-            raise SettingsError(str(self.folder), [Finding(None, None, why)]) from error
+            raise SettingsError.of(self.folder, why) from error
 
     def _path(self, taken: datetime, turn: int, model: str, firmware: str) -> Path:
         again = "" if turn == 1 else f"{turn}-"
@@ -253,7 +225,7 @@ def _when(match: re.Match[str]) -> tuple[datetime, int]:
 
 
 def _saved(path: Path) -> tuple[int, str]:
-    """Return when a file was saved, by the clock that all files here share; never equal."""
+    """Return the time of saving by the file system's clock; the name makes it unique."""
     try:
         return path.stat().st_mtime_ns, path.name
     except OSError:
@@ -261,7 +233,6 @@ def _saved(path: Path) -> tuple[int, str]:
 
 
 def _removed(path: Path) -> bool:
-    """Remove a file; return whether that worked."""
     try:
         path.unlink(missing_ok=True)
     except OSError:
@@ -278,12 +249,11 @@ def _no_bound(path: Path, why: str) -> str:
 
 
 def _look_at(path: Path, match: re.Match[str]) -> Snapshot:
-    """Read the head of a snapshot, as far as it can be read."""
     taken, turn = _when(match)
     problem = ""
     try:
         with path.open("rb") as file:
-            lines = _text_of(file.read(_HEAD)).split("\n")
+            lines = _text_of(file.read(_HEAD_BYTES)).split("\n")
         head = [line.rstrip("\r") for line in lines[:_HEAD_LINES]] if lines != [""] else []
     except OSError as error:
         head = []

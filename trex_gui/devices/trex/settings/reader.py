@@ -2,8 +2,8 @@
 
 import difflib
 import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
 
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
@@ -19,7 +19,6 @@ from trex_gui.devices.trex.protocol.calibration import (
 from trex_gui.devices.trex.protocol.device_table import Model, device_table, version_key
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec, parameters_of
 from trex_gui.devices.trex.settings.document import Settings, specs_for
-from trex_gui.devices.trex.settings.finding_texts import READER_MESSAGES
 from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
 MOST_FINDINGS = 100
@@ -28,31 +27,48 @@ MOST_FINDINGS = 100
 _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
 _FIRMWARE = re.compile(r"[0-9](?:\.[0-9]{1,3}){1,2}")
 
+_MESSAGES: Mapping[str, str] = {
+    "unterminated": "the last line has no end; was the file cut short?",
+    "more_errors": "{count} more errors are not listed",
+    "key_is_no_name": "a name belongs before the colon, not a list or a group",
+    "repeated": "was given in line {first} already",
+    "repeated_in_group": "{name} was given in line {first} already",
+    "product_missing": "the first setting is {wanted}; this file has none",
+    "product_not_first": "must be the first setting of the file",
+    "product_misspelt": "{models}, not {given}; did you mean {model}?",
+    "product_unknown": "{models}, not {given}; these are not settings of a TReX",
+    "firmware_invalid": "a version such as {newest}, not {given}",
+    "firmware_unknown": "versions {oldest} to {newest} are known, {given} is not",
+    "not_a_setting": "is a command to the board, not a setting",
+    "value_invalid": "{allowed}, not {given}{hint}",
+    "needs_firmware": "a {product} has it from firmware {since} on, these are for {firmware}",
+    "key_unknown": "there is no such setting{guess}",
+    "calibration_layout": "is written {layout}, not {given}",
+    "field_unknown": "a calibration has no {field!r}{guess}",
+    "field_invalid": "{field} is 0 to {highest}, not {given}",
+    "field_missing": "{fields} is missing",
+    "fields_missing": "{fields} are missing",
+    "calibration_invalid": "{problem}",
+    "parameter_missing": "1 of {total} parameters is missing: {names}",
+    "parameters_missing": "{count} of {total} parameters are missing: {names}",
+}
+
 
 def read_settings(
     text: str | bytes, name: str = "settings"
 ) -> tuple[Settings, tuple[Finding, ...]]:
-    """Read a settings file.
-
-    Args:
-        text: what the file holds.
-        name: what errors call it.
-
-    Returns:
-        The settings, and warnings that do not keep anyone from using them.
+    """Return the settings in a file, and warnings; errors call the file `name`.
 
     Raises:
-        SettingsError: they cannot be used; has every error and warning. Without a product
-            nothing can be said of the settings that follow, and without sound YAML nothing of
-            any setting.
+        SettingsError: the file cannot be used; has every error and warning. Settings are only
+            checked in sound YAML with a product.
     """
     data = text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass")
     content = decode(data, name)
     reader = _Reader()
     settings = reader.read(compose(content, name))
     if content[-1:] not in {"\n", "\r"}:
-        last = len(content.splitlines())
-        reader.warn(last, None, "unterminated")
+        reader.warn(len(content.splitlines()), None, "unterminated")
     findings = reader.sorted_findings()
     if settings is None or any(found.severity is Severity.ERROR for found in findings):
         raise SettingsError(name, findings)
@@ -61,8 +77,6 @@ def read_settings(
 
 @dataclass(frozen=True, slots=True)
 class _Entry:
-    """One `key: value` of a mapping."""
-
     key: str
     line: int
     value: Node
@@ -70,7 +84,7 @@ class _Entry:
 
 @dataclass(slots=True)
 class _Reader:
-    """Collects settings and findings on one way through the file."""
+    """Collects settings and findings."""
 
     findings: list[Finding] = field(default_factory=list)
     left_out: int = 0
@@ -87,14 +101,14 @@ class _Reader:
         self.findings.append(_finding(line, key, code, Severity.WARNING, **fields))
 
     def sorted_findings(self) -> tuple[Finding, ...]:
-        """In the order of the lines, what concerns the whole file last."""
+        """Return the findings by line; those about the whole file come last."""
         found = sorted(self.findings, key=lambda f: (f.line is None, f.line or 0))
         if self.left_out:
             found.append(_finding(None, None, "more_errors", Severity.ERROR, count=self.left_out))
         return tuple(found)
 
     def read(self, root: MappingNode) -> Settings | None:
-        """Return the settings, or `None` where not even the product is known."""
+        """Return the settings; `None` without a product."""
         entries = self._entries(root, None)
         product = self._product(entries)
         if product is None:
@@ -109,7 +123,7 @@ class _Reader:
         return Settings(product, firmware, self.parameters, self.calibrations)
 
     def _entries(self, node: MappingNode, owner: str | None) -> list[_Entry]:
-        """Return what a mapping says, the first of each key."""
+        """Return the entries of a mapping, the first of each key."""
         entries: dict[str, _Entry] = {}
         for key_node, value in node.value:
             line = line_of(key_node)
@@ -134,12 +148,13 @@ class _Reader:
         if found is not entries[0]:
             self.error(found.line, "product", "product_not_first")
         given = _words(found.value)
-        fields = {"models": _names(models), "given": _shown(found.value)}
+        names = " or ".join(model.name for model in models)
+        fields = {"models": names, "given": _shown(found.value)}
         for model in models:
             if _bare(given) in {_bare(model.name), _bare(model.key)}:
-                if not isinstance(found.value, ScalarNode) or given != model.name:
-                    name = model.name
-                    self.error(found.line, "product", "product_misspelt", model=name, **fields)
+                if given != model.name:
+                    fields["model"] = model.name
+                    self.error(found.line, "product", "product_misspelt", **fields)
                 return model
         self.error(found.line, "product", "product_unknown", **fields)
         return None
@@ -160,31 +175,29 @@ class _Reader:
         return given
 
     def _read_parameter(self, entry: _Entry, product: Model, firmware: str | None) -> None:
-        key = entry.key
+        key, wire = entry.key, _integer(entry.value)
         spec = next((s for s in specs_for(product, firmware) if s.key == key), None)
         if spec is None:
             self._report_unknown(entry, product, firmware)
         elif not spec.readable:
             self.error(entry.line, key, "not_a_setting")
+        elif wire is not None and spec.problem(wire) is None:
+            self.parameters[key] = wire
         else:
-            wire = _integer(entry.value)
-            if wire is not None and spec.problem(wire) is None:
-                self.parameters[key] = wire
-            else:
-                given, hint = _shown(entry.value), _hint(spec, entry.value)
-                fields = {"allowed": _range(spec), "given": given, "hint": hint}
-                self.error(entry.line, key, "value_invalid", **fields)
+            given, hint = _shown(entry.value), _hint(spec, entry.value)
+            fields = {"allowed": _range(spec), "given": given, "hint": hint}
+            self.error(entry.line, key, "value_invalid", **fields)
 
     def _report_unknown(self, entry: _Entry, product: Model, firmware: str | None) -> None:
         key = entry.key
-        if firmware is not None and key in _since():
-            fields = {"product": product.name, "since": _since()[key], "firmware": firmware}
+        since = next((row["since"] for row in device_table().rows if row["key"] == key), None)
+        if firmware is not None and since is not None:
+            fields = {"product": product.name, "since": since, "firmware": firmware}
             self.error(entry.line, shortened(key), "needs_firmware", **fields)
             return
         specs = specs_for(product, firmware).readable
         keys = ["product", "firmware", *(s.key for s in specs), *CALIBRATION_KEYS]
-        is_listed = len(self.findings) < MOST_FINDINGS
-        guess = _guess(key, keys) if is_listed else ""
+        guess = _guess(key, keys) if len(self.findings) < MOST_FINDINGS else ""  # it takes long
         self.error(entry.line, shortened(key), "key_unknown", guess=guess)
 
     def _read_calibration(self, entry: _Entry) -> None:
@@ -230,11 +243,11 @@ class _Reader:
 def _finding(
     line: int | None, key: str | None, code: str, severity: Severity, **fields: object
 ) -> Finding:
-    return Finding(line, key, READER_MESSAGES[code].format(**fields), severity, code)
+    return Finding(line, key, _MESSAGES[code].format(**fields), severity, code)
 
 
 def _integer(node: Node) -> int | None:
-    """Return the number that a node plainly is: decimal, or hexadecimal with 0x."""
+    """Return the value of a plain decimal number, or a hexadecimal one with 0x."""
     if not isinstance(node, ScalarNode) or node.style is not None:
         return None
     text = str(node.value)
@@ -258,7 +271,7 @@ def _shown(node: Node) -> str:
 
 
 def _range(spec: ParameterSpec) -> str:
-    """The allowed wire values first, for those are what the file holds."""
+    """Return the allowed wire values, as in the file, and their physical values."""
     if spec.kind in {ParameterKind.CHOICE, ParameterKind.UART}:
         return spec.range_text()
     low, high = spec.text(spec.minimum), spec.text(spec.maximum)
@@ -283,7 +296,7 @@ def _hint(spec: ParameterSpec, node: Node) -> str:
         return ""
 
 
-def _guess(key: str, keys: list[str] | tuple[str, ...]) -> str:
+def _guess(key: str, keys: Sequence[str]) -> str:
     wanted = shortened(key).strip().lower().replace("-", "_").replace(" ", "_")
     close = difflib.get_close_matches(wanted, keys, n=1)
     return f"; did you mean {close[0]}?" if close else ""
@@ -291,12 +304,3 @@ def _guess(key: str, keys: list[str] | tuple[str, ...]) -> str:
 
 def _bare(word: str) -> str:
     return word.replace(" ", "").casefold()
-
-
-def _names(models: tuple[Model, ...]) -> str:
-    return " or ".join(model.name for model in models)
-
-
-@cache
-def _since() -> dict[str, str]:
-    return {row["key"]: row["since"] for row in device_table().rows}

@@ -3,8 +3,8 @@
 A rule never forbids. It reports a finding and, where one change is plainly better, proposes it.
 """
 
-from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -14,7 +14,6 @@ from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.finding_texts import LINT_MESSAGES, joined, proposal_text
 
 _MOTORS = (1, 2)
 _MOTOR_CHANNELS = (1, 2, 3)
@@ -29,13 +28,12 @@ _SHORTEST_PULSE = 1250
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """What is known beside the settings.
+    """Facts beside the settings.
 
     Attributes:
         drives_from_computer: whether the motors are driven over the serial line.
-        port_rates: the baud rates that this computer's port can do; `None`: unknown.
-        used_by_line: the line settings now in use, with the rate that really is on the line;
-            `None`: unknown.
+        port_rates: the baud rates of this computer's port; `None`: unknown.
+        used_by_line: the active line settings, with the real baud rate; `None`: unknown.
     """
 
     drives_from_computer: bool = False
@@ -45,33 +43,21 @@ class Context:
 
 @dataclass(frozen=True, slots=True)
 class LintFinding:
-    """What a rule found.
+    """A questionable combination of settings.
 
     Attributes:
         rule: the rule's stable key, such as `limit_in_joint_mode`.
         keys: the settings concerned.
-        fields: names and values for the message, as text.
-        change: wire values by key that resolve it; empty where the user must decide.
-        proposed: names and new values of `change`, as text.
-        variant: which of several messages of the rule.
+        message: a sentence.
+        change: wire values by key that resolve it; empty if the user must decide.
+        proposal: the change as a request, such as `Set Serial Timeout to 0.5 s`; or empty.
     """
 
     rule: str
     keys: tuple[str, ...]
-    fields: Mapping[str, str]
-    change: Mapping[str, int] = field(default_factory=dict)
-    proposed: tuple[tuple[str, str], ...] = ()
-    variant: str = ""
-
-    @property
-    def message(self) -> str:
-        """Return the finding as a sentence."""
-        return LINT_MESSAGES[self.rule + self.variant].format(**self.fields)
-
-    @property
-    def proposal(self) -> str:
-        """Return the change as a request; empty without one."""
-        return proposal_text(self.proposed)
+    message: str
+    change: Mapping[str, int]
+    proposal: str
 
 
 _NOTHING_MORE = Context()
@@ -83,58 +69,53 @@ def lint(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFind
     A rule is silent if a setting that it needs is missing or invalid. Each change may be made
     without the others; of two changes of one setting the later one resolves both.
     """
-    case = _Case.of(settings, context)
+    case = _Case(settings.without_invalid(), context)
     return tuple(
         LintFinding(
             rule,
             found.keys,
-            found.fields,
+            LINT_MESSAGES[rule + found.variant].format(**found.fields),
             found.change,
-            tuple((case.name(key), case.text(key, wire)) for key, wire in found.change.items()),
-            found.variant,
+            _proposal_text(case, found.change),
         )
         for rule, find in RULES.items()
         for found in find(case)
     )
 
 
-def accept(settings: Settings, finding: LintFinding) -> Settings:
-    """Return the settings with the change that a finding proposes."""
-    return replace(settings, parameters={**settings.parameters, **finding.change})
+def _proposal_text(case: "_Case", change: Mapping[str, int]) -> str:
+    names: dict[str, list[str]] = {}
+    for key, wire in change.items():
+        names.setdefault(case.text(key, wire), []).append(case.name(key))
+    parts = [f"{_joined(equal)} to {value}" for value, equal in names.items()]
+    return f"Set {_joined(parts)}" if parts else ""
+
+
+def _joined(words: Sequence[str]) -> str:
+    """Return `a`, `a and b` or `a, b and c`."""
+    *first, last = words
+    return f"{', '.join(first)} and {last}" if first else last
 
 
 class _Match(NamedTuple):
-    """A finding of a rule."""
+    """A finding of a rule: the settings, the fields of the message, and a change."""
 
     keys: tuple[str, ...]
-    fields: Mapping[str, str]
+    fields: Mapping[str, object]
     change: Mapping[str, int] = MappingProxyType({})
     variant: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class _Case:
-    """The settings that can be judged: those with values that the board takes."""
+    """Valid settings and their context."""
 
     settings: Settings
     context: Context
-    wires: Mapping[str, int]
-
-    @classmethod
-    def of(cls, settings: Settings, context: Context) -> "_Case":
-        given = settings.parameters
-        wires = {
-            spec.key: given[spec.key]
-            for spec in settings.specs.readable
-            if spec.key in given and spec.problem(given[spec.key]) is None
-        }
-        return cls(settings, context, wires)
 
     @property
-    def board(self) -> str:
-        """The board in a sentence, such as `TReX Jr with firmware 1.1`."""
-        firmware = self.settings.firmware
-        return self.settings.product.name + (f" with firmware {firmware}" if firmware else "")
+    def wires(self) -> Mapping[str, int]:
+        return self.settings.parameters
 
     @property
     def is_joint(self) -> bool:
@@ -142,7 +123,6 @@ class _Case:
 
     @property
     def line(self) -> LineSettings | None:
-        """The line as the settings have it."""
         wire = self.wires.get(ParameterKey.UART_SETTINGS)
         return None if wire is None else LineSettings.from_wire(wire)
 
@@ -155,14 +135,14 @@ class _Case:
         return self.settings.specs[key].name
 
     def text(self, key: str, wire: int | None = None) -> str:
-        """Return a value, the one of the settings if none is given, in physical units."""
+        """Return a value, by default the one of the settings, in physical units."""
         return self.settings.specs[key].text(self.wires[key] if wire is None else wire)
 
     def default(self, key: str) -> int:
         return self.settings.specs[key].default
 
 
-# The rules, in the order in which the user reads them: safety, motors, channels, line
+# The rules, as listed for the user: safety, motors, channels, line
 
 
 def _no_timeout(case: _Case) -> Iterator[_Match]:
@@ -175,26 +155,29 @@ def _no_timeout(case: _Case) -> Iterator[_Match]:
 def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
     keys = [MotorParameter.CURRENT_LIMIT.of(motor) for motor in _MOTORS]
     if set_keys := [key for key in keys if case.is_joint and case.wires.get(key)]:
-        limits = joined([f"{case.name(key)} ({case.text(key)})" for key in set_keys])
+        limits = _joined([f"{case.name(key)} ({case.text(key)})" for key in set_keys])
         change = dict.fromkeys(set_keys, 0)
         yield _Match((ParameterKey.MOTOR_MODE, *set_keys), {"limits": limits}, change)
 
 
-def _limit_without_gain(case: _Case) -> Iterator[_Match]:
+def _limits_beside_zero(
+    case: _Case, parameter: MotorParameter
+) -> Iterator[tuple[str, str, dict[str, str]]]:
+    """Yield current limits in force whose motor has 0 for another parameter."""
     for motor in () if case.is_joint else _MOTORS:
-        limit = MotorParameter.CURRENT_LIMIT.of(motor)
-        gain = MotorParameter.CURRENT_LIMIT_P.of(motor)
-        if case.wires.get(limit) and case.wires.get(gain) == 0:
-            fields = {"limit": case.name(limit), "value": case.text(limit)}
-            yield _Match((limit, gain), fields, {gain: case.default(gain)})
+        limit, other = MotorParameter.CURRENT_LIMIT.of(motor), parameter.of(motor)
+        if case.wires.get(limit) and case.wires.get(other) == 0:
+            yield limit, other, {"limit": case.name(limit), "value": case.text(limit)}
+
+
+def _limit_without_gain(case: _Case) -> Iterator[_Match]:
+    for limit, gain, fields in _limits_beside_zero(case, MotorParameter.CURRENT_LIMIT_P):
+        yield _Match((limit, gain), fields, {gain: case.default(gain)})
 
 
 def _limit_without_ramp(case: _Case) -> Iterator[_Match]:
-    for motor in () if case.is_joint else _MOTORS:
-        limit, ramp = MotorParameter.CURRENT_LIMIT.of(motor), MotorParameter.ACCELERATION.of(motor)
-        if case.wires.get(limit) and case.wires.get(ramp) == 0:
-            fields = {"limit": case.name(limit), "value": case.text(limit), "ramp": case.name(ramp)}
-            yield _Match((limit, ramp), fields, {ramp: _ACCELERATION})
+    for limit, ramp, fields in _limits_beside_zero(case, MotorParameter.ACCELERATION):
+        yield _Match((limit, ramp), {**fields, "ramp": case.name(ramp)}, {ramp: _ACCELERATION})
 
 
 def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
@@ -209,7 +192,7 @@ def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
         if now <= highest:
             continue
         fields = {
-            "motor": str(motor),
+            "motor": motor,
             "now": _kilohertz(now),
             "product": case.settings.product.name,
             "highest": _kilohertz(highest),
@@ -231,16 +214,12 @@ def _required_but_ignored(case: _Case) -> Iterator[_Match]:
     keys = ParameterKey.REQUIRED_CHANNELS, ParameterKey.IGNORED_CHANNELS
     required, ignored = (case.wires.get(key, 0) for key in keys)
     if both := required & ignored:
-        fields = {"channels": joined([f"channel {n}" for n in channels_in(both)])}
+        fields = {"channels": _joined([f"channel {n}" for n in channels_in(both)])}
         yield _Match(keys, fields, {str(keys[0]): required & ~ignored})
 
 
 def _motor_calibrations(case: _Case) -> Iterator[tuple[CalibrationKey, Calibration]]:
-    """Yield the calibrations of the channels that drive motors."""
-    for key in CalibrationKey:
-        found = case.settings.calibrations.get(key)
-        if key.channel in _MOTOR_CHANNELS and found is not None and found.problem() is None:
-            yield key, found
+    return (one for one in case.settings.calibration_items() if one[0].channel in _MOTOR_CHANNELS)
 
 
 def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
@@ -248,7 +227,7 @@ def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
         ends = {"minimum": found.neutral - found.minimum, "maximum": found.maximum - found.neutral}
         # An end equal to neutral is intended: a channel with one direction.
         if lost := [end for end, travel in ends.items() if 0 < travel <= found.deadband]:
-            yield _Match((key,), {"channel": key.label, "ends": joined(lost)})
+            yield _Match((key,), {"channel": key.label, "ends": _joined(lost)})
 
 
 def _end_out_of_reach(case: _Case) -> Iterator[_Match]:
@@ -256,10 +235,10 @@ def _end_out_of_reach(case: _Case) -> Iterator[_Match]:
         lowest = _SHORTEST_PULSE if key.source is InputSource.RC else 0
         highest = key.source.highest_count
         if found.minimum < min(lowest, found.neutral):
-            fields = {"count": str(found.minimum), "limit": str(lowest)}
+            fields = {"count": found.minimum, "limit": lowest}
             yield _Match((key,), {"channel": key.label, **fields}, variant=".minimum")
         if found.maximum > max(highest, found.neutral):
-            fields = {"count": str(found.maximum), "limit": str(highest)}
+            fields = {"count": found.maximum, "limit": highest}
             yield _Match((key,), {"channel": key.label, **fields}, variant=".maximum")
 
 
@@ -269,11 +248,8 @@ def _polynomial_without_crc(case: _Case) -> Iterator[_Match]:
         return
     default = case.default(key)
     if case.wires[key] != default:
-        fields = {
-            "name": case.name(key),
-            "value": case.text(key),
-            "default": case.text(key, default),
-        }
+        fields = {"name": case.name(key), "value": case.text(key)}
+        fields["default"] = case.text(key, default)
         yield _Match((key, ParameterKey.UART_SETTINGS), fields, {str(key): default})
 
 
@@ -289,10 +265,11 @@ def _half_rate(case: _Case) -> Iterator[_Match]:
     line = case.line
     if line is None or (real := case.real(line.baud)) == line.baud:
         return
+    firmware = case.settings.firmware
     fields = {
-        "board": case.board,
-        "baud": str(line.baud),
-        "real": str(real),
+        "board": f"{case.settings.product.name} with firmware {firmware}",
+        "baud": line.baud,
+        "real": real,
         "fixed_in": device_table().half_rate_fixed_in,
     }
     yield _line_match(fields, replace(line, baud=real) if real in baud_rates() else None)
@@ -310,7 +287,7 @@ def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
     best = slower[-1] if slower else known[0] if known else None
     if used is not None and used.baud in baud_rates() and case.real(used.baud) == used.baud:
         best = used.baud
-    yield _line_match({"baud": str(wanted)}, None if best is None else replace(line, baud=best))
+    yield _line_match({"baud": wanted}, None if best is None else replace(line, baud=best))
 
 
 def _line_will_change(case: _Case) -> Iterator[_Match]:
@@ -322,7 +299,7 @@ def _line_will_change(case: _Case) -> Iterator[_Match]:
         yield _line_match({"new": real.text(), "now": used.text()}, None)
 
 
-def _line_match(fields: Mapping[str, str], proposed: LineSettings | None) -> _Match:
+def _line_match(fields: Mapping[str, object], proposed: LineSettings | None) -> _Match:
     key = ParameterKey.UART_SETTINGS
     return _Match((key,), fields, {} if proposed is None else {str(key): proposed.to_wire()})
 
@@ -342,4 +319,68 @@ RULES: Mapping[str, Callable[[_Case], Iterator[_Match]]] = {
     "rate_the_port_lacks": _rate_the_port_lacks,
     "line_will_change": _line_will_change,
 }
-"""What applies each rule, by its key."""
+
+LINT_MESSAGES: Mapping[str, str] = {
+    "no_serial_timeout": (
+        "{name} is off while a computer drives the motors: if the cable or the computer fails, "
+        "the motors keep running at their last setpoint."
+    ),
+    "limit_in_joint_mode": (
+        "No effect in joint mode: {limits}. The board measures no current then, so the motor is "
+        "not protected."
+    ),
+    "limit_without_gain": (
+        "{limit} is {value}, but its proportionality constant P, how strongly the limiter reacts, "
+        "is 0. Inferred: the behaviour of the board is not documented, and the limit may have no "
+        "effect."
+    ),
+    "limit_without_ramp": (
+        "{limit} is {value} and {ramp} is 0, which means at once. Inferred: as soon as the "
+        "current falls below the limit, the motor jumps back to its full target speed, so it may "
+        "run in jerks."
+    ),
+    "pwm_above_rating": (
+        "The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} "
+        "is rated for {highest}; above that it gets hot."
+    ),
+    "pwm_above_rating.better": (
+        "The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} "
+        "is rated for {highest}; above that it gets hot. The prescaler {prescaler} gives {gives}."
+    ),
+    "required_but_ignored": (
+        "Both required and ignored: {channels}. The signal moves nothing, but without it the "
+        "motors may not run in RC mode (inferred)."
+    ),
+    "deadband_over_travel": (
+        "The deadband of {channel} reaches from neutral to its {ends}: there is nothing between "
+        "standstill and full speed on that side."
+    ),
+    "end_out_of_reach.minimum": (
+        "The minimum of {channel}, {count}, is below {limit}, the lowest count that the board "
+        "measures: full speed on that side is never reached."
+    ),
+    "end_out_of_reach.maximum": (
+        "The maximum of {channel}, {count}, is above {limit}, the highest count that the board "
+        "measures: full speed on that side is never reached."
+    ),
+    "polynomial_without_crc": (
+        "{name} is {value} instead of the default {default}, but CRC-7 is not switched on: no "
+        "packet is checked with it."
+    ),
+    "crc_that_checks_nothing": (
+        "With {value} as {name} the checksum of every packet is 0, so CRC-7 finds no damage at all."
+    ),
+    "half_rate": (
+        "A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects "
+        "this. Programs must use {real} baud."
+    ),
+    "rate_the_port_lacks": (
+        "This computer's serial port does not support {baud} baud: after the next power cycle it "
+        "could not reach the board any more."
+    ),
+    "line_will_change": (
+        "After the next power cycle the line settings of the board are {new}; now they are {now}. "
+        "Change the programs that use the board then."
+    ),
+}
+"""By rule, or by rule and variant."""

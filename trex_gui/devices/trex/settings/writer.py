@@ -15,16 +15,15 @@ from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.settings.document import Settings
 
 _CALIBRATION_TITLES = {
-    InputSource.RC: "Calibrations for RC pulses, in counts of 0.4 µs",
-    InputSource.ANALOG: "Calibrations for analog voltages, in counts of 4.89 mV",
+    InputSource.RC: "# Calibrations for RC pulses, in counts of 0.4 µs",
+    InputSource.ANALOG: "# Calibrations for analog voltages, in counts of 4.89 mV",
 }
 
 
 def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> str:
     """Return the text of a settings file, which reads back as the same settings.
 
-    A value that the board would refuse, though its EEPROM may hold it, stands there as a
-    comment that says so: it is not lost, and the file can be used.
+    A value that the board would reject becomes a comment with the reason.
 
     Args:
         settings: what to write.
@@ -43,32 +42,26 @@ def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> st
 
 
 def check_keys(settings: Settings) -> None:
-    """Check that a file can hold every key of the settings.
-
-    Raises:
-        BadRequest: their model and firmware do not have one; names it.
-    """
+    """Raise a `BadRequest` for keys that the model and firmware do not have."""
     known = {spec.key for spec in settings.specs.readable}
-    strangers = [key for key in settings.parameters if key not in known]
-    if strangers:
+    if unknown := [key for key in settings.parameters if key not in known]:
         board = f"{settings.product.name} {settings.firmware or ''}".strip()
-        raise BadRequest(f"a {board} has no {', '.join(strangers)}")
+        raise BadRequest(f"a {board} has no {', '.join(unknown)}")
 
 
 def _parameter_blocks(settings: Settings) -> Iterator[list[str]]:
-    specs = [spec for spec in settings.specs.readable if spec.key in settings.parameters]
-    groups = list(dict.fromkeys(spec.group for spec in specs))
-    specs.sort(key=lambda spec: groups.index(spec.group))
-    for group, members in groupby(specs, key=lambda spec: spec.group):
-        lines = [parameter_line(spec, settings.parameters[spec.key]) for spec in members]
-        yield [f"# {group.capitalize()}", *lines]
+    items = settings.parameter_items()
+    groups = list(dict.fromkeys(spec.group for spec, _ in items))
+    items.sort(key=lambda item: groups.index(item[0].group))
+    for group, members in groupby(items, key=lambda item: item[0].group):
+        yield [f"# {group.capitalize()}", *(parameter_line(*item) for item in members)]
 
 
 def parameter_line(spec: ParameterSpec, wire: int) -> str:
-    """Return a parameter's line: a setting, or a comment where the board would refuse it."""
+    """Return a setting with its comment, or a comment if the board would reject the value."""
     setting = f"{spec.key}: {wire}"
     if problem := spec.problem(wire):
-        return _refused(setting, problem)
+        return _left_out(setting, problem)
     text = parameter_text(spec, wire)
     # As wide as the widest line can be, so that a change of one value changes one line.
     width = max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
@@ -76,50 +69,43 @@ def parameter_line(spec: ParameterSpec, wire: int) -> str:
 
 
 def parameter_text(spec: ParameterSpec, wire: int) -> str:
-    """Return what stands as a comment beside a value; empty where it would repeat it."""
+    """Return the comment beside a value; empty if it would repeat the value."""
     text = spec.text(wire)
     return "" if text == str(wire) else text
 
 
 def _calibration_blocks(settings: Settings) -> Iterator[list[str]]:
-    for source in InputSource:
-        found = [
-            (key, settings.calibrations[key])
-            for key in CalibrationKey
-            if key.source is source and key in settings.calibrations
-        ]
-        if not found:
-            continue
-        width = max(len(_flow_setting(key, calibration)) for key, calibration in found)
-        lines = [calibration_line(key, calibration, width) for key, calibration in found]
-        yield [f"# {_CALIBRATION_TITLES[source]}", *lines]
+    for source, members in groupby(settings.calibration_items(), key=lambda item: item[0].source):
+        items = list(members)
+        width = max(len(_calibration_setting(*item)) for item in items)
+        yield [_CALIBRATION_TITLES[source], *(calibration_line(*item, width) for item in items)]
 
 
 def calibration_line(key: CalibrationKey, calibration: Calibration, width: int = 0) -> str:
-    """Return a calibration's line: a setting, or a comment where the board would refuse it."""
-    setting = _flow_setting(key, calibration)
+    """Return a setting with its comment, or a comment if the board would reject the values."""
+    setting = _calibration_setting(key, calibration)
     if problem := calibration.problem():
-        return _refused(setting, problem)
+        return _left_out(setting, problem)
     return f"{setting:{width}}  # {calibration_text(key.source, calibration)}"
 
 
-def _flow_setting(key: CalibrationKey, calibration: Calibration) -> str:
+def _calibration_setting(key: CalibrationKey, calibration: Calibration) -> str:
     parts = (f"{name}: {getattr(calibration, name)}" for name in CALIBRATION_FIELDS)
     return f"{key}: {{{', '.join(parts)}}}"
 
 
 def calibration_text(source: InputSource, calibration: Calibration) -> str:
-    """Return a calibration in µs or V, as it stands in a comment."""
+    """Return a calibration in µs or V, as in comments."""
     points = (calibration.minimum, calibration.neutral, calibration.maximum)
     numbers = " / ".join(source.text(point).removesuffix(f" {source.unit}") for point in points)
     return f"{numbers} {source.unit}, deadband {source.text(calibration.deadband)}"
 
 
-def _refused(setting: str, problem: str) -> str:
+def _left_out(setting: str, problem: str) -> str:
     return _comment(f"{setting}  # left out: {problem}")
 
 
 def _comment(text: str) -> str:
-    """Make a comment of any text: control characters and the like have no place in YAML."""
+    """Return a comment without the control characters that YAML forbids."""
     shown = "".join(c if c.isprintable() else "?" for c in text.expandtabs())
     return f"# {shown}".rstrip()

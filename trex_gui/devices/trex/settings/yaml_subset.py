@@ -6,7 +6,7 @@ large ones, are rejected.
 """
 
 import re
-from typing import Any, ClassVar
+from typing import Any
 
 from ruamel.yaml import YAML
 from ruamel.yaml.composer import Composer
@@ -15,17 +15,19 @@ from ruamel.yaml.events import AliasEvent, CollectionStartEvent, StreamEndEvent
 from ruamel.yaml.nodes import MappingNode, Node
 from ruamel.yaml.reader import ReaderError
 
-from trex_gui.core.files import Finding, SettingsError
+from trex_gui.core.files import SettingsError
 
 MOST_NODES = 2000
 """Scalars and collections; a complete settings file has about 160."""
+
+_DEEPEST = 2
 
 LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
 _PLAIN_YAML = "settings are plain 'key: value' lines"
 
 
 def line_of(node: Node) -> int:
-    """Return the line in which a node begins, counted from 1."""
+    """Return the first line of a node, counted from 1."""
     return int(node.start_mark.line) + 1
 
 
@@ -36,7 +38,7 @@ def shortened(text: str, longest: int = 40) -> str:
 
 
 def compose(text: str, name: str) -> MappingNode:
-    """Return the one mapping that a text consists of; at most one level of mappings inside.
+    """Return the mapping that a text consists of, with at most one level of mappings in it.
 
     Raises:
         SettingsError: the text is not YAML, or uses more of it than settings do.
@@ -48,37 +50,31 @@ def compose(text: str, name: str) -> MappingNode:
     except ReaderError as error:
         line = len(LINE_END.findall(text, 0, error.position)) + 1
         message = f"the character U+{error.character:04X} has no place in a text file"
-        raise _error(name, line, message) from None
+        raise SettingsError.of(name, message, line) from None
     except _UnsupportedError as error:
-        raise _error(name, error.line, error.message) from None
+        raise SettingsError.of(name, str(error), error.line) from None
     except MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line = 1 if mark is None else mark.line + 1
         problem = shortened(error.problem or error.context or "no YAML", 100)
         message = f"the text breaks off or is damaged here ({problem}); {_PLAIN_YAML}"
-        raise _error(name, line, message) from None
+        raise SettingsError.of(name, message, line) from None
     if node is None:
-        raise _error(name, 1, "there are no settings here; the first is 'product: TReX'")
+        raise SettingsError.of(name, "there are no settings here; the first is 'product: TReX'", 1)
     if not isinstance(node, MappingNode):
-        raise _error(name, line_of(node), f"this is no setting; {_PLAIN_YAML}")
+        raise SettingsError.of(name, f"this is not a setting; {_PLAIN_YAML}", line_of(node))
     return node
-
-
-def _error(name: str, line: int | None, message: str) -> SettingsError:
-    return SettingsError(name, [Finding(line, None, message)])
 
 
 class _UnsupportedError(Exception):
     def __init__(self, mark: StreamMark, message: str) -> None:
         super().__init__(message)
         self.line = mark.line + 1
-        self.message = message
 
 
 class _Composer(Composer):
     """Checks every event before its node is made."""
 
-    deepest: ClassVar[int] = 2
     open_collections = 0
     nodes = 0
 
@@ -110,16 +106,18 @@ class _Composer(Composer):
         return node
 
     def _check(self, event: Any) -> None:
-        mark = event.start_mark
         self.nodes += 1
-        if isinstance(event, AliasEvent) or event.anchor is not None:
-            raise _UnsupportedError(mark, f"anchors (& and *) are not allowed; {_PLAIN_YAML}")
-        if event.tag is not None:
-            raise _UnsupportedError(mark, f"tags (!) are not allowed; {_PLAIN_YAML}")
-        if getattr(event, "value", None) == "<<" and not event.style:
-            raise _UnsupportedError(mark, f"merge keys (<<) are not allowed; {_PLAIN_YAML}")
-        if self.nodes > MOST_NODES:
-            raise _UnsupportedError(mark, "there is more here than any board can be set to")
         is_collection = isinstance(event, CollectionStartEvent)
-        if is_collection and self.open_collections == self.deepest:
-            raise _UnsupportedError(mark, f"this is nested too deeply; {_PLAIN_YAML}")
+        if isinstance(event, AliasEvent) or event.anchor is not None:
+            problem = f"anchors (& and *) are not allowed; {_PLAIN_YAML}"
+        elif event.tag is not None:
+            problem = f"tags (!) are not allowed; {_PLAIN_YAML}"
+        elif getattr(event, "value", None) == "<<" and not event.style:
+            problem = f"merge keys (<<) are not allowed; {_PLAIN_YAML}"
+        elif self.nodes > MOST_NODES:
+            problem = "there is more here than any board can be set to"
+        elif is_collection and self.open_collections == _DEEPEST:
+            problem = f"this is nested too deeply; {_PLAIN_YAML}"
+        else:
+            return
+        raise _UnsupportedError(event.start_mark, problem)
