@@ -27,9 +27,9 @@ from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
-from trex_gui.devices.trex.views.demo.panel import DemoPanel
-from trex_gui.devices.trex.views.demo.texts import (
+from trex_gui.devices.trex.views.demo_panel import (
     PACKETS,
+    DemoPanel,
     jumper_hint,
     led_meaning,
     led_patterns,

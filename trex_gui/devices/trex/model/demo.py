@@ -1,4 +1,4 @@
-"""The simulated board as its panel operates it: state, sticks, jumpers, power, cable."""
+"""The simulated board as its panel operates it."""
 
 import json
 import re
@@ -115,7 +115,7 @@ class DemoSnapshot:
         return self.mode.source
 
     @property
-    def mode_jumper_in_force(self) -> str:
+    def active_mode_jumper(self) -> str:
         """The mode jumper that was read at the last power-up."""
         return _JUMPERS_OF_MODE.get(self.mode, "serial")
 
@@ -134,20 +134,14 @@ def read_snapshot(text: str) -> DemoSnapshot:
         required=shown["parameters"]["required_channels"],
         boot_mode=BootStep(shown["boot_mode"]) if shown["boot_mode"] else None,
         channels=tuple(DemoChannel(row["signal"], row["raw"]) for row in shown["channels"]),
-        motors=tuple(_motor(row) for row in shown["motors"]),
+        motors=tuple(
+            DemoMotor(**{field.name: row[field.name] for field in fields(DemoMotor)})
+            for row in shown["motors"]
+        ),
         line=DemoLine(**shown["line"]),
         battery=float(shown["battery"]),
         supply=float(shown["supply"]),
     )
-
-
-def _motor(shown: dict[str, Any]) -> DemoMotor:
-    return DemoMotor(**{field.name: shown[field.name] for field in fields(DemoMotor)})
-
-
-def signal_text(value: float, source: InputSource) -> str:
-    """Return µs or V as the control line `channel` takes it."""
-    return f"{value:.0f}us" if source is InputSource.RC else f"{value:.2f}V"
 
 
 _OFF_MS = 1000
@@ -202,31 +196,36 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         """Deliver the next byte with an error: `framing`, `parity` or `overrun`."""
         self._send(f"line error {error}")
 
-    # --- Sticks and motors --------------------------------------------------------------
+    # --- Motors and sticks --------------------------------------------------------------
+
+    def set_load(self, motor: int, amperes: float) -> None:
+        """Set the current that motor 1 or 2 draws at full speed."""
+        self._send_newest(f"load {motor}", f"load {motor} {amperes:.1f}")
+
+    def set_fault(self, motor: int, fault: bool) -> None:
+        self._send(f"fault {motor} {switch(fault)}")
 
     def hold_stick(self, channel: int, value: float) -> None:
         """Hold a stick at a position in µs, or V in analog mode."""
-        if self.snapshot is None:
-            return
-        low, high = STICK_ENDS[self.snapshot.source]
-        self._held[channel] = (value - low) / (high - low)
-        self._show_stick(channel)
-        self.changed.emit()
+        if self.snapshot is not None:
+            low, high = STICK_ENDS[self.snapshot.source]
+            self._held[channel] = (value - low) / (high - low)
+            self._send_stick(channel)
+            self.changed.emit()
 
     def set_silent(self, channel: int, silent: bool) -> None:
         """Disconnect the stick from an input, or connect it again."""
         if silent:
             self._send_newest(f"channel {channel}", f"channel {channel} silent")
         else:
-            self._show_stick(channel)
+            self._send_stick(channel)
 
     def set_automatic(self, automatic: bool) -> None:
         """Let all sticks move by themselves, or hold them where they are.
 
         Disconnected sticks stay disconnected.
         """
-        snapshot = self.snapshot
-        if snapshot is None:
+        if (snapshot := self.snapshot) is None:
             return
         low, high = STICK_ENDS[snapshot.source]
         for channel, seen in zip(CHANNELS, snapshot.channels, strict=True):
@@ -237,22 +236,26 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
                 share = 0.5 if value is None else (value - low) / (high - low)
                 self._held[channel] = min(max(share, 0.0), 1.0)
             if seen.has_signal:
-                self._show_stick(channel)
+                self._send_stick(channel)
         self.changed.emit()
 
     def centre_sticks(self) -> None:
         if self.snapshot is not None:
-            low, high = STICK_ENDS[self.snapshot.source]
+            middle = sum(STICK_ENDS[self.snapshot.source]) / 2
             for channel, seen in zip(CHANNELS, self.snapshot.channels, strict=True):
                 if seen.has_signal:
-                    self.hold_stick(channel, (low + high) / 2)
+                    self.hold_stick(channel, middle)
 
-    def set_load(self, motor: int, amperes: float) -> None:
-        """Set the current that motor 1 or 2 draws at full speed."""
-        self._send_newest(f"load {motor}", f"load {motor} {amperes:.1f}")
+    def _send_stick(self, channel: int) -> None:
+        """Send the signal that a stick gives now."""
+        text = "rest"
+        if channel in self._held and self.snapshot is not None:
+            low, high = STICK_ENDS[self.snapshot.source]
+            value = low + self._held[channel] * (high - low)
+            text = f"{value:.0f}us" if self.snapshot.source is InputSource.RC else f"{value:.2f}V"
+        self._send_newest(f"channel {channel}", f"channel {channel} {text}")
 
-    def set_fault(self, motor: int, fault: bool) -> None:
-        self._send(f"fault {motor} {switch(fault)}")
+    # --- Power cycles and snapshots -----------------------------------------------------
 
     def restore_factory(self) -> None:
         """Reset everything to its state at the start, the EEPROM to factory defaults.
@@ -279,16 +282,6 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         for line in self._after_off:
             self._send(line)
 
-    def _show_stick(self, channel: int) -> None:
-        """Connect the signal that a stick gives now."""
-        text = "rest"
-        if channel in self._held and self.snapshot is not None:
-            low, high = STICK_ENDS[self.snapshot.source]
-            text = signal_text(low + self._held[channel] * (high - low), self.snapshot.source)
-        self._send_newest(f"channel {channel}", f"channel {channel} {text}")
-
-    # --- Snapshots ----------------------------------------------------------------------
-
     def _take(self, snapshot: DemoSnapshot) -> None:
         before = self.snapshot
         super()._take(snapshot)
@@ -296,7 +289,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
             # The sticks now give voltages instead of pulses, or the reverse; they stay in place.
             for channel in self._held:
                 if snapshot.channels[channel - 1].has_signal:
-                    self._show_stick(channel)
+                    self._send_stick(channel)
 
     def _discard(self) -> None:
         super()._discard()

@@ -1,4 +1,4 @@
-"""The toy board: what hands do to it reaches the simulator, and what it does is seen."""
+"""The simulated board: what the panel does reaches the simulator, and its state is read."""
 
 from collections.abc import Iterator
 
@@ -49,7 +49,7 @@ def seen(board: DemoBoard) -> DemoSnapshot:
 def test_new_board_is_powered_in_serial_mode_with_moving_sticks(board: DemoBoard) -> None:
     assert seen(board).power
     assert seen(board).mode is Mode.SERIAL_RC
-    assert seen(board).mode_jumper_in_force == seen(board).jumpers.mode == "serial"
+    assert seen(board).active_mode_jumper == seen(board).jumpers.mode == "serial"
     assert len(seen(board).channels) == 5
     assert len(seen(board).motors) == 2
     assert seen(board).line.plugged
@@ -153,7 +153,7 @@ def test_power_cycle_is_visible_and_runs_once(
 def test_mode_jumper_takes_effect_at_next_power_up(board: DemoBoard, qtbot: QtBot) -> None:
     board.set_mode_jumper("rc")
     qtbot.waitUntil(lambda: seen(board).jumpers.mode == "rc")
-    assert seen(board).mode_jumper_in_force == "serial"
+    assert seen(board).active_mode_jumper == "serial"
     board.power_cycle()
     qtbot.waitUntil(lambda: seen(board).mode is Mode.RC)
     assert seen(board).safe_start

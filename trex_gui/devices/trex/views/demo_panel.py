@@ -1,21 +1,18 @@
-"""The dock of the Demo TReX: a simulated board that can be operated like a real one."""
+"""Panel of the Demo TReX: a simulated board that is operated like a real one."""
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.controller import TrexController
-from trex_gui.devices.trex.model.demo import STICK_ENDS, DemoBoard, DemoSnapshot
-from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.views.demo.texts import (
-    input_roles,
-    jumper_hint,
-    led_meaning,
-    led_patterns,
-    motor_text,
-    state_text,
-    tr,
+from trex_gui.devices.trex.model.demo import (
+    STICK_ENDS,
+    BootStep,
+    DemoBoard,
+    DemoMotor,
+    DemoSnapshot,
 )
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channels_in
 from trex_gui.ui.devices.demo_panel import (
     CableTexts,
     Columns,
@@ -39,9 +36,128 @@ _STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}
 _SINGLE_STEP = {InputSource.RC: 10, InputSource.ANALOG: 5}
 
 
-class DemoPanel(DemoDock):
-    """The dock of the simulated TReX."""
+PACKETS = "with packets"
+"""Pattern of a LED that lights during a packet; the simulator reports on or off."""
 
+
+def tr(text: str) -> str:
+    """Translate a text of the panel."""
+    return QCoreApplication.translate("demo", text)
+
+
+def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
+    """Return the patterns of the red and the green LED, steady while packets arrive."""
+    red, green = snapshot.leds.red, snapshot.leds.green
+    if snapshot.power and snapshot.boot_mode is None:
+        if snapshot.serial_controls and green in {"on", "off"}:
+            green = PACKETS
+        elif not snapshot.serial_controls and red in {"on", "off"}:
+            red = PACKETS
+    return red, green
+
+
+def led_meaning(snapshot: DemoSnapshot, pattern: str) -> str:
+    if not snapshot.power:
+        return tr("off: the power is off")
+    if snapshot.boot_mode is not None:
+        return f"{pattern}. {state_text(snapshot)}"
+    on = tr("on: the channels control the motors")
+    if snapshot.serial_controls:
+        on = tr("on: serial commands control the motors")
+    return {
+        PACKETS: tr("lights while a packet comes in"),
+        "fast flash": tr("fast flash: safe-start, the motors wait"),
+        "on": on,
+    }.get(pattern, pattern)
+
+
+def state_text(snapshot: DemoSnapshot) -> str:
+    if not snapshot.power:
+        return tr("The power is off: the board does not reply.")
+    if snapshot.boot_mode is not None:
+        return _boot_text(snapshot.boot_mode)
+    mode = {
+        Mode.RC: tr("RC mode."),
+        Mode.ANALOG: tr("Analog mode."),
+        Mode.SERIAL_RC: tr("Serial mode."),
+        Mode.SERIAL_ANALOG: tr("Serial mode, inputs read as voltages."),
+    }[snapshot.mode]
+    if snapshot.safe_start:
+        doing = _safe_start_text(snapshot)
+    elif snapshot.mode.is_serial:
+        doing = tr("Serial commands control the motors.")
+    elif snapshot.serial_controls:
+        doing = tr("Channel 5 hands control to serial commands.")
+    else:
+        doing = tr("The sticks control the motors.")
+    return f"{mode} {doing}"
+
+
+def _safe_start_text(snapshot: DemoSnapshot) -> str:
+    missing = [
+        str(channel)
+        for channel in channels_in(snapshot.required if snapshot.mode is Mode.RC else 0)
+        if snapshot.channels[channel - 1].raw is None
+    ]
+    if missing:
+        return tr("Safe-start: the motors wait for a signal on input {0}.").format(
+            ", ".join(missing)
+        )
+    if snapshot.override:
+        return tr("Safe-start: the motors wait until channel 5 no longer requests override.")
+    return tr("Safe-start: the motors wait until the sticks are centred.")
+
+
+def _boot_text(step: BootStep) -> str:
+    return {
+        BootStep.LEARN_READY: tr("Learning: take the Mix jumper off to begin."),
+        BootStep.LEARN_WAITING: tr("Learning: waits for a signal on any input."),
+        BootStep.LEARN_NEUTRALS: tr("Learning: leave the sticks centred for two seconds."),
+        BootStep.LEARN_NEUTRALS_SHOWN: tr("Learning: one flash per input; green is learned."),
+        BootStep.LEARN_EXTREMES: tr("Learning: hold each stick at both ends, ten seconds in all."),
+        BootStep.LEARN_DONE: tr("Learned; green is good. Take SO–G off, then power cycle."),
+        BootStep.UPGRADE_REQUESTED: tr("Boot loader: take Mix off, then SO–G."),
+        BootStep.UPGRADE_READY: tr("Boot loader: waits for firmware. Power cycle to leave."),
+    }[step]
+
+
+def jumper_hint(snapshot: DemoSnapshot) -> str:
+    """Return what a power cycle would change; empty if nothing."""
+    jumpers = snapshot.jumpers
+    if snapshot.boot_mode is not None:
+        return ""
+    when = tr("Power cycle") if snapshot.power else tr("Power on")
+    if jumpers.mix and jumpers.so_ground:
+        if jumpers.mode == "serial":
+            return tr("{0} to start the boot loader.").format(when)
+        return tr("{0} to learn the inputs.").format(when)
+    if jumpers.mode != snapshot.active_mode_jumper:
+        wanted = {"serial": tr("serial"), "rc": tr("RC"), "analog": tr("analog")}
+        return tr("{0} to enter {1} mode.").format(when, wanted.get(jumpers.mode, jumpers.mode))
+    if jumpers.so_ground:
+        return tr("SO–G holds the serial output to ground: no reply gets out.")
+    return ""
+
+
+def _input_roles(snapshot: DemoSnapshot) -> tuple[str, ...]:
+    first = tr("motor 1"), tr("motor 2")
+    if snapshot.jumpers.mix:
+        first = tr("turn"), tr("forward")
+    return *first, tr("auxiliary"), tr("flip"), tr("override")
+
+
+def motor_text(motor: DemoMotor) -> str:
+    """Return what a motor does: `forward 64, 3.1 A`."""
+    direction = {
+        "forward": tr("forward"),
+        "reverse": tr("reverse"),
+        "brake": tr("brake") if motor.speed else tr("coast"),
+    }.get(motor.direction, motor.direction)
+    speed = f" {motor.speed}" if motor.speed else ""
+    return f"{direction}{speed}, {motor.current:.1f}\u00a0A"
+
+
+class DemoPanel(DemoDock):
     def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
         super().__init__("demoPanel", "demo_panel/wanted", controller, parent)
         self.setWindowTitle(self.tr("Demo TReX"))
@@ -50,8 +166,6 @@ class DemoPanel(DemoDock):
 
 
 class DemoBoardView(DemoPanelBody[DemoSnapshot]):
-    """The board: LEDs, switches, sticks, motors, cable."""
-
     def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
         board = controller.demo_board
         super().__init__(board, controller, "demoState", parent)
@@ -95,7 +209,6 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
 
 
 def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
-    """Return power, battery and jumpers: power-up reads the jumpers."""
     rows = BoardRows(tr("Power and jumpers"), columns, parent)
     power = rows.check_box(
         "demoPower",
@@ -168,7 +281,6 @@ def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRo
 
 
 def _input_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
-    """Return the sticks, and whether they move by themselves."""
     rows = BoardRows(tr("Inputs"), columns, parent)
     rows.add_headings("", tr("No signal"))
     for channel in CHANNELS:
@@ -199,7 +311,6 @@ def _input_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRow
 
 
 def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
-    """Add a stick, its signal, and whether the signal is connected."""
     source = InputSource.RC
 
     def show_value() -> None:
@@ -221,7 +332,7 @@ def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
 
     def update(snapshot: DemoSnapshot) -> None:
         seen = snapshot.channels[channel - 1]
-        name.setText(f"<b>{channel}</b>&ensp;{input_roles(snapshot)[channel - 1]}")
+        name.setText(f"<b>{channel}</b>&ensp;{_input_roles(snapshot)[channel - 1]}")
         if snapshot.source is not source:
             set_source(snapshot.source)
         slider.setEnabled(seen.has_signal)
@@ -259,7 +370,6 @@ def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
 
 
 def _motor_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRows:
-    """Return load, driver fault and state of both motors."""
     rows = BoardRows(tr("Motors"), columns, parent)
     rows.add_headings(tr("Load"), tr("Fault"))
     for number in (1, 2):
