@@ -17,11 +17,6 @@ _LOAD_PLOTS_MS = 100
 
 
 def _seconds(text: str) -> float:
-    """Read how long to wait.
-
-    Raises:
-        ArgumentTypeError: no number of seconds from 0 to 60.
-    """
     try:
         seconds = float(text)
     except ValueError:
@@ -92,7 +87,7 @@ def main(argv: list[str] | None = None) -> int:
     QApplication.setOrganizationName("TReX Studio")
     QApplication.setApplicationVersion(__version__)
     QApplication.setDesktopFileName("trex-studio")
-    # A dialog of the system's takes Esc for itself, and Esc has to stop the motors there too.
+    # A native dialog takes Esc for itself, and Esc has to stop the motors there too.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     app = QApplication(["trex-gui"])
     install_translations(app, QLocale())
@@ -129,8 +124,8 @@ def main(argv: list[str] | None = None) -> int:
         window.hide()
     have_ended = program.shut_down()
     if unconfirmed_stop := program.device_manager.unconfirmed_stop:
-        # There may have been no window any more to say it in.
-        if sys.stderr is not None:  # as on Windows, where a program with a window has none
+        # The window may be gone.
+        if sys.stderr is not None:  # a program with a window has none on Windows
             sys.stderr.write(f"{unconfirmed_stop}\n")
             sys.stderr.flush()
         code = code or UNCONFIRMED_STOP

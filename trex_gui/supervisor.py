@@ -1,13 +1,15 @@
-"""Stops every device when something outside the window requires it."""
+"""Stops every device on signals, internal errors, suspend and a locked screen."""
 
 import logging
 import math
 import sys
-from typing import TYPE_CHECKING
+import threading
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QObject, Slot
+from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal, Slot
 
-from trex_gui.system.automatic_stop import ExceptionWatch, StopBroadcaster, SuspendDetector
 from trex_gui.system.signals import SignalWatch
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import now
@@ -17,15 +19,19 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-
 _AGAIN_S = 1.0
 """Seconds within which the same internal error is caused by reporting the first."""
 
+_INTERVAL_MS = 500
+_LEAST_S = 1.0
+"""Seconds of sleep that count; less is the rounding of two clocks that are read one by one."""
+
 
 class SafetySupervisor(QObject):
-    """Stops on signals, internal errors, suspend and a locked screen; create in the main thread.
+    """Stops every device when something outside the window requires it.
 
-    It knows the reason of a stop only; each device reports what the stop means.
+    Create it in the main thread. It knows only why to stop; each device reports what the stop
+    means.
     """
 
     def __init__(self, program: Program, parent: QObject | None = None) -> None:
@@ -66,15 +72,13 @@ class SafetySupervisor(QObject):
         events.leaving.connect(self._stopper.stop)
         manager = self._program.device_manager
         self._sleep_delay = login_session.SleepDelay(
-            lambda: manager.may_move,
-            parent=self,
-            timeout=self._program.timeouts.sleep_delay,
+            lambda: manager.may_move, parent=self, timeout=self._program.timeouts.sleep_delay
         )
         events.sleeping.connect(self._sleep_delay.note_sleep)
         return events
 
     def close(self) -> None:
-        """End: the line is closed."""
+        """End after the line was closed."""
         if self._sleep_delay is not None:
             self._sleep_delay.give()
         self._exceptions.close()
@@ -100,3 +104,106 @@ class SafetySupervisor(QObject):
     @Slot(int)
     def _on_signal(self, _number: int) -> None:
         self._program.end()
+
+
+class StopBroadcaster(QObject):
+    """Sends a stop without the GUI thread, which may be busy, hung or dead.
+
+    `stop_now` must be safe in any thread. An internal error in a slot of `stopped` causes a stop,
+    too: it is sent, but not reported again.
+
+    Signals:
+        stopped: the reason; later, from the event loop of the thread that this lives in.
+    """
+
+    stopped = Signal(str)
+    _sent = Signal(str)
+
+    def __init__(self, stop_now: Callable[[], None], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._stop_now = stop_now
+        self._reporting: int | None = None  # thread
+        self._sent.connect(self._report, Qt.ConnectionType.QueuedConnection)
+
+    def stop(self, reason: str) -> None:
+        """Stop every device; may be called from any thread."""
+        self._stop_now()
+        if self._reporting != threading.get_ident():
+            self._sent.emit(reason)
+
+    @Slot(str)
+    def _report(self, reason: str) -> None:
+        self._reporting = threading.get_ident()
+        try:
+            self.stopped.emit(reason)
+        finally:
+            self._reporting = None
+
+
+class ExceptionWatch:
+    """Calls `stop` for every uncaught exception, in slots of Qt too, before Python's hooks.
+
+    The program continues if it can: beside a robot a window that still responds is better than
+    none. `stop` is called in the thread of the error with a clause without a full stop.
+    """
+
+    def __init__(self, stop: Callable[[str], None]) -> None:
+        self._stop = stop
+        self._before = sys.excepthook, threading.excepthook, sys.unraisablehook
+        sys.excepthook = self._hook(sys.excepthook, lambda _kind, error, _trace: error)
+        threading.excepthook = self._hook(threading.excepthook, lambda args: args.exc_value)
+        sys.unraisablehook = self._hook(sys.unraisablehook, lambda args: args.exc_value)
+
+    def close(self) -> None:
+        """Restore the hooks."""
+        sys.excepthook, threading.excepthook, sys.unraisablehook = self._before
+
+    def _hook(
+        self, before: Callable[..., Any], error_of: Callable[..., BaseException | None]
+    ) -> Callable[..., None]:
+        def hook(*args: Any) -> None:
+            try:
+                text = QCoreApplication.translate("ExceptionWatch", "Internal error ({0})")
+                self._stop(text.format(type(error_of(*args)).__name__))
+            finally:
+                before(*args)
+
+        return hook
+
+
+def slept_so_far() -> float:
+    """Return seconds that this computer has slept since it was started, if the system reports it.
+
+    Linux has a clock that pauses during sleep and one that does not. Elsewhere 0: on Windows
+    Python's monotonic clock goes on, so that the line session misses heartbeats. On macOS it
+    pauses, as everything that is measured with it: sleep is not detected there.
+    """
+    boottime = getattr(time, "CLOCK_BOOTTIME", None)
+    return time.clock_gettime(boottime) - time.monotonic() if boottime is not None else 0.0
+
+
+class SuspendDetector(QObject):
+    """Checks twice a second whether the computer was suspended.
+
+    Signals:
+        woke: it was; the reason to stop, a clause without a full stop.
+    """
+
+    woke = Signal(str)
+
+    def __init__(
+        self, slept: Callable[[], float] = slept_so_far, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._slept = slept
+        self._known = slept()
+        self._timer = QTimer(self)
+        self._timer.setInterval(_INTERVAL_MS)
+        self._timer.timeout.connect(self.look)
+        self._timer.start()
+
+    @Slot()
+    def look(self) -> None:
+        before, self._known = self._known, self._slept()
+        if self._known - before >= _LEAST_S:
+            self.woke.emit(self.tr("The computer was asleep"))

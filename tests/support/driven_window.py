@@ -20,7 +20,7 @@ from tests.support.program import trex
 from trex_gui import app, composition
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.session import session
-from trex_gui.system.automatic_stop import SuspendDetector
+from trex_gui.supervisor import SuspendDetector
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.program import Program
 

@@ -5,7 +5,7 @@ import sys
 import pytest
 from PySide6.QtDBus import QDBusConnection
 
-from trex_gui.system.automatic_stop import ExceptionWatch, SuspendDetector
+from trex_gui.supervisor import ExceptionWatch, SuspendDetector
 from trex_gui.system.login_session import SessionEvents
 from trex_gui.system.windows_events import (
     PBT_APMSUSPEND,

@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from trex_gui.system.automatic_stop import (
+from trex_gui.supervisor import (
     ExceptionWatch,
     StopBroadcaster,
     SuspendDetector,
@@ -101,7 +101,7 @@ class Ending:
         self.rests: list[str] = []
         self.stood_still = threading.Event()
         self.watch = SignalWatch(
-            self._act, self._rest, grace=grace, end=self._end, stand_still=self._stand_still
+            self._act, self._rest, grace=grace, end=self._end, suspend=self._stand_still
         )
 
     def _rest(self) -> None:

@@ -1,4 +1,4 @@
-"""What a gamepad is and shows, whatever library reads it."""
+"""Gamepads and their states, whatever library reads them."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -6,7 +6,7 @@ from typing import Protocol
 
 
 class GamepadUnavailable(Exception):  # noqa: N818 - reads as what is wrong, as PortUnavailable
-    """No gamepad can be read on this computer; the text says what to do about it."""
+    """Gamepads cannot be read on this computer; the text says what to do about it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,10 +16,9 @@ class Pad:
     Attributes:
         ident: a number of this connection; one that is plugged in again gets another.
         guid: SDL's identifier of its kind; two of a kind share it.
-        axes: how many there are.
-        buttons: how many there are.
-        parts: where SDL knows the kind, its axes (`a0`) and buttons (`b4`) by SDL's names of
-            what is printed on such pads: `{"lefty": "a1", "leftshoulder": "b4"}`.
+        axes, buttons: how many there are.
+        parts: its axes (`a0`) and buttons (`b4`) by SDL's names, if SDL knows the kind:
+            `{"lefty": "a1", "leftshoulder": "b4"}`.
     """
 
     ident: int
@@ -30,15 +29,13 @@ class Pad:
     parts: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def axis_of(self, part: str) -> int | None:
-        """The number of the axis that SDL calls so; `None` where it knows none."""
         return self._number_of(part, "a", self.axes)
 
     def button_of(self, part: str) -> int | None:
-        """The number of the button that SDL calls so; `None` where it knows none."""
         return self._number_of(part, "b", self.buttons)
 
     def part_name(self, kind: str, number: int) -> str:
-        """SDL's name of an axis (`a`) or a button (`b`); empty where it knows none."""
+        """SDL's name of an axis (`a`) or a button (`b`); empty if it has none."""
         wanted = f"{kind}{number}"
         return next((part for part, where in self.parts.items() if where == wanted), "")
 
@@ -49,17 +46,17 @@ class Pad:
 
 @dataclass(frozen=True, slots=True)
 class PadState:
-    """What a gamepad shows at a moment: axes from -1 to 1 (down and right are positive)."""
+    """The state of a gamepad: axes from -1 to 1 (down and right are positive)."""
 
     axes: tuple[float, ...]
     buttons: tuple[bool, ...]
 
     def axis(self, number: int) -> float:
-        """Return the position of an axis; 0 for one that does not exist."""
+        """Return the position of an axis; 0 if there is none."""
         return self.axes[number] if 0 <= number < len(self.axes) else 0.0
 
     def pressed(self, number: int | None) -> bool:
-        """Whether a button is down; one that is not there never is."""
+        """Whether a button is down; a button that does not exist never is."""
         return number is not None and 0 <= number < len(self.buttons) and self.buttons[number]
 
 
@@ -67,17 +64,17 @@ class PadSource(Protocol):
     """Reads gamepads. Every call comes from one thread and returns at once."""
 
     def open(self) -> None:
-        """Begin; gamepads that are there already are found by the next `pads`.
+        """Begin; the next `pads` finds gamepads that are already connected.
 
         Raises:
             GamepadUnavailable: gamepads cannot be read here.
         """
 
     def pads(self) -> tuple[Pad, ...]:
-        """Look at what has happened since, and return the gamepads that are there now."""
+        """Return the gamepads that are connected now."""
 
     def read(self, pad: Pad) -> PadState | None:
-        """What a gamepad showed at the last `pads`; `None` when it has gone or cannot be read."""
+        """Return the state at the last `pads`; `None` if it is gone or cannot be read."""
 
     def close(self) -> None:
-        """Let all of them go. Closing twice is closing once."""
+        """Close all of them; may be called twice."""

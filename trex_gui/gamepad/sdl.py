@@ -1,4 +1,4 @@
-"""Gamepads read through SDL, which `pygame-ce` brings along; imported only when opened."""
+"""Gamepads read through SDL of `pygame-ce`, which is imported only when they are opened."""
 
 import contextlib
 import importlib
@@ -25,7 +25,7 @@ _HINTS = {
 
 
 class SdlPads:
-    """The gamepads of this computer. SDL's state is the process's: one of these at a time."""
+    """The gamepads of this computer; one instance at a time, as SDL has one state per process."""
 
     def __init__(self) -> None:
         self._pygame: ModuleType | None = None
@@ -69,7 +69,7 @@ class SdlPads:
                 tuple(joystick.get_axis(number) for number in range(pad.axes)),
                 tuple(bool(joystick.get_button(number)) for number in range(pad.buttons)),
             )
-        except self._pygame.error:  # it is no joystick any more
+        except self._pygame.error:  # it is gone
             del self._open[pad.ident]
             return None
 
@@ -81,7 +81,7 @@ class SdlPads:
             self._pygame = None
 
     def _take(self, pygame: ModuleType, index: int) -> None:
-        """Open a gamepad; one that went again meanwhile, or that we may not read, is left."""
+        """Open a gamepad, unless it is gone again or may not be read."""
         with contextlib.suppress(pygame.error):
             joystick = pygame.joystick.Joystick(index)
             pad = Pad(
@@ -96,7 +96,7 @@ class SdlPads:
 
 
 def _load() -> ModuleType:
-    """Import pygame, or say how to get it."""
+    """Import pygame; the error says how to install it."""
     try:
         pygame = importlib.import_module("pygame")
         for part in ("display", "event", "joystick"):
@@ -110,7 +110,7 @@ def _load() -> ModuleType:
 
 
 def _parts(joystick: "JoystickType") -> Mapping[str, str]:
-    """SDL's names of the axes and buttons; nothing where it does not know the kind."""
+    """SDL's names of the axes and buttons; empty if it does not know the kind."""
     try:
         controllers = importlib.import_module("pygame._sdl2.controller")
     except ImportError:  # "experimental" in pygame-ce 2.5
@@ -127,7 +127,7 @@ def _parts(joystick: "JoystickType") -> Mapping[str, str]:
 
 @contextlib.contextmanager
 def _environment(hints: Mapping[str, str]) -> Iterator[None]:
-    """Set variables for SDL to read; programs that are started later shall not get them."""
+    """Set variables for SDL to read, but not for programs that are started later."""
     before = {name: os.environ.get(name) for name in hints}
     os.environ.update(hints)
     try:

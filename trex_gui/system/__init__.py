@@ -1,1 +1,1 @@
-"""Reasons of the system to stop motors: signals, sleep, locked screen, uncaught exceptions."""
+"""Events of the operating system that stop motors: signals, sleep, a locked screen."""

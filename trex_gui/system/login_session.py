@@ -86,9 +86,10 @@ class SessionEvents(QObject):
 
 
 class SleepDelay(QObject):
-    """Delays sleep until the stop of the motors is confirmed; does nothing without logind.
+    """Delays sleep, by `timeout` seconds at most, until the stop of the motors is confirmed.
 
-    `may_move` says whether motors were driven and no stop has been confirmed since.
+    `may_move` says whether motors were driven and no stop has been confirmed since. Does nothing
+    without logind.
     """
 
     def __init__(
@@ -99,7 +100,6 @@ class SleepDelay(QObject):
         *,
         timeout: float,
     ) -> None:
-        """Delay sleep by `timeout` seconds at most."""
         super().__init__(parent)
         self._timeout = timeout
         self._may_move = may_move
@@ -129,7 +129,6 @@ class SleepDelay(QObject):
         self._request.finished.connect(self._on_reply)
 
     def give(self) -> None:
-        """Delay sleep no longer."""
         self._timer.stop()
         if self._descriptor is not None:
             os.close(self._descriptor)
@@ -158,10 +157,10 @@ class SleepDelay(QObject):
     def _on_reply(self, watcher: QDBusPendingCallWatcher) -> None:
         self._request = None
         watcher.deleteLater()
-        answer = watcher.reply()
-        values = answer.arguments()
+        reply = watcher.reply()
+        values = reply.arguments()
         if not values or not isinstance(values[0], QDBusUnixFileDescriptor):
-            log.info("sleep cannot be held up: %s", answer.errorMessage())
+            log.info("sleep cannot be delayed: %s", reply.errorMessage())
             return
         # Qt closes its own with the message.
         self._descriptor = os.dup(values[0].fileDescriptor())

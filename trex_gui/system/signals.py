@@ -1,8 +1,8 @@
 """SIGTERM, SIGINT, SIGHUP … stop the motors even while the window's thread is busy.
 
-Python runs its handlers in the main thread only, and only between two steps of Python: a window
-that waits for something never gets there. But the interpreter writes each signal's number into a
-file descriptor at once, and a thread of its own reads it.
+Python runs signal handlers in the main thread only, between two steps of Python, which a window
+that waits never reaches. But the interpreter writes each signal's number into a file descriptor at
+once, and a separate thread reads it.
 """
 
 import contextlib
@@ -22,49 +22,45 @@ from PySide6.QtCore import QObject, Signal
 log = logging.getLogger(__name__)
 
 _NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGBREAK")
-"""Those that ask a program to end; not every system has each of them."""
+"""Signals that end a program; not every system has each of them."""
 
 _SUSPENDING = "SIGTSTP"
-"""Ctrl-Z: the program stands still until somebody lets it go on, and motors must not turn until
-then."""
+"""Ctrl-Z: the program is suspended, and motors must not turn meanwhile."""
 
 _GRACE_S = 7.0
 """Seconds that the window has to end by itself. Closing a line while settings are written may take
-three, and a disk that is recorded to three more; whoever sends signals to end a system waits longer
-than that before SIGKILL."""
+three, and a disk that is recorded to three more; a system that shuts down waits longer than that
+before SIGKILL."""
 
 _HURRYING = {"SIGINT", "SIGQUIT", "SIGBREAK"}
-"""Those that a person sends with a key: once more means not to wait."""
+"""Signals that a key sends: a second one means not to wait."""
 
 _SAME_S = 0.3
-"""Seconds within which a second one is the first: a terminal and a program that was started in it
-may both pass on one Ctrl-C."""
+"""Seconds within which a second signal counts as the first: a terminal and a program that was
+started in it may both pass on one Ctrl-C."""
 
 _LAST_WORD_S = 0.3
 """Seconds for a last stop to leave: at 1200 baud the transaction in flight takes a quarter."""
 
 
-def _stand_still() -> None:
+def _suspend_process() -> None:
     os.kill(os.getpid(), signal.SIGSTOP)
 
 
 def _nothing(_number: int, _frame: FrameType | None) -> None:
-    """Keep the signal from ending the process; the watching thread has been told."""
+    """Keep the signal from ending the process; the watching thread handles it."""
 
 
 class SignalWatch(QObject):
-    """Watches for the end that somebody outside wants; to be made in the main thread.
+    """Handles signals that end or suspend the program; create it in the main thread.
 
-    A window that does not end within a few seconds is ended: exit code 128 + number then, as a
-    shell reports it. One that ends by itself has done all that was asked of it: exit code 0.
+    A window that does not end within `grace` seconds is ended with exit code 128 + number, as a
+    shell reports it; one that ends by itself has exit code 0. Ctrl-C while it is ending calls
+    `act` once more and ends the process at once. Before Ctrl-Z suspends the process, `rest` is
+    called and has a moment to take effect.
 
-    Whoever presses Ctrl-C while it is ending does not want to wait: `act` is called once more,
-    and the process is ended at once.
-
-    Before Ctrl-Z suspends it `rest` is called, which has a moment to take effect.
-
-    `act` and `rest` are called in a thread of its own, before anything else. They must not block.
-    A signal that was to be ignored from the beginning (`nohup`) is.
+    `act` and `rest` are called in a separate thread, before anything else. They must not block.
+    A signal that is ignored from the beginning (`nohup`) stays ignored.
 
     Signals:
         caught: the number of the signal; in the thread of the receiver.
@@ -80,12 +76,12 @@ class SignalWatch(QObject):
         *,
         grace: float = _GRACE_S,
         end: Callable[[int], Any] = os._exit,
-        stand_still: Callable[[], Any] = _stand_still,
+        suspend: Callable[[], Any] = _suspend_process,
     ) -> None:
         super().__init__(parent)
         self._act = act
         self._rest = rest
-        self._stand_still = stand_still
+        self._suspend_process = suspend
         self._grace = grace
         self._end = end
         self._closed = threading.Event()
@@ -104,7 +100,7 @@ class SignalWatch(QObject):
         self._thread.start()
 
     def close(self) -> None:
-        """Give the signals back; for the end of the program."""
+        """Restore the handlers, at the end of the program."""
         self._closed.set()
         signal.set_wakeup_fd(self._fd_before)
         for number, handler in self._before.items():
@@ -126,7 +122,7 @@ class SignalWatch(QObject):
     def _suspend(self) -> None:
         self._do(self._rest)
         self._closed.wait(_LAST_WORD_S)
-        self._stand_still()  # here it goes on when it is let
+        self._suspend_process()  # returns when the process is resumed
 
     def _leave(self, number: int) -> None:
         self._do(self._act)
@@ -141,11 +137,11 @@ class SignalWatch(QObject):
     def _do(self, step: Callable[[], object]) -> None:
         try:
             step()
-        except Exception:  # whatever it is, this thread lives on and the process has to end
+        except Exception:  # this thread has to go on, and the process has to end
             log.exception("on a signal")
 
     def _wait_for_hurry(self) -> int | None:
-        """Wait as long as the window may take; return the signal that says not to, if one comes."""
+        """Wait as long as the window may take; return a signal that says not to wait."""
         begun = time.monotonic()
         while (left := begun + self._grace - time.monotonic()) > 0:
             self._ours.settimeout(left)

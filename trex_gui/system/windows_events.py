@@ -1,7 +1,7 @@
 """A locked screen, sleep and the end of a session, as Windows reports them to a window.
 
 Ref: Microsoft's documentation of WM_POWERBROADCAST, WM_WTSSESSION_CHANGE, WM_QUERYENDSESSION.
-Written after it; seen on no Windows machine yet.
+Not tested on Windows yet.
 """
 
 import ctypes
@@ -17,7 +17,7 @@ _LEAVES = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WT
 
 
 def why_to_stop(message: int, parameter: int) -> str | None:
-    """Return why a window message is one to stop at, for people; `None`: it is none."""
+    """Return the reason to stop that a window message gives; `None`: it gives none."""
 
     def tr(text: str) -> str:
         return QCoreApplication.translate("WindowsEvents", text)
@@ -49,7 +49,7 @@ class WindowsEvents(QObject):
     """Sees the messages of every window of the program.
 
     Signals:
-        leaving: nobody looks at the window any more, or soon; why to stop, for people: a clause
+        leaving: the user cannot see the window any more, or soon; the reason to stop, a clause
             without a full stop.
     """
 
@@ -62,11 +62,10 @@ class WindowsEvents(QObject):
             app.installNativeEventFilter(self._filter)
 
     def watch_session_of(self, window: int) -> None:
-        """Ask for the messages of a locked screen; `window` is a native handle."""
+        """Request the messages of a locked screen; `window` is a native handle."""
         if sys.platform == "win32":
             ctypes.windll.wtsapi32.WTSRegisterSessionNotification(window, 0)
 
     def take(self, message: int, parameter: int) -> None:
-        """Take a window message in."""
         if reason := why_to_stop(message, parameter):
             self.leaving.emit(reason)
