@@ -7,11 +7,12 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.model.linter import SettingsLinter
-from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
-from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, Role
+from trex_gui.devices.trex.model.parameters.parameters import Role
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
@@ -64,7 +65,7 @@ class ParametersDriver(WidgetDriver):
     @property
     def current(self) -> str:
         """The key of the current parameter."""
-        return self.table.current_key
+        return self.view.current_key
 
     def search(self, words: str) -> None:
         """Replace the words in the search field."""

@@ -111,7 +111,7 @@ def test_impossible_values_are_rejected_with_a_note(page: CalibrationPage) -> No
     assert "Maximum (1200 µs) cannot be below neutral" in page.note
     assert page.marked_handle == "maximum"
     page.type_into("neutralEdit", "nonsense")
-    assert "no value" in page.note
+    assert "not a valid value" in page.note
     assert page.marked_handle == ""
     page.type_into("minimumEdit", "1600")
     page.select_channel(2)

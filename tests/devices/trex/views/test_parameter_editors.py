@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
 from tests.support.window import WidgetDriver
-from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import channels_in
 from trex_gui.devices.trex.protocol.line_settings import LineSettings

@@ -7,8 +7,8 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
 from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
 
 SPECS = parameters_of("trexjr", "1.2")

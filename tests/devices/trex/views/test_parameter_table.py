@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
-from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, Role
+from trex_gui.devices.trex.model.parameters.parameters import Role
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 
 SPECS = parameters_of("trexjr", "1.2")
@@ -267,8 +268,8 @@ def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> Non
     parameters.model.edit("serial_timeout", 15)
     actions = menu_of(parameters, "serial_timeout")
     assert parameters.current == "serial_timeout"
-    assert actions["resetParameter"].text() == "Back to default: 0 (off)"
-    assert actions["restoreParameter"].text() == "Back to what is stored: 0 (off)"
+    assert actions["resetParameter"].text() == "Reset to default: 0 (off)"
+    assert actions["restoreParameter"].text() == "Restore stored value: 0 (off)"
     assert actions["copyParameter"].text() == "Copy as “serial_timeout: 15”"
     assert "leaveOutParameter" not in actions
     assert "copyToTwin" not in actions
@@ -282,7 +283,7 @@ def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> Non
 def test_menu_edits_resets_restores_and_copies(parameters: ParametersDriver) -> None:
     parameters.model.edit("motor1_current_limit", 25)
     actions = menu_of(parameters, "motor1_current_limit")
-    assert actions["copyToTwin"].text() == "Give Motor 2 the same"
+    assert actions["copyToTwin"].text() == "Copy to Motor 2"
     actions["copyToTwin"].trigger()
     assert parameters.model.value_of("motor2_current_limit") == 25
     assert not menu_of(parameters, "motor1_current_limit")["copyToTwin"].isEnabled()

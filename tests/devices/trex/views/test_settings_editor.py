@@ -265,7 +265,7 @@ def test_count_is_typed_in_any_unit(editor: EditorDriver) -> None:
     for typed in ("2.5 V", "fast", "99999", "-1", ""):
         box = editor.type_count(1, 1, typed)
         assert box.isVisible(), typed
-        assert "no value here" in editor.text("calibrationsNote"), typed
+        assert "not a valid value" in editor.text("calibrationsNote"), typed
         QTest.keyClick(box, Qt.Key.Key_Escape)
         assert editor.document.text == TEXT, typed
 

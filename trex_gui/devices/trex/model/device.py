@@ -23,7 +23,7 @@ from trex_gui.devices.trex.model.drive_controller import (
 from trex_gui.devices.trex.model.errors import ErrorLog
 from trex_gui.devices.trex.model.event_watch import EventWatch
 from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.apply import Apply, PendingReset
 from trex_gui.devices.trex.model.settings.draft import EditBackup, SettingsDraft
 from trex_gui.devices.trex.model.telemetry import Telemetry
@@ -276,7 +276,7 @@ class Device(QObject):
         self._reset_order.forget()
         if self._state is not None:
             self.draft.take_state(self._state, power_cycled=True)
-            self.parameters.note_in_force(in_force(self._state, self.settings))
+            self.parameters.note_active(in_force(self._state, self.settings))
             self.state_changed.emit()
             self.link_changed.emit()
 
@@ -354,7 +354,7 @@ class Device(QObject):
         self.telemetry.serial_controls = state.serial_controls
         self._reset_order.note_read(state.parameters, power_cycled=occasion.power_cycled)
         self.draft.take_state(state, power_cycled=occasion.power_cycled)
-        self.parameters.note_in_force(in_force(state, report.settings))
+        self.parameters.note_active(in_force(state, report.settings))
 
     @Slot(object)
     def _on_written(self, written: Written) -> None:

@@ -1,4 +1,4 @@
-"""A spin box for raw counts that speaks µs or V."""
+"""Spin boxes that show and take their number in physical units, such as µs or V."""
 
 import re
 
@@ -6,6 +6,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QValidator, QWheelEvent
 from PySide6.QtWidgets import QSpinBox, QWidget
 
+from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -17,45 +18,84 @@ _UNITS = {
 _COUNTS = {"count", "counts", "#"}
 
 
-class CountEditor(QSpinBox):
-    """Counts as value, physical units as text; `2.1 ms`, `1500` or `3750 counts` may be typed.
+class UnitSpinBox(QSpinBox):
+    """Base of spin boxes whose input `parse` converts.
 
     Signals:
-        rejected: why the typed text is no value, as a sentence.
+        rejected: why the input is not a value, for the user.
     """
 
     rejected = Signal(str)
 
-    def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._source = source
-        self._stepping = False
-        self.setRange(0, HIGHEST_CODED)
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
+
+    def parse(self, text: str) -> int:
+        """Return the value of the input.
+
+        Raises:
+            BadRequest: the input is not a value, or outside the limits.
+        """
+        raise NotImplementedError
+
+    def valueFromText(self, text: str) -> int:
+        try:
+            return self.parse(text)
+        except BadRequest:
+            return self.value()
+
+    def validate(self, text: str, pos: int) -> tuple[QValidator.State, str, int]:
+        try:
+            self.parse(text)
+        except BadRequest:
+            return QValidator.State.Intermediate, text, pos
+        return QValidator.State.Acceptable, text, pos
+
+    def fixup(self, text: str) -> str:
+        """Report why the input is dropped when the editor is left."""
+        self.report_problem()
+        return super().fixup(text)
+
+    def report_problem(self) -> None:
+        """Emit `rejected` if the input is not a value."""
+        try:
+            self.parse(self.text())
+        except BadRequest as error:
+            self.rejected.emit(sentence(error))
+
+
+class CountEditor(UnitSpinBox):
+    """A raw count, shown in µs or V; takes `2.1 ms`, `1500` or `3750 counts`.
+
+    Attributes:
+        stepping: whether the value is being changed by a key, the wheel or a button, not typed.
+    """
+
+    def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._source = source
+        self.stepping = False
+        self.setRange(0, HIGHEST_CODED)
         self.setToolTip(self._expected())
 
     def set_source(self, source: InputSource) -> None:
-        """Speak the units of another input source; the count stays."""
+        """Change to the units of another input source; the count stays."""
         if source is not self._source:
             self._source = source
             self.setToolTip(self._expected())
             with QSignalBlocker(self):
                 self.lineEdit().setText(self.textFromValue(self.value()))
 
-    @property
-    def stepping(self) -> bool:
-        """Whether the value changes by a step now: a key, the wheel or a button, nothing typed."""
-        return self._stepping
-
     def stepBy(self, steps: int) -> None:
-        self._stepping = True
+        self.stepping = True
         super().stepBy(steps)
-        self._stepping = False
+        self.stepping = False
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Turn with the wheel only what has the focus."""
+        """Change the value only while it has the focus; else scroll what is behind."""
         if self.hasFocus():
             super().wheelEvent(event)
         else:
@@ -66,43 +106,25 @@ class CountEditor(QSpinBox):
         number = f"{self._source.physical(val):.{decimals}f}".removesuffix(".0")
         return f"{number} {self._source.unit}"
 
-    def valueFromText(self, text: str) -> int:
-        count = self._count(text)
-        return self.value() if count is None else count
-
-    def validate(self, text: str, pos: int) -> tuple[QValidator.State, str, int]:
-        good = self._count(text) is not None
-        state = QValidator.State.Acceptable if good else QValidator.State.Intermediate
-        return state, text, pos
-
-    def fixup(self, text: str) -> str:
-        """Say why what was typed is dropped when the editor is left."""
-        self.report_problem()
-        return super().fixup(text)
-
-    def report_problem(self) -> None:
-        """Emit `rejected` if the text is no value."""
-        if self._count(self.text()) is None:
-            words = self.tr("{0} is no value here. {1}")
-            self.rejected.emit(words.format(self.text().strip() or "“”", self._expected()))
-
-    def _count(self, text: str) -> int | None:
+    def parse(self, text: str) -> int:
         found = _NUMBER.fullmatch(text)
-        if found is None:
-            return None
-        number, unit = float(found[1].replace(",", ".")), found[2].casefold()
-        if unit in _COUNTS:
-            count = round(number)
-        elif unit in _UNITS[self._source]:
-            count = self._source.counts(number * _UNITS[self._source][unit])
-        else:
-            return None
-        return count if 0 <= count <= HIGHEST_CODED else None
+        unit = found[2].casefold() if found else ""
+        count = -1
+        if found and unit in _COUNTS:
+            count = round(_float(found[1]))
+        elif found and unit in _UNITS[self._source]:
+            count = self._source.counts(_float(found[1]) * _UNITS[self._source][unit])
+        if not 0 <= count <= HIGHEST_CODED:
+            message = self.tr("{0} is not a valid value. {1}")
+            raise BadRequest(message.format(text.strip() or "“”", self._expected()))
+        return count
 
     def _expected(self) -> str:
-        highest = self._source.text(HIGHEST_CODED)
+        example = self.tr("Enter 0 to {0}, such as 2.5, 2500 mV or 512 counts.")
         if self._source is InputSource.RC:
-            return self.tr("Expected is 0 to {0}, such as 1500, 1.5 ms or 3750 counts.").format(
-                highest
-            )
-        return self.tr("Expected is 0 to {0}, such as 2.5, 2500 mV or 512 counts.").format(highest)
+            example = self.tr("Enter 0 to {0}, such as 1500, 1.5 ms or 3750 counts.")
+        return example.format(self._source.text(HIGHEST_CODED))
+
+
+def _float(text: str) -> float:
+    return float(text.replace(",", "."))

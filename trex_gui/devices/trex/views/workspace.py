@@ -111,7 +111,7 @@ class TrexWorkspace(Workspace):
         calibration_page.power_cycle_requested.connect(self._on_power_cycle_wanted)
         calibration_page.learn_requested.connect(self._learn.learn)
         learning.taken.connect(self._review.review)
-        motors_page.parameter_wanted.connect(parameters_page.show_parameter)
+        motors_page.parameter_wanted.connect(parameters_page.table.show_parameter)
         motors_page.parameter_wanted.connect(lambda: self.show_page("parameters"))
         controller.changed.connect(self._on_demo_changed)
         controller.demo_board.rejected.connect(self.notifier.error)

@@ -157,13 +157,13 @@ def test_previously_unknown_value_has_no_active_value() -> None:
 
 def of_a_file() -> Draft:
     draft = Draft()
-    draft.load({"motor_mode": 0}, open_to=FACTORY)
+    draft.load({"motor_mode": 0}, optional=FACTORY)
     return draft
 
 
 def test_parameter_can_be_added_to_a_file_and_left_out() -> None:
     draft = of_a_file()
-    assert draft.takes("serial_timeout")
+    assert draft.accepts("serial_timeout")
     draft.edit(TIMEOUT, 9)
     assert draft.pending == (("serial_timeout", 9),)
     draft.leave_out("serial_timeout")
@@ -185,10 +185,10 @@ def test_left_out_parameter_survives_reload_of_the_same_file() -> None:
     draft = of_a_file()
     draft.leave_out("motor_mode")
     draft.edit(TIMEOUT, 9)
-    draft.load({"motor_mode": 0}, keep_edits=True, open_to=FACTORY)
+    draft.load({"motor_mode": 0}, keep_edits=True, optional=FACTORY)
     assert draft.removed == {"motor_mode"}
     assert draft.pending == (("serial_timeout", 9),)
-    draft.load({"serial_timeout": 9}, keep_edits=True, open_to=FACTORY)
+    draft.load({"serial_timeout": 9}, keep_edits=True, optional=FACTORY)
     assert not draft.removed
     assert not draft.pending
 

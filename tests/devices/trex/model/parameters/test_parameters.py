@@ -10,9 +10,10 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec, parameters_of
 
 SPECS = parameters_of("trex", "1.2")
 JUNIOR = parameters_of("trexjr", "1.2")
@@ -85,7 +86,7 @@ def test_each_parameter_has_a_row_and_each_column_a_name(
     named = [column for column in ParameterColumn if column is not ParameterColumn.RESET]
     assert all(model.headerData(column, horizontal) for column in named)
     spoken = Qt.ItemDataRole.AccessibleTextRole
-    assert model.headerData(ParameterColumn.RESET, horizontal, spoken) == "Back to default"
+    assert model.headerData(ParameterColumn.RESET, horizontal, spoken) == "Reset to default"
     assert model.headerData(0, Qt.Orientation.Vertical) is None
 
 
@@ -327,5 +328,6 @@ def test_edit_missing_in_older_firmware_is_dropped(model: ParameterModel) -> Non
 
 def test_row_carries_its_specification(model: ParameterModel) -> None:
     spec = of(model, "serial_timeout", Role.SPEC)
+    assert isinstance(spec, ParameterSpec)
     assert spec == replace(SPECS["serial_timeout"])
-    assert of(model, "serial_timeout", Role.WIRE) == SPECS["serial_timeout"].default
+    assert model.index_of("serial_timeout").data(Qt.ItemDataRole.EditRole) == spec.default

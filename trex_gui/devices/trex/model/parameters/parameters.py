@@ -1,19 +1,26 @@
-"""The parameters of a board or a file: what is stored, edited, and not yet in force."""
+"""The parameters of a board or a file with their edits, as a Qt model."""
 
 from collections.abc import Mapping, Sequence
+from enum import IntEnum
 from typing import Any
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+)
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.parameters.tree import (
-    GROUPS,
-    Index,
+from trex_gui.devices.trex.model.parameters.draft import Draft
+from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,
-    ParameterTree,
-    Role,
+    ParameterText,
+    pwm_partner,
 )
 from trex_gui.devices.trex.protocol.parameters import (
     ParameterSet,
@@ -23,17 +30,37 @@ from trex_gui.devices.trex.protocol.parameters import (
 )
 from trex_gui.ui.devices.undo import Edit
 
-__all__ = ["GROUPS", "Index", "ParameterColumn", "ParameterModel", "Role"]
+Index = QModelIndex | QPersistentModelIndex
+
+_COLUMNS = len(ParameterColumn)
 
 
-class ParameterModel(ParameterTree):
-    """A row a parameter, in groups; edits wait in a draft until they are applied.
+class Role(IntEnum):
+    """Data of a cell besides its text; a heading has GROUP only.
 
-    Every edit goes over the undo stack that it is given (or has one of its own).
+    WAITING is the wire value that stays active until the next power cycle, RESET the effect of
+    a reset to the default; both are `None` where nothing differs.
+    """
+
+    SPEC = Qt.ItemDataRole.UserRole
+    DIRTY = Qt.ItemDataRole.UserRole + 1
+    WAITING = Qt.ItemDataRole.UserRole + 2
+    PROBLEM = Qt.ItemDataRole.UserRole + 3
+    GROUP = Qt.ItemDataRole.UserRole + 4
+    RESET = Qt.ItemDataRole.UserRole + 5
+
+
+class ParameterModel(QAbstractItemModel):
+    """Groups with a heading each, below it one row per parameter; edits go over an undo stack.
 
     Signals:
-        pending_changed: how many edits wait.
-        rejected: why an edit was not taken, for the user.
+        pending_changed: the number of edits.
+        rejected: why an edit was rejected, for the user.
+
+    Attributes:
+        text: the texts of the cells.
+        model_key: the kind of board that the rows belong to; empty before the first.
+        both_motors: whether an edit for one motor is made for the other, too.
     """
 
     pending_changed = Signal(int)
@@ -42,10 +69,33 @@ class ParameterModel(ParameterTree):
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
         self._undo = undo or QUndoStack(self)
-        self._both_motors = False
-        self._model_key = ""
+        self._specs: dict[str, ParameterSpec] = {}
+        self._groups: tuple[tuple[str, tuple[ParameterSpec, ...]], ...] = ()
+        self._places: dict[str, tuple[int, int]] = {}
+        self._draft = Draft()
+        self._problems: dict[str, str] = {}
+        self._editable = False
+        self.text = ParameterText(self._specs, self._draft, self._problems, self)
+        self.model_key = ""
+        self.both_motors = False
+        self._headers = (
+            self.tr("Parameter"),
+            self.tr("Value"),
+            self.tr("Wire"),
+            "",
+            self.tr("Default"),
+            self.tr("Range"),
+            self.tr("Source"),
+            self.tr("Takes effect"),
+        )
+        self._titles = {
+            "motors": self.tr("Motors"),
+            "channels": self.tr("Channels"),
+            "serial": self.tr("Serial"),
+            "system": self.tr("System"),
+        }
 
-    # --- What the device says -----------------------------------------------------------
+    # --- Reports of the device ----------------------------------------------------------
 
     def load(
         self,
@@ -56,38 +106,48 @@ class ParameterModel(ParameterTree):
         power_cycled: bool,
         open_ended: bool = False,
     ) -> None:
-        """Take everything that was read; edits stay when it is the same model of board.
+        """Take everything that was read; edits stay if the board is of the same model.
 
-        With `open_ended` (a file) what is not stored can be given, and what is can be left out.
+        `open_ended` (a file): any parameter may be added or left out.
         """
         pending = self.modified
-        same = specs.model.key == self._model_key
         self.beginResetModel()
         self._arrange(specs.readable)
-        self._model_key = specs.model.key
         self._draft.load(
             stored,
-            keep_edits=same,
+            keep_edits=specs.model.key == self.model_key,
             power_cycled=power_cycled,
-            open_to=self.text.specs if open_ended else (),
+            optional=self._specs if open_ended else (),
         )
-        kept = {key: why for key, why in self._problems.items() if self._draft.is_modified(key)}
+        self.model_key = specs.model.key
+        kept = {key: why for key, why in self._problems.items() if self.is_modified(key)}
         self._problems.clear()
-        self._problems.update({**kept, **unread})
+        self._problems.update(kept | dict(unread))
         self._editable = True
         self.endResetModel()
         if pending != self.modified:
-            self.pending_changed.emit(len(self.modified))
+            self._announce_pending()
 
-    def note_in_force(self, in_force: Mapping[str, int]) -> None:
-        """Take what is surely in force now of what acts only after a power cycle."""
-        for key, wire in in_force.items():
-            self._draft.note_in_force(key, wire)
+    def _arrange(self, specs: Sequence[ParameterSpec]) -> None:
+        """Put parameters into their groups; empty groups are left out."""
+        groups = ((group, tuple(s for s in specs if s.group == group)) for group in self._titles)
+        self._groups = tuple((group, members) for group, members in groups if members)
+        self._specs.clear()
+        self._places.clear()
+        for number, (_, members) in enumerate(self._groups):
+            for row, spec in enumerate(members):
+                self._specs[spec.key] = spec
+                self._places[spec.key] = number, row
+
+    def note_active(self, active: Mapping[str, int]) -> None:
+        """Take values that are known to be active, whatever is stored."""
+        for key, wire in active.items():
+            self._draft.note_active(key, wire)
         self._announce_all()
-        self.pending_changed.emit(len(self.modified))
+        self._announce_pending()
 
     def set_editable(self, editable: bool) -> None:
-        """Say whether a board is there to write to; the rows stay to be looked at."""
+        """Enable edits; without a board to write to, the rows are only shown."""
         if editable != self._editable:
             self._editable = editable
             self._announce_all()
@@ -95,196 +155,287 @@ class ParameterModel(ParameterTree):
     def note_stored(self, stored: Mapping[str, int]) -> None:
         """Take the stored values after a verified write."""
         for key, wire in stored.items():
-            if key in self.text.specs and wire != self._draft.stored.get(key):
-                self._draft.note_stored(self.text.specs[key], wire)
+            if key in self._specs and wire != self.stored_of(key):
+                self._draft.note_stored(self._specs[key], wire)
                 self._announce(key)
-        self.pending_changed.emit(len(self.modified))
+        self._announce_pending()
 
     def note_results(self, results: Sequence[WriteResult]) -> None:
         """Take the reasons of failed writes."""
         for result in results:
-            if result.key not in self.text.specs:
-                continue
-            if result.error is None:
+            if result.key in self._specs:
                 self._problems.pop(result.key, None)
-            else:
-                self._problems[result.key] = str(result.error)
-            self._announce(result.key)
+                if result.error is not None:
+                    self._problems[result.key] = str(result.error)
+                self._announce(result.key)
 
-    # --- What is known ------------------------------------------------------------------
+    # --- Values -------------------------------------------------------------------------
+
+    @property
+    def count(self) -> int:
+        return len(self._specs)
+
+    @property
+    def groups(self) -> dict[str, str]:
+        """The titles of the groups that have parameters, by group."""
+        return {group: self._titles[group] for group, _ in self._groups}
 
     @property
     def pending(self) -> tuple[tuple[str, int], ...]:
-        """What Apply would write: key and wire value; what is left out is in `removed`."""
+        """Keys and values that Apply or Save writes; keys that Save leaves out are in `removed`."""
         return self._draft.pending
 
     @property
     def removed(self) -> tuple[str, ...]:
-        """Keys that are stored and would be left out, in the order of the table."""
-        return tuple(key for key in self.text.specs if key in self._draft.removed)
+        """Stored keys that Save leaves out, in the order of the table."""
+        return tuple(key for key in self._specs if key in self._draft.removed)
 
     @property
     def modified(self) -> tuple[str, ...]:
-        """Keys whose value would be another, or left out, after Apply or Save."""
-        return tuple(key for key in self.text.specs if self._draft.is_modified(key))
+        """Keys that are edited or left out, in the order of the table."""
+        return tuple(filter(self.is_modified, self._specs))
 
     def is_modified(self, key: str) -> bool:
-        """Whether a parameter would have another value, or none, after Apply or Save."""
         return self._draft.is_modified(key)
 
     @property
     def all_stored(self) -> dict[str, int]:
-        """What is stored, as far as it was read: wire values by key, in the order of the table."""
-        stored = self._draft.stored
-        return {key: stored[key] for key in self.text.specs if key in stored}
+        """The stored wire values that were read, by key, in the order of the table."""
+        return {key: w for key in self._specs if (w := self.stored_of(key)) is not None}
 
     @property
     def all_shown(self) -> dict[str, int]:
-        """What would be stored after Apply, likewise; what is left out is not there."""
-        shown = {key: self._draft.value(key) for key in self.text.specs}
-        return {key: wire for key, wire in shown.items() if wire is not None}
+        """The wire values after Apply or Save, by key, in the order of the table."""
+        return {key: w for key in self._specs if (w := self.value_of(key)) is not None}
 
     def spec_of(self, key: str) -> ParameterSpec:
-        """Return the entry of the parameter table.
-
-        Raises:
-            KeyError: there is no such parameter here.
-        """
-        return self.text.specs[key]
-
-    @property
-    def model_key(self) -> str:
-        """The kind of board that the rows are of; empty before the first."""
-        return self._model_key
+        return self._specs[key]
 
     @property
     def waiting_for_power(self) -> tuple[str, ...]:
-        """Names of the parameters that are stored and act only after a power cycle."""
-        specs = self.text.specs.values()
-        return tuple(spec.name for spec in specs if spec.key in self._draft.active)
+        """Names of the parameters whose stored value becomes active with the next power cycle."""
+        return tuple(spec.name for spec in self._specs.values() if spec.key in self._draft.active)
 
     def value_of(self, key: str) -> int | None:
-        """Wire value that would be in the device after Apply; `None`: not read, or left out."""
+        """Return the wire value after Apply or Save; `None`: not read, or left out."""
         return self._draft.value(key)
 
     def stored_of(self, key: str) -> int | None:
-        """Wire value that is in the device; `None` when it was not read."""
+        """Return the stored wire value; `None`: not read."""
         return self._draft.stored.get(key)
 
     def active_of(self, key: str) -> int | None:
-        """Wire value that is in force; `None` when it was not read.
+        """Return the active wire value, which may differ from the stored one; `None`: not read."""
+        return self._draft.active.get(key, self.stored_of(key))
 
-        It differs from what is stored until the power is cycled.
-        """
-        return self._draft.active.get(key, self._draft.stored.get(key))
+    def knows(self, key: str) -> bool:
+        """Whether a parameter can be edited: it was read, or is optional."""
+        return key in self._specs and self._draft.accepts(key)
 
     def can_leave_out(self, key: str) -> bool:
-        """Whether a parameter is given and need not be."""
-        return key in self._draft.open_to and self._draft.value(key) is not None
+        """Whether a parameter has a value and need not have one."""
+        return key in self._draft.optional and self.value_of(key) is not None
 
     def other_motor_of(self, key: str) -> str | None:
-        """Return the same parameter of the other motor, if it has one and both are known."""
+        """Return the same parameter of the other motor if both can be edited."""
         other_motor = other_motor_key(key)
-        return (
-            other_motor
-            if other_motor is not None and self.knows(key) and self.knows(other_motor)
-            else None
-        )
+        if other_motor is None or not self.knows(key) or not self.knows(other_motor):
+            return None
+        return other_motor
 
-    # --- User actions -----------------------------------------------------------------
-
-    @property
-    def both_motors(self) -> bool:
-        """Whether an edit for one motor is made for the other, too."""
-        return self._both_motors
-
-    def set_both_motors(self, both: bool) -> None:
-        """Edit both motors as one from now on, or each alone; values stay as they are."""
-        self._both_motors = both
+    # --- Edits --------------------------------------------------------------------------
 
     def edit(self, key: str, wire: int, *, alone: bool = False) -> None:
-        """Wish for a wire value; wishing for the stored one forgets the edit.
+        """Edit a value; the stored value drops the edit.
 
-        While both motors are edited as one, the other one gets the value in the same step,
-        except with `alone`.
+        With `both_motors`, the other motor gets the value in the same step, except with `alone`.
 
         Raises:
-            BadRequest: the table does not allow the value.
-            KeyError: there is no such parameter, or it was not read.
+            BadRequest: the value is outside the parameter's limits.
+            KeyError: the parameter does not exist, or was not read.
         """
         if not self.knows(key):
             raise KeyError(key)
-        if wire == self._draft.value(key):
+        if wire == self.value_of(key):
             return  # an editor that was opened and left does not edit the other motor either
         keys = (key,) if alone else self._with_other_motor(key)
         for each in keys:
-            if wire != self._draft.stored.get(each):
-                self.text.specs[each].check(wire)
+            if wire != self.stored_of(each):
+                self._specs[each].check(wire)
         self._change(dict.fromkeys(keys, wire))
 
     def reset(self, key: str) -> None:
         """Edit a parameter to its default."""
         if self.knows(key):
-            self.edit(key, self.text.specs[key].default)
+            self.edit(key, self._specs[key].default)
 
     def restore(self, key: str) -> None:
-        """Go back to what is stored; with its twin, each to its own."""
+        """Go back to the stored value; with `both_motors`, each to its own."""
         if self.knows(key):
-            self._change(
-                {each: self._draft.stored.get(each) for each in self._with_other_motor(key)}
-            )
+            self._change({each: self.stored_of(each) for each in self._with_other_motor(key)})
 
     def leave_out(self, key: str) -> None:
-        """Give a parameter no value; only where it need not have one."""
+        """Give a parameter no value, if that is possible."""
         if self.can_leave_out(key):
-            keys = [each for each in self._with_other_motor(key) if self.can_leave_out(each)]
+            keys = filter(self.can_leave_out, self._with_other_motor(key))
             self._change(dict.fromkeys(keys))
 
     def copy_to_other_motor(self, key: str) -> None:
-        """Give the other motor the value that this one has."""
-        other_motor, wire = self.other_motor_of(key), self._draft.value(key)
+        other_motor, wire = self.other_motor_of(key), self.value_of(key)
         if other_motor is not None and wire is not None:
             self._change({other_motor: wire})
 
     def discard_edits(self) -> None:
-        """Go back to what is stored; this can be undone."""
-        if modified := self.modified:
-            self._undo.beginMacro(self.tr("Discard edits"))
-            for key in modified:
-                self._change({key: self._draft.stored.get(key)})
-            self._undo.endMacro()
+        """Go back to the stored values, one undo step for each."""
+        for key in self.modified:
+            self._change({key: self.stored_of(key)})
 
     def _with_other_motor(self, key: str) -> tuple[str, ...]:
-        other_motor = self.other_motor_of(key) if self._both_motors else None
+        other_motor = self.other_motor_of(key) if self.both_motors else None
         return (key,) if other_motor is None else (key, other_motor)
 
     def _change(self, wanted: Mapping[str, int | None]) -> None:
-        """Make edits of what would be other values; together one step to undo."""
-        before = {key: self._draft.value(key) for key in wanted}
+        """Push edits of the values that differ; two motors' edits are one undo step."""
         edits = [
-            Edit(self.text.specs[key].name, self._put, key, before[key], wire)
+            Edit(self._specs[key].name, self._put, key, before, wire)
             for key, wire in wanted.items()
-            if wire != before[key]
+            if wire != (before := self.value_of(key))
         ]
-        if len(edits) == 1:
-            self._undo.push(edits[0])
-        elif edits:
+        if len(edits) > 1:
             key = next(iter(wanted))
-            name = self.text.specs[key].name.removeprefix(motor_name(key))
+            name = self._specs[key].name.removeprefix(motor_name(key))
             self._undo.beginMacro(self.tr("Motors 1 and 2{0}").format(name))
-            for each in edits:
-                self._undo.push(each)
+        for each in edits:
+            self._undo.push(each)
+        if len(edits) > 1:
             self._undo.endMacro()
 
     def _put(self, key: str, wire: int | None) -> None:
-        """Put a value in its place; a board that no longer has the parameter is left alone."""
+        """Apply an edit to the draft; ignores parameters that the present board lacks."""
         if self.knows(key):
             if wire is None:
                 self._draft.leave_out(key)
             else:
-                self._draft.edit(self.text.specs[key], wire)
+                self._draft.edit(self._specs[key], wire)
             self._announce(key)
-            self.pending_changed.emit(len(self.modified))
+            self._announce_pending()
+
+    # --- Qt -----------------------------------------------------------------------------
+
+    def index_of(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> QModelIndex:
+        """Return the cell of a parameter, invalid when there is none."""
+        place = self._places.get(key)
+        return QModelIndex() if place is None else self._cell(*place, column)
+
+    def index_of_group(self, group: str) -> QModelIndex:
+        """Return the heading of a group, invalid when there is none."""
+        groups = list(self.groups)
+        return self.index(groups.index(group), 0) if group in groups else QModelIndex()
+
+    def _cell(self, group: int, row: int, column: int) -> QModelIndex:
+        return self.createIndex(row, column, group + 1)  # a heading has 0
+
+    def _spec_at(self, index: Index) -> ParameterSpec | None:
+        """Return the parameter of a cell; `None` for a heading or an invalid index."""
+        group = index.internalId() if index.isValid() else 0
+        return self._groups[group - 1][1][index.row()] if group else None
+
+    def index(self, row: int, column: int, parent: Index | None = None) -> QModelIndex:
+        group = parent.row() if parent is not None and parent.isValid() else -1
+        if not (0 <= row < self.rowCount(parent) and 0 <= column < _COLUMNS):
+            return QModelIndex()
+        return self._cell(group, row, column)
+
+    def parent(self, index: Index | None = None) -> Any:
+        if index is None:
+            return super().parent()
+        group = index.internalId() if index.isValid() else 0
+        return self.createIndex(group - 1, 0, 0) if group else QModelIndex()
+
+    def rowCount(self, parent: Index | None = None) -> int:
+        if parent is None or not parent.isValid():
+            return len(self._groups)
+        if parent.internalId() or parent.column() > 0:
+            return 0
+        return len(self._groups[parent.row()][1])
+
+    def columnCount(self, _parent: Index | None = None) -> int:
+        return _COLUMNS
+
+    def headerData(
+        self,
+        section: int,
+        orientation: Qt.Orientation,
+        role: int = Qt.ItemDataRole.DisplayRole,
+    ) -> Any:
+        if orientation is not Qt.Orientation.Horizontal or section >= _COLUMNS:
+            return None
+        match role:
+            case Qt.ItemDataRole.DisplayRole:
+                return self._headers[section]
+            case Qt.ItemDataRole.TextAlignmentRole if section == ParameterColumn.WIRE:
+                return int(Qt.AlignmentFlag.AlignCenter)
+            case Qt.ItemDataRole.AccessibleTextRole if section == ParameterColumn.RESET:
+                return self.tr("Reset to default")
+        return None
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        if not index.isValid():
+            return Qt.ItemFlag.NoItemFlags
+        spec = self._spec_at(index)
+        flags = Qt.ItemFlag.ItemIsSelectable
+        if spec is not None:
+            flags |= Qt.ItemFlag.ItemNeverHasChildren
+        if self._editable:
+            flags |= Qt.ItemFlag.ItemIsEnabled
+            is_value = index.column() == ParameterColumn.VALUE
+            if spec is not None and is_value and self.knows(spec.key):
+                flags |= Qt.ItemFlag.ItemIsEditable
+        return flags
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        if not index.isValid():
+            return None
+        spec = self._spec_at(index)
+        if spec is None:
+            return self._heading_data(index.row(), index.column(), role)
+        column = ParameterColumn(index.column())
+        match role:
+            case Qt.ItemDataRole.DisplayRole:
+                return self.text.cell(spec, column)
+            case Qt.ItemDataRole.EditRole:
+                return self.value_of(spec.key)
+            case Qt.ItemDataRole.ToolTipRole if column is not ParameterColumn.RESET:
+                return self.text.tool_tip(spec, column)
+            case Qt.ItemDataRole.TextAlignmentRole if column is ParameterColumn.WIRE:
+                return int(Qt.AlignmentFlag.AlignCenter)
+            case Role.SPEC:
+                return spec
+            case Role.DIRTY:
+                return self.is_modified(spec.key)
+            case Role.WAITING:
+                return self._draft.active.get(spec.key)
+            case Role.PROBLEM:
+                return self._problems.get(spec.key)
+            case Role.RESET:
+                differs = self.value_of(spec.key) not in {None, spec.default}
+                return self.text.reset(spec) if differs else None
+            case Qt.ItemDataRole.ToolTipRole | Qt.ItemDataRole.AccessibleTextRole if (
+                column is ParameterColumn.RESET
+            ):
+                return self.data(index, Role.RESET)
+        return None
+
+    def _heading_data(self, row: int, column: int, role: int) -> Any:
+        group, members = self._groups[row]
+        if role == Role.GROUP:
+            return group
+        if role != Qt.ItemDataRole.DisplayRole or column > 0:
+            return None
+        title, modified = self._titles[group], sum(self.is_modified(spec.key) for spec in members)
+        if modified:
+            return self.tr("{0} ({1}, {2} modified)").format(title, len(members), modified)
+        return self.tr("{0} ({1})").format(title, len(members))
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
         spec = self._spec_at(index)
@@ -301,3 +452,28 @@ class ParameterModel(ParameterTree):
             self.rejected.emit(f"{spec.name} is {spec.range_text()}, not {value}.")
             return False
         return True
+
+    # --- Change notification ------------------------------------------------------------
+
+    def _announce_pending(self) -> None:
+        self.pending_changed.emit(len(self.modified))
+
+    def _announce(self, key: str) -> None:
+        """Announce a row, the rows whose text refers to it, and its group's heading."""
+        other_motor = other_motor_key(key)
+        for each in (key, other_motor, pwm_partner(key), pwm_partner(other_motor or "")):
+            if each in self._places:
+                group, row = self._places[each]
+                self.dataChanged.emit(
+                    self._cell(group, row, 0), self._cell(group, row, _COLUMNS - 1)
+                )
+        heading = self.index(self._places[key][0], 0)
+        self.dataChanged.emit(heading, heading)
+
+    def _announce_all(self) -> None:
+        for number, (_, members) in enumerate(self._groups):
+            last = self._cell(number, len(members) - 1, _COLUMNS - 1)
+            self.dataChanged.emit(self._cell(number, 0, 0), last)
+        if self._groups:
+            last = self.index(len(self._groups) - 1, _COLUMNS - 1)
+            self.dataChanged.emit(self.index(0, 0), last)

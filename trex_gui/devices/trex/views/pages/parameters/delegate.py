@@ -15,14 +15,14 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QFont, QIcon, QKeyEvent, QPainter, QPalette
 from PySide6.QtWidgets import (
-    QComboBox,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QWidget,
 )
 
-from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, Role
+from trex_gui.devices.trex.model.parameters.parameters import Role
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, NumberEditor, editor_for
 from trex_gui.ui.theme.icons import icon
@@ -39,8 +39,8 @@ _UNTOUCHED = "untouched"
 class ParameterDelegate(QStyledItemDelegate):
     """Paints and edits the rows of a `ParameterModel`.
 
-    Where no value is given, the editor shows the default, and that becomes a value only when
-    something was typed or chosen, or with Enter.
+    Where no value is given, the editor shows the default, which becomes the value only when
+    something is typed or chosen, or with Enter.
 
     Signals:
         rejected: why the input is not a value, for the user.
@@ -55,26 +55,18 @@ class ParameterDelegate(QStyledItemDelegate):
         spec = cast("ParameterSpec", index.data(Role.SPEC))
         editor = editor_for(spec, parent)
         editor.setAccessibleName(spec.name)
-        editor.setProperty(_UNTOUCHED, index.data(Role.WIRE) is None)
-        editor.valueChanged.connect(lambda _wire: editor.setProperty(_UNTOUCHED, False))
+        editor.setProperty(_UNTOUCHED, index.data(Qt.ItemDataRole.EditRole) is None)
+
+        def on_touched() -> None:
+            editor.setProperty(_UNTOUCHED, False)
+            if not isinstance(editor, NumberEditor):
+                self.commitData.emit(editor)  # a number is an edit with Enter
+
+        editor.valueChanged.connect(on_touched)
         if isinstance(editor, NumberEditor):
             editor.rejected.connect(self.rejected)
-            editor.lineEdit().textEdited.connect(
-                lambda _text: editor.setProperty(_UNTOUCHED, False)
-            )
-            return editor
-        # What is ticked or chosen is an edit at once; a number is one with Enter.
-        editor.valueChanged.connect(lambda _wire: self.commitData.emit(editor))
-        for combo in (editor, *editor.findChildren(QComboBox)):
-            if isinstance(combo, QComboBox):
-                combo.activated.connect(lambda _index: self._take_as_shown(editor))
+            editor.lineEdit().textEdited.connect(on_touched)
         return editor
-
-    def _take_as_shown(self, editor: QWidget) -> None:
-        """Take what an untouched editor shows: it was chosen, though it is what stood there."""
-        if editor.property(_UNTOUCHED):
-            editor.setProperty(_UNTOUCHED, False)
-            self.commitData.emit(editor)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Keep an editor open while its input is not a value."""
@@ -91,7 +83,7 @@ class ParameterDelegate(QStyledItemDelegate):
         return super().eventFilter(watched, event)
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:
-        wire = index.data(Role.WIRE)
+        wire = index.data(Qt.ItemDataRole.EditRole)
         spec = cast("ParameterSpec", index.data(Role.SPEC))
         untouched = editor.property(_UNTOUCHED)
         cast("Editor", editor).setValue(spec.default if wire is None else wire)
@@ -104,7 +96,7 @@ class ParameterDelegate(QStyledItemDelegate):
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
     ) -> None:
-        """Give an editor the room it wants; it may stand over its neighbours."""
+        """Give an editor the size that it needs; it may cover neighbouring cells."""
         super().updateEditorGeometry(editor, option, index)
         wanted = editor.sizeHint()
         place = editor.geometry()
@@ -120,7 +112,7 @@ class ParameterDelegate(QStyledItemDelegate):
     # --- Painting -----------------------------------------------------------------------
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        """Make every row as high, whatever icon stands in it."""
+        """Give every row the same height, with or without an icon."""
         size = super().sizeHint(option, index)
         size.setHeight(option.fontMetrics.height() + _ROOM)
         return size
@@ -133,7 +125,7 @@ class ParameterDelegate(QStyledItemDelegate):
             case ParameterColumn.VALUE | ParameterColumn.WIRE:
                 if index.data(Role.DIRTY):
                     _embolden(option)
-                if index.data(Role.WIRE) is None:
+                if index.data(Qt.ItemDataRole.EditRole) is None:
                     _mute(option)
             case ParameterColumn.SOURCE:
                 spec = index.data(Role.SPEC)
@@ -141,7 +133,7 @@ class ParameterDelegate(QStyledItemDelegate):
                     _mute(option)
 
     def _show_name(self, option: QStyleOptionViewItem, index: Index) -> None:
-        """Let headings and edited rows stand out, and say what is the matter with a row."""
+        """Embolden headings and edited rows; show the most important state as an icon."""
         dirty = bool(index.data(Role.DIRTY))
         if dirty or index.data(Role.GROUP) is not None:
             _embolden(option)
@@ -189,7 +181,7 @@ def _embolden(option: QStyleOptionViewItem) -> None:
 
 
 def _mute(option: QStyleOptionViewItem) -> None:
-    """Let a text stand back, without making a disabled one stand out."""
+    """Grey a text; disabled ones keep their colour."""
     palette = QPalette(option.palette)
     muted: QColor = theme().color("muted")
     for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):

@@ -1,81 +1,41 @@
-"""The right editor for each kind of parameter, all of one shape: wire values in and out."""
+"""The editor that fits each kind of parameter; all of them take and return wire values."""
 
 import re
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtGui import QValidator
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QSpinBox, QWidget
+from PySide6.QtCore import Signal, Slot
+from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.errors import BadRequest, sentence
+from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.text import FULL_SPEED_MS, duration
 from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
+from trex_gui.devices.trex.views.count_editor import UnitSpinBox
+from trex_gui.ui.widgets.builders import NoWheelComboBox, check_box, combo_box, row
 
 _TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(ms|s)\b.*", re.IGNORECASE)
 _IN_BRACKETS = re.compile(r"\s*\([^)]*\)?\s*$")
 _TOLERANCE = 1.01
 
 
-class NumberEditor(QSpinBox):
-    """Steps through wire values and shows them in their physical unit.
-
-    A value may be typed in any unit that the parameter understands.
-
-    Signals:
-        rejected: why the input is not a value, for the user.
-    """
-
-    rejected = Signal(str)
+class NumberEditor(UnitSpinBox):
+    """Steps through wire values; shows and takes them in any unit of the parameter."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._spec = spec
         self.setRange(spec.minimum, spec.maximum)
-        self.setKeyboardTracking(False)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAccelerated(True)
         self.setToolTip(spec.range_text())
 
     def textFromValue(self, val: int) -> str:
         return self._spec.text(val)
 
-    def valueFromText(self, text: str) -> int:
-        try:
-            return self.meant(text)
-        except BadRequest:
-            return self.value()
-
-    def validate(self, text: str, pos: int) -> tuple[QValidator.State, str, int]:
-        try:
-            self.meant(text)
-        except BadRequest:
-            return QValidator.State.Intermediate, text, pos
-        return QValidator.State.Acceptable, text, pos
-
-    def fixup(self, text: str) -> str:
-        """Say why what was typed is dropped when the editor is left."""
-        self.report_problem()
-        return super().fixup(text)
-
-    def report_problem(self) -> None:
-        """Say why what stands in the editor is no value, if it is none."""
-        try:
-            self.meant(self.text())
-        except BadRequest as error:
-            self.rejected.emit(sentence(error))
-
-    def meant(self, text: str) -> int:
-        """Return the wire value of the input.
-
-        Raises:
-            BadRequest: none, or one outside the limits; names them.
-        """
+    def parse(self, text: str) -> int:
         return self._spec.wire(text)
 
 
 class AccelerationEditor(NumberEditor):
-    """Tells and takes the time to full speed, too."""
+    """Also shows and takes the time to full speed."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
@@ -89,10 +49,10 @@ class AccelerationEditor(NumberEditor):
         text = super().textFromValue(val)
         return self.tr("{0} ({1})").format(text, duration(FULL_SPEED_MS / val)) if val else text
 
-    def meant(self, text: str) -> int:
+    def parse(self, text: str) -> int:
         found = _TIME.fullmatch(text.strip())
         if found is None:
-            return super().meant(_IN_BRACKETS.sub("", text))
+            return super().parse(_IN_BRACKETS.sub("", text))
         milliseconds = float(found[1].replace(",", ".")) * (1 if found[2].lower() == "ms" else 1000)
         shortest, longest = FULL_SPEED_MS / self._spec.maximum, FULL_SPEED_MS
         if not shortest / _TOLERANCE <= milliseconds <= longest * _TOLERANCE:
@@ -104,23 +64,20 @@ class AccelerationEditor(NumberEditor):
         return round(FULL_SPEED_MS / milliseconds)
 
 
-class ChoiceEditor(QComboBox):
-    """A drop-down of what the parameter's values mean.
-
-    A value that the table does not know is shown as such, and kept until another is chosen.
+class ChoiceEditor(NoWheelComboBox):
+    """A drop-down of the values' meanings; an unknown value is kept until another is chosen.
 
     Signals:
-        valueChanged: another value is shown.
+        valueChanged: the user has chosen a value, which may be the one that was shown.
     """
 
     valueChanged = Signal(int)
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         for wire, word in spec.choices.items():
             self.addItem(word, wire)
-        self.currentIndexChanged.connect(lambda _index: self.valueChanged.emit(self.value()))
+        self.activated.connect(lambda _index: self.valueChanged.emit(self.value()))
 
     def value(self) -> int:
         wire = self.currentData()
@@ -129,15 +86,14 @@ class ChoiceEditor(QComboBox):
     def setValue(self, wire: int) -> None:
         if self.findData(wire) < 0:
             self.addItem(self.tr("unknown ({0})").format(wire), wire)
-        with QSignalBlocker(self):
-            self.setCurrentIndex(self.findData(wire))
+        self.setCurrentIndex(self.findData(wire))
 
 
 class ChannelsEditor(QWidget):
     """Five check boxes, one for each channel.
 
     Signals:
-        valueChanged: a box was ticked or cleared.
+        valueChanged: the user has clicked a box.
     """
 
     valueChanged = Signal(int)
@@ -145,40 +101,35 @@ class ChannelsEditor(QWidget):
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAutoFillBackground(True)
-        self._others = 0
-        self._boxes: dict[int, QCheckBox] = {}
-
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(4, 0, 4, 0)
-        for channel in CHANNELS:
-            box = QCheckBox(str(channel), self)
-            box.setObjectName(f"channel{channel}Box")
-            box.setAccessibleName(self.tr("{0}: channel {1}").format(spec.name, channel))
-            layout.addWidget(box)
-            self._boxes[channel] = box
-        layout.addStretch(1)
+        self._other_bits = 0
+        self._boxes = {
+            channel: check_box(
+                self,
+                f"channel{channel}Box",
+                str(channel),
+                accessible=self.tr("{0}: channel {1}").format(spec.name, channel),
+                on_click=lambda: self.valueChanged.emit(self.value()),
+            )
+            for channel in CHANNELS
+        }
         self.setFocusProxy(self._boxes[1])
-
-        for box in self._boxes.values():
-            box.toggled.connect(lambda _on: self.valueChanged.emit(self.value()))
+        row(*self._boxes.values(), 1, into=self, margins=(4, 0, 4, 0))
 
     def value(self) -> int:
-        ticked = (channel for channel, box in self._boxes.items() if box.isChecked())
-        return channel_mask(ticked) | self._others
+        checked = (channel for channel, box in self._boxes.items() if box.isChecked())
+        return channel_mask(checked) | self._other_bits
 
     def setValue(self, wire: int) -> None:
-        self._others = wire & ~ALL_CHANNELS  # bits of no channel stay as they are
-        ticked = channels_in(wire)
+        self._other_bits = wire & ~ALL_CHANNELS
         for channel, box in self._boxes.items():
-            with QSignalBlocker(box):
-                box.setChecked(channel in ticked)
+            box.setChecked(channel in channels_in(wire))
 
 
 class LineSettingsEditor(QWidget):
     """Baud rate, error detection and stop bits of the serial line.
 
     Signals:
-        valueChanged: another setting is shown.
+        valueChanged: the user has chosen a setting, which may be the one that was shown.
     """
 
     valueChanged = Signal(int)
@@ -187,52 +138,46 @@ class LineSettingsEditor(QWidget):
         super().__init__(parent)
         self.setAutoFillBackground(True)
         self._unknown: int | None = None
-        self._baud = QComboBox(self)
-        self._baud.setObjectName("baudField")
-        self._baud.setAccessibleName(self.tr("Baud rate"))
-        for baud in baud_rates():
-            self._baud.addItem(self.tr("{0} baud").format(baud), baud)
-        self._detection = QComboBox(self)
-        self._detection.setObjectName("detectionField")
-        self._detection.setAccessibleName(self.tr("Error detection"))
-        for detection, text in (
-            (Detection.NONE, self.tr("no check")),
-            (Detection.CRC7, self.tr("CRC-7")),
-            (Detection.EVEN, self.tr("even parity")),
-            (Detection.ODD, self.tr("odd parity")),
-        ):
-            self._detection.addItem(text, detection)
-        self._stop_bits = QComboBox(self)
-        self._stop_bits.setObjectName("stopBitsField")
-        self._stop_bits.setAccessibleName(self.tr("Stop bits"))
-        self._stop_bits.addItem(self.tr("1 stop bit"), 1)
-        self._stop_bits.addItem(self.tr("2 stop bits"), 2)
-
+        self._baud = combo_box(
+            self,
+            "baudField",
+            self.tr("Baud rate"),
+            items=[(self.tr("{0} baud").format(baud), baud) for baud in baud_rates()],
+        )
+        self._detection = combo_box(
+            self,
+            "detectionField",
+            self.tr("Error detection"),
+            items=[
+                (self.tr("no check"), Detection.NONE),
+                (self.tr("CRC-7"), Detection.CRC7),
+                (self.tr("even parity"), Detection.EVEN),
+                (self.tr("odd parity"), Detection.ODD),
+            ],
+        )
+        self._stop_bits = combo_box(
+            self,
+            "stopBitsField",
+            self.tr("Stop bits"),
+            items=[(self.tr("1 stop bit"), 1), (self.tr("2 stop bits"), 2)],
+        )
         self._fields = (self._baud, self._detection, self._stop_bits)
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(4)
-        for field in self._fields:
-            field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-            layout.addWidget(field)
+        row(*self._fields, into=self, margins=0, spacing=4)
         self.setFocusProxy(self._baud)
 
         for field in self._fields:
-            field.currentIndexChanged.connect(self._on_field_changed)
+            field.activated.connect(self._on_activated)
 
     @Slot()
-    def _on_field_changed(self) -> None:
-        if self._unknown is not None:
-            self._unknown = None
-            for field in self._fields:
-                if field.currentIndex() < 0:
-                    with QSignalBlocker(field):
-                        field.setCurrentIndex(0)
+    def _on_activated(self) -> None:
+        self._unknown = None
+        for field in self._fields:
+            field.setCurrentIndex(max(0, field.currentIndex()))
         self.valueChanged.emit(self.value())
 
     def settings(self) -> LineSettings:
-        """The line settings shown."""
+        """Return the line settings shown."""
         return LineSettings(
             int(self._baud.currentData()),
             Detection(self._detection.currentData()),
@@ -243,32 +188,25 @@ class LineSettingsEditor(QWidget):
         return self.settings().to_wire() if self._unknown is None else self._unknown
 
     def setValue(self, wire: int) -> None:
+        """Show a wire value; one of an unknown baud rate is kept until a field is changed."""
         try:
             self.set_settings(LineSettings.from_wire(wire))
         except BadRequest:
-            # A value that names no baud rate is kept until a field is changed.
             self._unknown = wire
             for field in self._fields:
-                with QSignalBlocker(field):
-                    field.setCurrentIndex(-1)
+                field.setCurrentIndex(-1)
 
     def set_settings(self, settings: LineSettings) -> None:
-        """Show line settings."""
         self._unknown = None
-        for field, data in (
-            (self._baud, settings.baud),
-            (self._detection, settings.detection),
-            (self._stop_bits, settings.stop_bits),
-        ):
-            with QSignalBlocker(field):
-                field.setCurrentIndex(field.findData(data))
+        shown = (settings.baud, settings.detection, settings.stop_bits)
+        for field, data in zip(self._fields, shown, strict=True):
+            field.setCurrentIndex(field.findData(data))
 
 
 Editor = NumberEditor | ChoiceEditor | ChannelsEditor | LineSettingsEditor
 
 
 def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
-    """Return a new editor that fits the parameter."""
     match spec.kind:
         case ParameterKind.CHOICE:
             return ChoiceEditor(spec, parent)

@@ -1,41 +1,122 @@
-"""The row above the parameter table: what of it is shown, and how it is edited."""
+"""Which rows of the parameter table are shown, and the fields above it that choose them."""
 
-from PySide6.QtCore import QSettings, QSignalBlocker, Slot
+from typing import cast
+
+from PySide6.QtCore import (
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QSettings,
+    QSignalBlocker,
+    QSortFilterProxyModel,
+    Slot,
+)
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 
-from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
-from trex_gui.ui.widgets.builders import label, row
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.ui.widgets.builders import check_box, combo_box, label, named, row
 
 _BOTH_MOTORS = "parameters/both_motors"
 
 
+class ParameterFilter(QSortFilterProxyModel):
+    """The rows that match every filter; a group without rows has no heading."""
+
+    def __init__(self, parameters: ParameterModel, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.parameters = parameters
+        self._words: tuple[str, ...] = ()
+        self._group = ""
+        self._modified_only = False
+        self._not_default_only = False
+        self.setRecursiveFilteringEnabled(True)
+        self.setSourceModel(parameters)
+
+    @property
+    def shown(self) -> int:
+        """How many parameters are shown."""
+        return sum(self.rowCount(self.index(row, 0)) for row in range(self.rowCount()))
+
+    @property
+    def is_narrowed(self) -> bool:
+        """Whether any filter is active."""
+        return bool(self._words or self._group or self._modified_only or self._not_default_only)
+
+    def index_of(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> QModelIndex:
+        """Return the cell of a parameter, invalid when it is not shown."""
+        return self.mapFromSource(self.parameters.index_of(key, column))
+
+    def narrow(
+        self,
+        *,
+        words: str = "",
+        group: str = "",
+        modified_only: bool = False,
+        not_default_only: bool = False,
+    ) -> None:
+        """Show rows with all words in name, key or description, in any case; empty: all rows."""
+        self._words = tuple(words.casefold().split())
+        self._group = group
+        self._modified_only = modified_only
+        self._not_default_only = not_default_only
+        self.invalidate()
+
+    def filterAcceptsRow(
+        self, source_row: int, source_parent: QModelIndex | QPersistentModelIndex
+    ) -> bool:
+        index = self.sourceModel().index(source_row, ParameterColumn.VALUE, source_parent)
+        spec = cast("ParameterSpec | None", index.data(Role.SPEC))
+        if spec is None:
+            return False  # a heading is shown for the rows below it
+        if self._group and spec.group != self._group:
+            return False
+        if self._modified_only and not index.data(Role.DIRTY):
+            return False
+        if self._not_default_only and index.data(Role.RESET) is None:
+            return False
+        searched = f"{spec.name} {spec.key} {spec.description}".casefold()
+        return all(word in searched for word in self._words)
+
+
 class ParameterFilters(QWidget):
-    """Words to search for, a group, ticks for what is worth a look, and one for both motors."""
+    """The fields of the filter, and a check box to edit both motors as one."""
 
     def __init__(self, rows: ParameterFilter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._rows = rows
         self._store = QSettings(self)
 
-        self._words = QLineEdit(self)
-        self._words.setObjectName("parameterSearch")
-        self._words.setAccessibleName(self.tr("Search parameters"))
+        self._words = named(
+            QLineEdit(self), "parameterSearch", accessible=self.tr("Search parameters")
+        )
         self._words.setPlaceholderText(self.tr("Search names and descriptions (Ctrl+F)"))
         self._words.setClearButtonEnabled(True)
-        self._group = QComboBox(self)
-        self._group.setObjectName("parameterGroup")
-        self._group.setAccessibleName(self.tr("Group of parameters"))
-        self._modified = QCheckBox(self.tr("Modified only"), self)
-        self._modified.setObjectName("modifiedOnly")
-        self._modified.setToolTip(self.tr("Show only what you have changed"))
-        self._not_default = QCheckBox(self.tr("Not default only"), self)
-        self._not_default.setObjectName("notDefaultOnly")
-        self._not_default.setToolTip(self.tr("Show only values that differ from their default"))
-        self._both = QCheckBox(self.tr("Both motors as one"), self)
-        self._both.setObjectName("bothMotors")
-        self._both.setToolTip(
-            self.tr("What you change for one motor is changed for the other, too, in one step")
+        self._group = combo_box(
+            self, "parameterGroup", self.tr("Group of parameters"), on_change=self._on_changed
+        )
+        self._modified = check_box(
+            self,
+            "modifiedOnly",
+            self.tr("Modified only"),
+            tip=self.tr("Show only what you have changed"),
+            on_toggle=self._on_changed,
+        )
+        self._not_default = check_box(
+            self,
+            "notDefaultOnly",
+            self.tr("Not default only"),
+            tip=self.tr("Show only values that differ from their default"),
+            on_toggle=self._on_changed,
+        )
+        both = check_box(
+            self,
+            "bothMotors",
+            self.tr("Both motors as one"),
+            tip=self.tr("Make each change to one motor to the other, too, in one step"),
+            on_toggle=self._on_both_toggled,
         )
         self._count = label(self, "parameterCount")
 
@@ -49,18 +130,12 @@ class ParameterFilters(QWidget):
             margins=0,
         )
         layout.addSpacing(layout.spacing())
-        layout.addWidget(self._both)
+        layout.addWidget(both)
 
         QShortcut(QKeySequence.StandardKey.Find, self, self._on_find)
-        self._words.textChanged.connect(rows.set_words)
-        self._group.currentIndexChanged.connect(self._on_group_chosen)
-        self._modified.toggled.connect(rows.set_modified_only)
-        self._not_default.toggled.connect(rows.set_not_default_only)
-        self._both.toggled.connect(self._on_both_toggled)
-        for changed in (rows.rowsInserted, rows.rowsRemoved, rows.modelReset, rows.layoutChanged):
-            changed.connect(self._show_count)
+        self._words.textChanged.connect(self._on_changed)
         rows.modelReset.connect(self._on_reset)
-        self._both.setChecked(self._store.value(_BOTH_MOTORS, False, bool) is True)
+        both.setChecked(self._store.value(_BOTH_MOTORS, False, bool) is True)
         self._on_reset()
 
     def clear(self) -> None:
@@ -70,6 +145,13 @@ class ParameterFilters(QWidget):
         self._modified.setChecked(False)
         self._not_default.setChecked(False)
 
+    def show_count(self) -> None:
+        """Show how many rows match, unless all do."""
+        shown, total = self._rows.shown, self._rows.parameters.count
+        self._count.setVisible(shown < total)
+        text = self.tr("None of {1} matches") if shown == 0 else self.tr("{0} of {1}")
+        self._count.setText(text.format(shown, total))
+
     @Slot()
     def _on_find(self) -> None:
         self._words.setFocus()
@@ -77,32 +159,28 @@ class ParameterFilters(QWidget):
 
     @Slot()
     def _on_reset(self) -> None:
-        """Offer the groups that there are."""
-        parameters = self._rows.parameters
-        wanted = self._group.currentData() or ""
+        """Offer the groups that have parameters."""
+        wanted = self._group.currentData()
         with QSignalBlocker(self._group):
             self._group.clear()
             self._group.addItem(self.tr("All groups"), "")
-            for group in parameters.groups:
-                self._group.addItem(parameters.title_of(group), group)
+            for group, title in self._rows.parameters.groups.items():
+                self._group.addItem(title, group)
             self._group.setCurrentIndex(max(0, self._group.findData(wanted)))
-        self.setEnabled(parameters.count > 0)
-        if self._group.currentData() != wanted:
-            self._on_group_chosen(0)
-        self._show_count()
+        self.setEnabled(self._rows.parameters.count > 0)
+        if wanted and self._group.currentData() != wanted:
+            self._on_changed()
 
-    @Slot(int)
-    def _on_group_chosen(self, _index: int) -> None:
-        self._rows.set_group(str(self._group.currentData()))
+    @Slot()
+    def _on_changed(self) -> None:
+        self._rows.narrow(
+            words=self._words.text(),
+            group=self._group.currentData() or "",
+            modified_only=self._modified.isChecked(),
+            not_default_only=self._not_default.isChecked(),
+        )
 
     @Slot(bool)
     def _on_both_toggled(self, both: bool) -> None:
-        self._rows.parameters.set_both_motors(both)
+        self._rows.parameters.both_motors = both
         self._store.setValue(_BOTH_MOTORS, both)
-
-    @Slot()
-    def _show_count(self) -> None:
-        shown, total = self._rows.shown, self._rows.parameters.count
-        self._count.setVisible(shown < total)
-        text = self.tr("None of {1} matches") if shown == 0 else self.tr("{0} of {1}")
-        self._count.setText(text.format(shown, total))

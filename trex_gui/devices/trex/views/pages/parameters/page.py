@@ -17,7 +17,7 @@ class ParametersPage(QWidget):
 
     Signals:
         reload_requested: read everything from the board again.
-        power_cycle_requested: lead through the one that stored values wait for.
+        power_cycle_requested: guide the user through a power cycle.
     """
 
     reload_requested = Signal()
@@ -36,97 +36,82 @@ class ParametersPage(QWidget):
             self.tr("Re&load"),
             icon="reload",
             tip=self.tr("Read every parameter from the board again"),
+            on_click=self.reload_requested,
         )
         self._activate = button(
             self,
             "makeActiveButton",
             self.tr("Make active…"),
             icon="power",
-            tip=self.tr("Lead through switching the board off and on, and see what is active then"),
+            tip=self.tr("Be guided through switching the board off and on"),
+            on_click=self.power_cycle_requested,
         )
-        self._discard = button(self, "discardButton", self.tr("Discard edits"), icon="undo")
-        self._table = ParameterTable(device.draft, BoardLinter(device, self), self)
+        self._discard = button(
+            self,
+            "discardButton",
+            self.tr("Discard edits"),
+            icon="undo",
+            on_click=device.discard_edits,
+        )
+        self.table = ParameterTable(device.draft, BoardLinter(device, self), self)
 
         top = row((self._notice, 1), self._activate, self._discard, self._reload)
-        column(top, (self._table, 1), into=self)
+        column(top, (self.table, 1), into=self)
 
-        self._reload.clicked.connect(self.reload_requested)
-        self._activate.clicked.connect(self.power_cycle_requested)
-        self._discard.clicked.connect(device.discard_edits)
-        self._table.rejected.connect(self._notice.setText)
-        self._model.modelReset.connect(self._on_link_changed)
-        device.pending_changed.connect(self._on_pending_changed)
+        self.table.rejected.connect(self._notice.setText)
+        self._model.modelReset.connect(self._on_changed)
+        device.pending_changed.connect(self._on_changed)
         device.applied.connect(self._on_applied)
-        device.link_changed.connect(self._on_link_changed)
-        self._on_link_changed()
-
-    @Slot(str)
-    def show_parameter(self, key: str) -> None:
-        """Go to a parameter by its key."""
-        self._table.show_parameter(key)
+        device.link_changed.connect(self._on_changed)
+        self._on_changed()
 
     @Slot()
-    def _on_link_changed(self) -> None:
-        up = self._device.link is ConnectionState.CONNECTED
-        self._reload.setEnabled(up)
-        self._activate.setVisible(up and self._waits_for_power)
-        self._table.set_rows_enabled(up)
+    def _on_changed(self) -> None:
+        connected = self._device.link is ConnectionState.CONNECTED
+        waiting = bool(self._model.waiting_for_power) or self._device.reset_ordered
+        self._reload.setEnabled(connected)
+        self._activate.setVisible(connected and waiting)
+        self._discard.setEnabled(connected and self._device.pending > 0)
+        self.table.set_rows_enabled(connected)
+        self._notice.setText(self._state_text(connected=connected))
+
+    def _state_text(self, *, connected: bool) -> str:
         if self._model.count == 0:
-            self._notice.setText(self.tr("Connect to a board to see its parameters."))
-        elif up:
-            self._on_pending_changed()
-        else:
-            self._notice.setText(
-                self.tr("No board answers. Edits are kept for when the same kind of board is back.")
+            return self.tr("Connect to a board to see its parameters.")
+        if not connected:
+            return self.tr(
+                "No board is responding. Edits are kept until the same kind of board is connected."
             )
-        self._discard.setEnabled(up and self._device.pending > 0)
-
-    @property
-    def _waits_for_power(self) -> bool:
-        return bool(self._model.waiting_for_power) or self._device.reset_ordered
-
-    @Slot()
-    def _on_pending_changed(self) -> None:
-        count = self._device.pending
-        self._discard.setEnabled(count > 0 and self._device.link is ConnectionState.CONNECTED)
-        waiting = self._model.waiting_for_power
-        self._activate.setVisible(
-            self._waits_for_power and self._device.link is ConnectionState.CONNECTED
-        )
         if self._device.reset_ordered:
-            text = self.tr("Factory defaults take effect after the next power cycle.")
-        elif count:
-            text = self.tr("{0} not applied yet: Apply settings writes them.").format(
-                self._count_text(count)
-            )
-        elif waiting:
+            return self.tr("Factory defaults take effect after the next power cycle.")
+        if self._device.pending:
+            text = self.tr("Pending changes: {0}. Click Apply to write them to the board.")
+            return text.format(self._device.pending)
+        if waiting := self._model.waiting_for_power:
             text = self.tr("Stored, but not active before the board is switched off and on: {0}.")
-            text = text.format(", ".join(waiting))
-        else:
-            text = self.tr("Double-click a value to change it. Nothing is written before Apply.")
-        self._notice.setText(text)
+            return text.format(", ".join(waiting))
+        return self.tr("Double-click a value to change it. Nothing is written before Apply.")
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         failed = [result for result in results if result.error is not None]
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):
-            text = self.tr("Not taken by the board: {0}").format(failed[0].error) if failed else ""
-            self._notice.setText(
-                text or self.tr("Factory defaults take effect after the next power cycle.")
-            )
+            text = self.tr("Factory defaults take effect after the next power cycle.")
+            if failed:
+                text = self.tr("Rejected by the board: {0}").format(failed[0].error)
+            self._notice.setText(text)
             return
         if failed:
-            self._table.show_parameter(failed[0].key)
+            self.table.show_parameter(failed[0].key)
             text = self.tr(
                 "{0} of {1} settings could not be verified; they are marked below."
             ).format(len(failed), len(results))
         else:
-            text = self.tr("{0} written and verified.").format(self._count_text(len(results)))
+            text = self.tr("1 setting written and verified.")
+            if len(results) != 1:
+                text = self.tr("{0} settings written and verified.").format(len(results))
             if waiting := self._model.waiting_for_power:
                 text += " " + self.tr("Switch the board off and on to make active: {0}.").format(
                     ", ".join(waiting)
                 )
         self._notice.setText(text)
-
-    def _count_text(self, count: int) -> str:
-        return self.tr("1 setting") if count == 1 else self.tr("{0} settings").format(count)

@@ -1,19 +1,33 @@
 """The tree of parameters as a table with headings, used with the mouse or with keys alone."""
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QPainter, QPalette
+from collections.abc import Callable
+
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import (
+    QAction,
+    QContextMenuEvent,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QPainter,
+    QPalette,
+)
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
+    QMenu,
     QStyleOptionViewItem,
     QTreeView,
     QWidget,
 )
 
-from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
-from trex_gui.devices.trex.model.parameters.parameters import ParameterColumn, Role
+from trex_gui.devices.trex.model.parameters.parameters import Role
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
+from trex_gui.devices.trex.protocol.parameters import motor_name
 from trex_gui.devices.trex.views.pages.parameters.delegate import ParameterDelegate, ResetDelegate
+from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.ui.widgets.behaviour import name_headers
+from trex_gui.ui.widgets.builders import action
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -27,27 +41,22 @@ _WIDTHS = {
     ParameterColumn.SOURCE: 17,
     ParameterColumn.EFFECT: 14,
 }
-"""Widths in average characters; what is left is the value's."""
+"""Widths in average characters; VALUE takes the rest."""
 
 
 class ParameterView(QTreeView):
-    """Keeps headings spanned and groups open as they were, through reloads and searches.
-
-    While the rows are narrowed down every group is open; then each is as the user left it.
+    """Spans headings and remembers closed groups; while rows are filtered every group is open.
 
     Signals:
-        reset_wanted: the parameter with this key is to be reset to its default.
-        menu_wanted: a menu for the current row, and where on the screen.
         rejected: why the input is not a value, for the user.
     """
 
-    reset_wanted = Signal(str)
-    menu_wanted = Signal(QPoint)
     rejected = Signal(str)
 
     def __init__(self, rows: ParameterFilter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._rows = rows
+        self._model = rows.parameters
         self._closed: set[str] = set()
         self._arranging = False
 
@@ -73,14 +82,12 @@ class ParameterView(QTreeView):
         self.setTabKeyNavigation(False)
         self.setIndentation(16)
         self._set_up_header()
+        self._set_up_menu()
 
         self.clicked.connect(self._on_clicked)
         self.doubleClicked.connect(self._on_double_clicked)
         self.collapsed.connect(self._on_collapsed)
         self.expanded.connect(self._on_expanded)
-        for changed in (rows.modelReset, rows.rowsInserted, rows.layoutChanged):
-            changed.connect(self.arrange)
-        self.arrange()
 
     def _set_up_header(self) -> None:
         header = self.header()
@@ -99,7 +106,7 @@ class ParameterView(QTreeView):
     # --- Groups -------------------------------------------------------------------------
 
     def arrange(self) -> None:
-        """Span the headings, and open the groups that are to be open.
+        """Span the headings, and open the groups that the user has not closed.
 
         The group of the current row stays open after a search.
         """
@@ -123,11 +130,16 @@ class ParameterView(QTreeView):
         if not self._arranging:
             self._closed.discard(str(heading.data(Role.GROUP)))
 
-    # --- User actions -----------------------------------------------------------------------
+    # --- Mouse and keys -----------------------------------------------------------------
 
-    def begin_edit(self, index: QModelIndex) -> None:
-        """Open the editor of the row of a cell."""
-        value = index.siblingAtColumn(ParameterColumn.VALUE)
+    @property
+    def current_key(self) -> str:
+        """The parameter of the current row; empty on a heading."""
+        spec = self.currentIndex().data(Role.SPEC)
+        return "" if spec is None else str(spec.key)
+
+    def _begin_edit(self) -> None:
+        value = self.currentIndex().siblingAtColumn(ParameterColumn.VALUE)
         self.setCurrentIndex(value)
         self.edit(value)
 
@@ -138,31 +150,20 @@ class ParameterView(QTreeView):
     def _on_double_clicked(self, index: QModelIndex) -> None:
         is_other = index.column() not in {ParameterColumn.VALUE, ParameterColumn.RESET}
         if is_other and index.data(Role.SPEC) is not None:
-            self.begin_edit(index)
+            self._begin_edit()
 
     def _press_reset(self, index: QModelIndex) -> None:
         if index.data(Role.RESET) and index.flags() & Qt.ItemFlag.ItemIsEnabled:
-            self.reset_wanted.emit(index.data(Role.SPEC).key)
-
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Ask for the menu of the row under the mouse, or with the menu key of the current one."""
-        index, place = self.indexAt(event.pos()), event.pos()
-        if event.reason() is QContextMenuEvent.Reason.Keyboard:
-            index = self.currentIndex()
-            place = self.visualRect(index).center()
-        if index.data(Role.SPEC) is not None:
-            same_row = index.siblingAtColumn(0) == self.currentIndex().siblingAtColumn(0)
-            self.setCurrentIndex(self.currentIndex() if same_row else index)
-            self.menu_wanted.emit(self.viewport().mapToGlobal(place))
+            self._model.reset(self.current_key)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Let keys reach value and default of a row, wherever in it the last click was."""
+        """Let keys reach value and default of a row from any of its columns."""
         current = self.currentIndex()
         if self.state() is QAbstractItemView.State.EditingState:
             super().keyPressEvent(event)
         elif current.data(Role.GROUP) is not None and event.key() in _PRESS:
             self.setExpanded(current, not self.isExpanded(current))
-        elif current.data(Role.SPEC) is None:
+        elif not self.current_key:
             super().keyPressEvent(event)
         elif not self._act(current, event):
             typed = event.text()
@@ -171,16 +172,14 @@ class ParameterView(QTreeView):
             super().keyPressEvent(event)
 
     def _act(self, current: QModelIndex, event: QKeyEvent) -> bool:
-        """Do what a key means in the row of a parameter; return whether it means anything."""
+        """Handle a key in the row of a parameter; return whether it was handled."""
         at_reset = current.column() == ParameterColumn.RESET
         match event.key():
             case key if key in _PRESS and at_reset:
                 self._press_reset(current)
             case key if key in _PRESS:
-                self.begin_edit(current)
-            case Qt.Key.Key_Right if not at_reset and current.siblingAtColumn(
-                ParameterColumn.RESET
-            ).data(Role.RESET):
+                self._begin_edit()
+            case Qt.Key.Key_Right if not at_reset and current.data(Role.RESET):
                 self.setCurrentIndex(current.siblingAtColumn(ParameterColumn.RESET))
             case Qt.Key.Key_Left if at_reset:
                 self.setCurrentIndex(current.siblingAtColumn(ParameterColumn.VALUE))
@@ -188,12 +187,106 @@ class ParameterView(QTreeView):
                 return False
         return True
 
+    # --- Context menu -------------------------------------------------------------------
+
+    def _set_up_menu(self) -> None:
+        self._edit = self._action("editParameter", self.tr("Edit"), self._begin_edit)
+        self._reset = self._action(
+            "resetParameter",
+            "",
+            lambda: self._model.reset(self.current_key),
+            icon="default",
+            shortcut="Ctrl+Backspace",
+        )
+        self._restore = self._action(
+            "restoreParameter", "", lambda: self._model.restore(self.current_key)
+        )
+        self._leave_out = self._action(
+            "leaveOutParameter",
+            self.tr("Leave out of the file"),
+            lambda: self._model.leave_out(self.current_key),
+        )
+        self._to_other_motor = self._action(
+            "copyToTwin", "", lambda: self._model.copy_to_other_motor(self.current_key)
+        )
+        self._copy = self._action(
+            "copyParameter",
+            "",
+            self._copy_line,
+            icon="copy",
+            shortcut=QKeySequence.StandardKey.Copy,
+        )
+        self._menu = QMenu(self)
+        self._menu.setObjectName("parameterMenu")
+        self._menu.addAction(self._edit)
+        self._menu.addSeparator()
+        self._menu.addActions([self._reset, self._restore, self._leave_out, self._to_other_motor])
+        self._menu.addSeparator()
+        self._menu.addAction(self._copy)
+        self.addActions([self._reset, self._copy])
+
+    def _action(
+        self,
+        name: str,
+        text: str,
+        act: Callable[[], None],
+        icon: str = "",
+        shortcut: QKeySequence.StandardKey | str = "",
+    ) -> QAction:
+        def on_trigger() -> None:
+            if self.current_key and self.isEnabled():
+                act()
+
+        context = Qt.ShortcutContext.WidgetShortcut
+        return action(
+            self, name, text, icon=icon, shortcut=shortcut, context=context, on_trigger=on_trigger
+        )
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """Open the menu of the row under the mouse, or with the menu key of the current one."""
+        index, place = self.indexAt(event.pos()), event.pos()
+        if event.reason() is QContextMenuEvent.Reason.Keyboard:
+            index = self.currentIndex()
+            place = self.visualRect(index).center()
+        if index.data(Role.SPEC) is not None:
+            if index.siblingAtColumn(0) != self.currentIndex().siblingAtColumn(0):
+                self.setCurrentIndex(index)
+            self._prepare_menu()
+            self._menu.popup(self.viewport().mapToGlobal(place))
+
+    def _prepare_menu(self) -> None:
+        """Describe the effect of each action; disable or hide those without one."""
+        model, key = self._model, self.current_key
+        spec, stored, value = model.spec_of(key), model.stored_of(key), model.value_of(key)
+        self._edit.setEnabled(model.knows(key))
+        self._reset.setText(model.text.reset(spec))
+        self._reset.setEnabled(self.currentIndex().data(Role.RESET) is not None)
+        restore = self.tr("Restore stored value")
+        if stored is not None:
+            restore = f"{restore}: {model.text.with_wire(spec, stored)}"
+        self._restore.setText(restore)
+        self._restore.setEnabled(model.is_modified(key))
+        self._leave_out.setVisible(model.can_leave_out(key))
+        other_motor = model.other_motor_of(key)
+        self._to_other_motor.setVisible(other_motor is not None)
+        if other_motor is not None:
+            self._to_other_motor.setText(self.tr("Copy to {0}").format(motor_name(other_motor)))
+            self._to_other_motor.setEnabled(value not in {None, model.value_of(other_motor)})
+        self._copy.setText(self.tr("Copy as “{0}”").format(f"{key}: {value}"))
+        self._copy.setEnabled(value is not None)
+
+    def _copy_line(self) -> None:
+        """Copy the parameter as a line of a settings file."""
+        value = self._model.value_of(self.current_key)
+        if value is not None:
+            QGuiApplication.clipboard().setText(f"{self.current_key}: {value}")
+
     # --- Painting -----------------------------------------------------------------------
 
     def drawRow(  # noqa: N802 # of Qt
         self, painter: QPainter, option: QStyleOptionViewItem, index: Index
     ) -> None:
-        """Give headings another background than rows, from one edge to the other."""
+        """Paint the background of headings from one edge to the other."""
         if not index.parent().isValid():
             palette = QPalette(option.palette)
             shade = palette.brush(QPalette.ColorRole.Button)
