@@ -12,7 +12,8 @@ from PySide6.QtCore import QThread
 
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK, Recording, RecordingWriter
-from trex_gui.devices.aracna.model.playback import Moment, RobotPlayback
+from trex_gui.devices.aracna.model.recordings import RobotPlayback
+from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.recording import FORMAT, Header, Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import (
     Ending,
@@ -128,7 +129,7 @@ def hang(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def hanging(
         playback: RobotPlayback,
-    ) -> Callable[[ProgressCallback], LoadedRecording[Header, Record, Moment]]:
+    ) -> Callable[[ProgressCallback], LoadedRecording[Header, Record, RobotState]]:
         load = loader(playback)
 
         def report_and_hang(progress: ProgressCallback, share: float) -> None:

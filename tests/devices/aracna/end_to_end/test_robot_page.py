@@ -154,7 +154,7 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     assert not window.is_enabled("aracnaMoveButton")
     stop = window.button("aracnaStopButton")
     QTest.mousePress(stop, LEFT)  # at the press, not at its end
-    window.wait(lambda: robot.state.playing is None and robot.state.moving is None)
+    window.wait(lambda: robot.state.play is None and robot.state.moving is None)
     QTest.mouseRelease(stop, LEFT)
     assert window.text("aracnaMotionLabel") == "At rest: nothing is sent."
     assert window.is_enabled("aracnaMoveButton")
@@ -163,5 +163,5 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     robot.play(Play(0, steps, rounds=0))
     window.wait_for_text("aracnaMotionLabel", "step 1")
     window.click("aracnaEndButton")
-    window.wait(lambda: robot.state.playing is None)
+    window.wait(lambda: robot.state.play is None)
     assert robot.link is ConnectionState.CONNECTED

@@ -71,21 +71,21 @@ def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot
     window.choose_row("aracnaMotions", "push-ups")
     window.click("aracnaLoop")
     window.trigger("aracna_play")
-    window.wait(lambda: robot.state.playing is not None and robot.state.playing.step == 1)
+    window.wait(lambda: robot.state.step is not None and robot.state.step.index == 1)
     assert "Playing" in window.text("aracnaMotionLabel")
     assert not window.is_enabled("aracnaPlay")
     reports: list[object] = []
     robot.reported.connect(reports.append)
     window.press_escape()
     stopped = now()  # what was sent before may be reported later
-    window.wait(lambda: robot.state.playing is None and robot.state.moving is None)
+    window.wait(lambda: robot.state.play is None and robot.state.moving is None)
     motions = [report for report in reports if isinstance(report, Moving)]
     assert len([motion for motion in motions if motion.time > stopped]) <= 1
     assert window.is_enabled("aracnaPlay")
 
     with watched(window.program, qtbot, qapp) as causes:
         window.click("aracnaPlay")
-        window.wait(lambda: robot.state.playing is not None and robot.state.playing.step == 1)
+        window.wait(lambda: robot.state.step is not None and robot.state.step.index == 1)
         causes.lock_the_screen()
-        window.wait(lambda: robot.state.playing is None)
+        window.wait(lambda: robot.state.play is None)
         window.wait_for_text("bannerText", "The screen was locked.")

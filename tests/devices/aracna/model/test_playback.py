@@ -21,7 +21,7 @@ from tests.devices.aracna.recordings import (
     write,
 )
 from trex_gui.core.recording.kinds import Marker, RecordingError
-from trex_gui.devices.aracna.model.playback import Moment, RobotPlayback
+from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.units import degrees
 from trex_gui.devices.aracna.recording import Record, StoppedResponding
@@ -47,9 +47,9 @@ def long(tmp_path: Path, qtbot: QtBot) -> Iterator[RobotPlayback]:
     playback.close()
 
 
-def sequential(what: list[Record], time: float) -> Moment:
+def sequential(what: list[Record], time: float) -> RobotState:
     """Return the state after all records up to a time."""
-    moment = Moment(RobotState(MOTORS))
+    moment = RobotState(MOTORS)
     for record in what:
         if record.time <= time:
             moment.take(record)
@@ -68,10 +68,10 @@ def test_seek_gives_same_state_as_reading_from_start(long: RobotPlayback) -> Non
 def test_seek_does_not_change_earlier_snapshot(long: RobotPlayback) -> None:
     long.set_position(T0 + 10)
     before = long.state()
-    kept = list(before.known.present)
+    kept = list(before.present)
     long.set_position(long.end)
     long.state()
-    assert before.known.present == tuple(kept)
+    assert before.present == tuple(kept)
 
 
 def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot) -> None:
@@ -111,7 +111,7 @@ def test_curve_has_gap_while_position_is_unknown(
     assert value_at("motor_0", T0 + 2.5) == degrees(100)
     assert math.isnan(value_at("motor_0", T0 + 4))
     playback.set_position(T0 + 4)
-    known = playback.state().known
+    known = playback.state()
     assert known.present == (None,) * 8
     assert known.uncertain
     assert value_at("motor_7", T0 + 6) == degrees(200)
@@ -128,11 +128,11 @@ def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> 
         Moved(T0 + 9, (100,) * 8, (100,) * 3 + (-1,) * 5, 8.0),
     )
     playback.set_position(T0 + 6)
-    known = playback.state().known
+    known = playback.state()
     assert known.stuck is not None
     assert known.stuck.motor == known.awaited_motor == 3
     playback.set_position(T0 + 9)
-    known = playback.state().known
+    known = playback.state()
     assert known.stuck is None
     assert [each.motor for each in known.missed_goals] == [3, 4, 5, 6, 7]
     playback.close()
@@ -156,7 +156,7 @@ def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
     playback = loaded(tmp_path / "a.trexrec", qtbot)
     assert playback.position == playback.end == T0
     assert playback.header == HEADER
-    assert playback.state().known.present == (None,) * MOTORS
+    assert playback.state().present == (None,) * MOTORS
     playback.close()
 
 

@@ -12,8 +12,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.model.playback import RobotPlayback
-from trex_gui.devices.aracna.model.recorder import AracnaRecorder
+from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.recording import Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import (
@@ -145,7 +144,7 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     assert silences
     assert reports == session.reported
     markers = [row for row in found if isinstance(row, Marker)]
-    assert any("stuck" in each.text for each in markers if each.kind == EventKind.NOTE)
+    assert any("waits for motor" in each.text for each in markers if each.kind == EventKind.NOTE)
     assert any("waits for motor 3" in each.text for each in markers if each.kind == EventKind.FAULT)
     assert any("restarted" in each.text for each in markers)
     assert any(each.kind == EventKind.LINK for each in markers)
@@ -185,7 +184,7 @@ def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: Q
     last = playback.traces.samples(playback.start, playback.end)[0][-1]
     assert playback.end == last == ending.time
     playback.set_position(playback.end)
-    known, now = playback.state().known, session.robot.state
+    known, now = playback.state(), session.robot.state
     assert known.present == now.present
     assert known.goals == now.goals
     assert known.speeds is not None

@@ -13,7 +13,7 @@ from tests.support.simulator import StartSimulator
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.model.recorder import AracnaRecorder
+from trex_gui.devices.aracna.model.recordings import AracnaRecorder
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection_state import ConnectionState
 

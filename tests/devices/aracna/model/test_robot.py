@@ -239,10 +239,10 @@ def steps(*goals: tuple[int, ...]) -> tuple[Step, ...]:
 
 def test_playback_begins_slowly_from_unknown_positions(robot: Robot, harness: RobotHarness) -> None:
     assert robot.play(Play(0, steps((500,) * 8, (520,) * 8)))
-    assert robot.state.playing is not None
+    assert robot.state.play is not None
     harness.wait(lambda: bool(harness.of(SpeedsHeld)))
     assert max(harness.speeds) <= FIRST_SPEED
-    harness.wait(lambda: robot.state.playing is None)
+    harness.wait(lambda: robot.state.play is None)
     assert harness.sent == [(500,) * 8, (500,) * 8, (520,) * 8]
 
 
@@ -251,10 +251,10 @@ def test_halt_ends_playback_and_holds_reported_positions(
 ) -> None:
     harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
-    harness.wait(lambda: robot.state.playing is not None and robot.state.playing.round >= 1)
+    harness.wait(lambda: robot.state.step is not None and robot.state.step.round >= 1)
     robot.halt()
     halted = now()
-    harness.wait(lambda: robot.state.playing is None and robot.state.moving is None)
+    harness.wait(lambda: robot.state.play is None and robot.state.moving is None)
     assert harness.sent_after(halted) <= 1  # one may have been on its way
     assert robot.targets.goals == robot.state.present
     assert harness.messages == []
@@ -263,11 +263,11 @@ def test_halt_ends_playback_and_holds_reported_positions(
 def test_halt_now_ends_playback_from_other_thread(robot: Robot, harness: RobotHarness) -> None:
     harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
-    harness.wait(lambda: robot.state.playing is not None and robot.state.playing.round >= 1)
+    harness.wait(lambda: robot.state.step is not None and robot.state.step.round >= 1)
     thread = threading.Thread(target=robot.halt_now)
     thread.start()
     thread.join()
-    harness.wait(lambda: robot.state.playing is None)
+    harness.wait(lambda: robot.state.play is None)
     assert robot.link is ConnectionState.CONNECTED
 
 
@@ -277,7 +277,7 @@ def test_move_during_sequence_is_rejected(robot: Robot, harness: RobotHarness) -
     assert not robot.move((500,) * 8)
     assert harness.messages == ["A sequence is playing. Stop it first."]
     robot.end_play()
-    harness.wait(lambda: robot.state.playing is None)
+    harness.wait(lambda: robot.state.play is None)
     assert (500,) * 8 not in harness.sent
 
 
@@ -285,7 +285,7 @@ def test_chosen_speeds_apply_again_after_sequence(robot: Robot, harness: RobotHa
     robot.set_speeds((150,) * 8)
     harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW)))
-    harness.wait(lambda: robot.state.playing is None)
+    harness.wait(lambda: robot.state.play is None)
     harness.move((310,) * 8)
     assert harness.speeds == [150] * 8
 

@@ -67,14 +67,14 @@ def test_changed_limits_apply_to_next_steps_of_playback(
 ) -> None:
     harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
-    harness.wait(lambda: robot.state.playing is not None and robot.state.playing.round >= 1)
+    harness.wait(lambda: robot.state.step is not None and robot.state.step.round >= 1)
     for motor in range(robot.state.motors):
         robot.limits.set(motor, 340, 360)
     harness.wait(lambda: (360,) * 8 in harness.sent and (340,) * 8 in harness.sent)
     first = min(harness.sent.index((goal,) * 8) for goal in (340, 360))
     assert set(harness.sent[first:]) == {(340,) * 8, (360,) * 8}
     robot.halt()
-    harness.wait(lambda: robot.state.playing is None and robot.state.moving is None)
+    harness.wait(lambda: robot.state.play is None and robot.state.moving is None)
 
 
 def test_commands_while_motor_is_stuck_are_never_sent(robot: Robot, harness: RobotHarness) -> None:
@@ -84,7 +84,7 @@ def test_commands_while_motor_is_stuck_are_never_sent(robot: Robot, harness: Rob
     harness.wait(lambda: robot.state.stuck is not None)
     assert not robot.move((350,) * 8)
     assert not robot.play(Play(0, steps(HIGH, LOW)))
-    assert "stuck" in harness.messages[-1]
+    assert "waits for motor 3" in harness.messages[-1]
     harness.simulator.do("servo 3 alive")
     harness.wait(lambda: robot.state.moving is None)
     harness.move((490,) * 8)

@@ -1,4 +1,6 @@
-"""A panel of poses on a library, driven with mouse and keyboard."""
+"""The page of poses on a library, driven with mouse and keyboard."""
+
+from collections.abc import Sequence
 
 from PySide6.QtCore import QModelIndex, Qt
 from PySide6.QtTest import QTest
@@ -7,43 +9,69 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.aracna.model.library import Library
-from trex_gui.devices.aracna.session.messages import Play
+from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.session.messages import Play, StepBegun
 from trex_gui.devices.aracna.views.poses.name_list import NameList
-from trex_gui.devices.aracna.views.poses.panel import PosesPanel
-from trex_gui.ui.notifier import Notifier
+from trex_gui.devices.aracna.views.poses.page import PosesPage
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 EIGHT = (100, 200, 101, 201, 102, 202, 103, 203)
 
 
-class PosesPanelDriver(WidgetDriver):
-    """A panel on a library of its own.
+class StagedRobot(Robot):
+    """A robot whose state is set by a test, and which keeps what it is requested to do.
 
     Attributes:
-        plays: the playbacks that the panel requested, in order.
-        requested_goals: the positions that it requested with Go to, in order.
+        is_connected: whether it can be used.
+        plays, goals, scales: the requests, in order.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.is_connected = False
+        self.plays: list[Play] = []
+        self.goals: list[tuple[int, ...]] = []
+        self.scales: list[float] = []
+
+    @property
+    def link(self) -> ConnectionState:
+        up, down = ConnectionState.CONNECTED, ConnectionState.DISCONNECTED
+        return up if self.is_connected else down
+
+    def play(self, play: Play) -> bool:
+        self.plays.append(play)
+        return True
+
+    def move(self, goals: Sequence[int]) -> bool:
+        self.goals.append(tuple(goals))
+        return True
+
+    def set_time_scale(self, factor: float) -> None:
+        self.scales.append(factor)
+
+
+class PosesPageDriver(WidgetDriver):
+    """A page on a library of its own.
+
+    Attributes:
         messages: its messages and rejections, in order.
     """
 
-    def __init__(self, qtbot: QtBot) -> None:
+    def __init__(self, qtbot: QtBot, robot: Robot) -> None:
         self.library = Library()
-        notifier = Notifier()
-        self.panel = PosesPanel(self.library, notifier)
-        notifier.setParent(self.panel)
-        super().__init__(self.panel, qtbot)
-        self.plays: list[Play] = []
+        self.page = PosesPage(robot, self.library)
+        robot.setParent(self.page)
+        super().__init__(self.page, qtbot)
         self.messages: list[str] = []
-        self.requested_goals: list[tuple[int, ...]] = []
-        self.panel.play_requested.connect(self.plays.append)
-        self.panel.go_to_requested.connect(self.requested_goals.append)
-        notifier.info.connect(self.messages.append)
-        notifier.error.connect(self.messages.append)
-        self.panel.resize(640, 600)
-        self.panel.show()
-        qtbot.waitExposed(self.panel)
+        robot.notifier.info.connect(self.messages.append)
+        robot.notifier.error.connect(self.messages.append)
+        self.page.resize(800, 600)
+        self.page.show()
+        qtbot.waitExposed(self.page)
 
     def close(self) -> None:
-        self.panel.close()
-        self.panel.deleteLater()
+        self.page.close()
+        self.page.deleteLater()
 
     def spin(self, name: str) -> QSpinBox:
         return self.find(QSpinBox, name)
@@ -89,3 +117,27 @@ class PosesPanelDriver(WidgetDriver):
 
     def pose_names(self) -> list[str]:
         return [pose.name for pose in self.library.project.poses]
+
+
+class StagedPageDriver(PosesPageDriver):
+    """A page on a robot whose state is set here."""
+
+    def __init__(self, qtbot: QtBot) -> None:
+        self.robot = StagedRobot()
+        super().__init__(qtbot, self.robot)
+
+    @property
+    def plays(self) -> list[Play]:
+        return self.robot.plays
+
+    def connect(self) -> None:
+        self.robot.is_connected = True
+        self.robot.changed.emit()
+
+    def show_present(self, *present: int | None) -> None:
+        self.robot.state.present = present
+        self.robot.changed.emit()
+
+    def show_playing(self, play: Play | None, step: StepBegun | None = None) -> None:
+        self.robot.state.play, self.robot.state.step = play, step
+        self.robot.changed.emit()

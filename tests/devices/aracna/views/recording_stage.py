@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 from tests.devices.aracna.recordings import HEADER, MOTORS, T0, write
 from tests.support.window import WidgetDriver
 from trex_gui.core.recording.kinds import Marker
-from trex_gui.devices.aracna.model.playback import RobotPlayback
+from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.recording import Header, Record
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld

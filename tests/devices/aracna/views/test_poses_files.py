@@ -8,14 +8,14 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 
-from tests.devices.aracna.views.poses_stage import EIGHT, PosesPanelDriver
+from tests.devices.aracna.views.poses_stage import EIGHT, StagedPageDriver
 from trex_gui.devices.aracna.model.library import ItemKind
 from trex_gui.ui.widgets import file_questions
 
 
 @pytest.fixture
-def driver(qtbot: QtBot) -> Iterator[PosesPanelDriver]:
-    driver = PosesPanelDriver(qtbot)
+def driver(qtbot: QtBot) -> Iterator[StagedPageDriver]:
+    driver = StagedPageDriver(qtbot)
     yield driver
     driver.close()
 
@@ -33,95 +33,95 @@ def answering(monkeypatch: pytest.MonkeyPatch, answer: file_questions.SaveAnswer
 
 
 def test_file_is_saved_and_reopened_and_folder_remembered(
-    driver: PosesPanelDriver, tmp_path: Path
+    driver: StagedPageDriver, tmp_path: Path
 ) -> None:
     path = tmp_path / "mine.ppr"
     driver.library.add_pose(EIGHT, "mine")
     assert driver.text("aracnaPoseFile") == "poses.ppr, changed"
-    assert driver.panel.files.save_to(path)
+    assert driver.page.files.save_to(path)
     assert driver.text("aracnaPoseFile") == "mine.ppr"
     driver.find(QAction, "aracnaNewFileAction").trigger()
     assert "mine" not in driver.pose_names()
-    assert driver.panel.files.open_file(path)
+    assert driver.page.files.open_file(path)
     assert "mine" in driver.pose_names()
     assert "was opened" in driver.messages[-1]
-    assert driver.panel.files.folder() == tmp_path
+    assert driver.page.files.folder() == tmp_path
 
 
 def test_open_asks_about_unsaved_edits(
-    driver: PosesPanelDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "other.ppr"
     path.write_text("Aracna:8\nPose=only:1\n", encoding="utf-8")
     driver.library.add_pose(EIGHT, "mine")
     names = answering(monkeypatch, file_questions.SaveAnswer.CANCEL)
-    assert not driver.panel.files.open_file(path)
+    assert not driver.page.files.open_file(path)
     assert names == ["poses.ppr"]
     assert "mine" in driver.pose_names()
     answering(monkeypatch, file_questions.SaveAnswer.DISCARD)
-    assert driver.panel.files.open_file(path)
+    assert driver.page.files.open_file(path)
     assert driver.pose_names() == ["only"]
 
 
-def test_open_reports_findings_with_line_numbers(driver: PosesPanelDriver, tmp_path: Path) -> None:
+def test_open_reports_findings_with_line_numbers(driver: StagedPageDriver, tmp_path: Path) -> None:
     path = tmp_path / "odd.ppr"
     path.write_text("Aracna:2:1024:1024\nPose=a:1, x\n", encoding="utf-8")
-    driver.panel.files.open_file(path)
+    driver.page.files.open_file(path)
     assert "line 2" in driver.messages[-1]
     assert "'x'" in driver.messages[-1]
 
 
 def test_save_asks_before_overwriting_external_change(
-    driver: PosesPanelDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "mine.ppr"
-    driver.panel.files.save_to(path)
+    driver.page.files.save_to(path)
     path.write_text("Aracna:8\n", encoding="utf-8")
     cancel = QMessageBox.StandardButton.Cancel
     monkeypatch.setattr(QMessageBox, "question", lambda *_: cancel)
-    assert not driver.panel.files.save()
+    assert not driver.page.files.save()
     assert path.read_text(encoding="utf-8") == "Aracna:8\n"
 
 
 def test_unreadable_or_unwritable_file_is_reported(
-    driver: PosesPanelDriver, tmp_path: Path
+    driver: StagedPageDriver, tmp_path: Path
 ) -> None:
-    assert not driver.panel.files.open_file(tmp_path / "none.ppr")
+    assert not driver.page.files.open_file(tmp_path / "none.ppr")
     assert "no such file" in driver.messages[-1]
-    assert not driver.panel.files.save_to(tmp_path / "gone" / "a.ppr")
+    assert not driver.page.files.save_to(tmp_path / "gone" / "a.ppr")
     assert driver.messages[-1].startswith("Not saved.")
 
 
 def test_only_first_findings_of_invalid_file_are_reported(
-    driver: PosesPanelDriver, tmp_path: Path
+    driver: StagedPageDriver, tmp_path: Path
 ) -> None:
     path = tmp_path / "novel.ppr"
     path.write_text("It was a dark night\n" * 1000, encoding="utf-8")
-    driver.panel.files.open_file(path)
+    driver.page.files.open_file(path)
     assert "And 992 more." in driver.messages[-1]
     assert len(driver.messages[-1].splitlines()) == 10
 
 
 def test_save_as_adds_suffix_and_asks_before_overwriting(
-    driver: PosesPanelDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     chosen = str(tmp_path / "mine")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (chosen, ""))
-    assert driver.panel.files.ask_and_save()
+    assert driver.page.files.ask_and_save()
     assert driver.library.path == tmp_path / "mine.ppr"
     driver.library.add_pose((1,) * 8, "more")
     cancel = QMessageBox.StandardButton.Cancel
     monkeypatch.setattr(QMessageBox, "question", lambda *_: cancel)
-    assert not driver.panel.files.ask_and_save()
+    assert not driver.page.files.ask_and_save()
     assert "more" not in (tmp_path / "mine.ppr").read_text(encoding="utf-8")
 
 
 def test_pose_with_comma_in_name_is_not_offered_for_steps(
-    driver: PosesPanelDriver, tmp_path: Path
+    driver: StagedPageDriver, tmp_path: Path
 ) -> None:
     path = tmp_path / "comma.ppr"
     path.write_text("Aracna:8\nPose=a, b:512\nPose=c:512\nSeq=s: c|500\n", encoding="utf-8")
-    driver.panel.files.open_file(path)
+    driver.page.files.open_file(path)
     driver.choose_row("aracnaMotions", "s")
     driver.choose_row("aracnaPoses", "a, b")
     assert not driver.button("aracnaAddStep").isEnabled()
@@ -137,16 +137,16 @@ def test_pose_with_comma_in_name_is_not_offered_for_steps(
 
 
 def test_step_finds_pose_with_blanks_around_its_name(
-    driver: PosesPanelDriver, tmp_path: Path
+    driver: StagedPageDriver, tmp_path: Path
 ) -> None:
     path = tmp_path / "blanks.ppr"
     path.write_text("Aracna:8\nPose= sp :512\nSeq=s: \n", encoding="utf-8")
-    driver.panel.files.open_file(path)
+    driver.page.files.open_file(path)
     driver.choose_row("aracnaMotions", "s")
     driver.choose_row("aracnaPoses", "sp")
     driver.click("aracnaAddStep")
-    driver.panel.files.save()
-    driver.panel.files.open_file(path)
+    driver.page.files.save()
+    driver.page.files.open_file(path)
     assert "not in the file" not in driver.messages[-1]
     assert (
         driver.library.project.pose(driver.library.project.sequences[0].steps[0].pose_name)

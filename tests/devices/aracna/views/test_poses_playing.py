@@ -13,21 +13,19 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from tests.devices.aracna.views.poses_stage import EIGHT, PosesPanelDriver
-from trex_gui.devices.aracna.model.robot_state import PlayState
+from tests.devices.aracna.views.poses_stage import EIGHT, StagedPageDriver
 from trex_gui.devices.aracna.poses.project import SequenceStep
-from trex_gui.devices.aracna.protocol.joints import Limits
-from trex_gui.devices.aracna.session.messages import Play, Step
+from trex_gui.devices.aracna.session.messages import Play, Step, StepBegun, Stuck
 
 
 @pytest.fixture
-def driver(qtbot: QtBot) -> Iterator[PosesPanelDriver]:
-    driver = PosesPanelDriver(qtbot)
+def driver(qtbot: QtBot) -> Iterator[StagedPageDriver]:
+    driver = StagedPageDriver(qtbot)
     yield driver
     driver.close()
 
 
-def test_add_step_appends_selected_pose_to_new_sequence(driver: PosesPanelDriver) -> None:
+def test_add_step_appends_selected_pose_to_new_sequence(driver: StagedPageDriver) -> None:
     driver.click("aracnaNewSequence")
     driver.type_name("aracnaMotions", "bob")
     driver.choose_row("aracnaPoses", "stand")
@@ -43,7 +41,7 @@ def test_add_step_appends_selected_pose_to_new_sequence(driver: PosesPanelDriver
     assert [step.pose_name for step in driver.library.project.sequences[0].steps] == ["stand"]
 
 
-def test_step_pose_and_time_are_edited_in_table(driver: PosesPanelDriver, qtbot: QtBot) -> None:
+def test_step_pose_and_time_are_edited_in_table(driver: StagedPageDriver, qtbot: QtBot) -> None:
     driver.library.add_sequence("bob", [SequenceStep("gone", 500)])
     driver.choose_row("aracnaMotions", "bob")
     view = driver.steps
@@ -63,10 +61,10 @@ def test_step_pose_and_time_are_edited_in_table(driver: PosesPanelDriver, qtbot:
     qtbot.waitUntil(lambda: driver.library.project.sequences[0].steps == changed)
 
 
-def test_play_requests_clamped_steps_with_chosen_options(driver: PosesPanelDriver) -> None:
+def test_play_requests_clamped_steps_with_chosen_options(driver: StagedPageDriver) -> None:
     driver.library.add_sequence("up", [SequenceStep("flat", 3000), SequenceStep("stand", 2000)])
-    driver.panel.show_link(True)
-    driver.panel.show_present((300,) * 8)
+    driver.connect()
+    driver.show_present(*(300,) * 8)
     driver.choose_row("aracnaMotions", "up")
     driver.spin("aracnaRounds").setValue(3)
     driver.spin("aracnaSpeedScale").setValue(50)
@@ -87,8 +85,8 @@ def test_play_requests_clamped_steps_with_chosen_options(driver: PosesPanelDrive
     assert "cropped" in driver.summary
 
 
-def test_loop_without_blending_plays_only_steps_endlessly(driver: PosesPanelDriver) -> None:
-    driver.panel.show_link(True)
+def test_loop_without_blending_plays_only_steps_endlessly(driver: StagedPageDriver) -> None:
+    driver.connect()
     driver.choose_row("aracnaMotions", "push-ups (built in)")
     driver.check("aracnaLoop", True)
     driver.check("aracnaBlendIn", False)
@@ -98,15 +96,16 @@ def test_loop_without_blending_plays_only_steps_endlessly(driver: PosesPanelDriv
     assert driver.plays[0].blend_in == driver.plays[0].blend_out == ()
 
 
-def test_changed_limits_clamp_played_steps(driver: PosesPanelDriver) -> None:
-    driver.panel.show_link(True)
-    driver.panel.show_limits((Limits(290, 310),) * 8)
+def test_changed_limits_clamp_played_steps(driver: StagedPageDriver) -> None:
+    driver.connect()
+    for motor in range(8):
+        driver.robot.limits.set(motor, 290, 310)
     driver.choose_row("aracnaMotions", "push-ups (built in)")
     driver.click("aracnaPlay")
     assert driver.plays[0].steps[0].goals == (310, 290) * 4
 
 
-def test_late_motors_are_named_at_their_step(driver: PosesPanelDriver) -> None:
+def test_late_motors_are_named_at_their_step(driver: StagedPageDriver) -> None:
     driver.library.add_sequence("hasty", [SequenceStep("flat", 3000), SequenceStep("stand", 100)])
     driver.choose_row("aracnaMotions", "hasty")
     assert "too slow" in driver.summary
@@ -117,9 +116,9 @@ def test_late_motors_are_named_at_their_step(driver: PosesPanelDriver) -> None:
 
 
 def test_sequence_is_playable_only_with_all_poses_defined(
-    driver: PosesPanelDriver,
+    driver: StagedPageDriver,
 ) -> None:
-    driver.panel.show_link(True)
+    driver.connect()
     driver.library.add_sequence("gait", [SequenceStep("p1", 500)])
     driver.choose_row("aracnaMotions", "gait")
     assert not driver.button("aracnaPlay").isEnabled()
@@ -130,40 +129,40 @@ def test_sequence_is_playable_only_with_all_poses_defined(
 
 
 def test_speed_can_change_and_step_is_marked_during_playback(
-    driver: PosesPanelDriver, qtbot: QtBot
+    driver: StagedPageDriver, qtbot: QtBot
 ) -> None:
-    driver.panel.show_link(True)
+    driver.connect()
     driver.choose_row("aracnaMotions", "push-ups (built in)")
     driver.click("aracnaPlay")
-    driver.panel.show_playing(PlayState(2, 0, "steps", 1))
+    driver.show_playing(driver.plays[0], StepBegun(0.0, "steps", 1, 0, 0.0))
     assert not driver.button("aracnaPlay").isEnabled()
     assert not driver.button("aracnaGoTo").isEnabled()
     assert driver.steps.model().index(1, 0).data() == "▶ 2"
-    with qtbot.waitSignal(driver.panel.scale_changed) as scale:
-        driver.spin("aracnaSpeedScale").setValue(200)
-    assert scale.args == [0.5]
+    driver.spin("aracnaSpeedScale").setValue(200)
+    assert driver.robot.scales == [0.5]
     assert "is playing" in driver.button("aracnaGoTo").toolTip()
-    driver.panel.show_playing(None)
+    driver.show_playing(None)
     assert driver.steps.model().index(1, 0).data() == "2"
     assert driver.button("aracnaPlay").isEnabled()
 
 
-def test_play_is_enabled_once_robot_is_connected(driver: PosesPanelDriver) -> None:
+def test_play_is_enabled_once_robot_is_connected(driver: StagedPageDriver) -> None:
     assert not driver.button("aracnaPlay").isEnabled()
-    driver.panel.show_link(True)
+    driver.connect()
     driver.click("aracnaPlay")
     assert driver.plays
 
 
-def test_disabled_buttons_show_reason_in_tooltip(driver: PosesPanelDriver) -> None:
+def test_disabled_buttons_show_reason_in_tooltip(driver: StagedPageDriver) -> None:
     driver.choose_row("aracnaPoses", "stand")
-    driver.panel.show_link(False, "The robot waits for motor 3.")
+    driver.robot.state.stuck = Stuck(0.0, 3)
+    driver.connect()
     for name in ("aracnaPlay", "aracnaGoTo"):
         assert not driver.button(name).isEnabled()
-        assert driver.button(name).toolTip() == "The robot waits for motor 3."
+        assert driver.button(name).toolTip().startswith("The robot waits for motor 3")
 
 
-def test_duplicated_gait_becomes_editable_sequence(driver: PosesPanelDriver) -> None:
+def test_duplicated_gait_becomes_editable_sequence(driver: StagedPageDriver) -> None:
     driver.choose_row("aracnaMotions", "star 6 (built in)")
     assert not driver.button("aracnaDeleteSequence").isEnabled()
     driver.click("aracnaDuplicateSequence")
@@ -175,7 +174,7 @@ def test_duplicated_gait_becomes_editable_sequence(driver: PosesPanelDriver) -> 
     assert not driver.library.modified
 
 
-def test_every_control_has_object_and_accessible_name(driver: PosesPanelDriver) -> None:
+def test_every_control_has_object_and_accessible_name(driver: StagedPageDriver) -> None:
     kinds = (QAbstractButton, QAbstractSpinBox, QAbstractItemView)
     for widget in driver.find_all(QWidget):
         if isinstance(widget, kinds) and not widget.objectName().startswith("qt_"):
@@ -190,47 +189,47 @@ def test_every_control_has_object_and_accessible_name(driver: PosesPanelDriver) 
             assert widget.focusPolicy() & Qt.FocusPolicy.TabFocus, widget.objectName()
 
 
-def test_panel_survives_deletion_of_library(driver: PosesPanelDriver, qtbot: QtBot) -> None:
+def test_panel_survives_deletion_of_library(driver: StagedPageDriver, qtbot: QtBot) -> None:
     driver.library.add_pose(EIGHT)
     with qtbot.waitSignal(driver.library.destroyed):
         driver.library.deleteLater()
-    assert driver.panel.isVisible()
+    assert driver.page.isVisible()
 
 
 def test_menu_plays_only_while_play_is_possible(
-    driver: PosesPanelDriver,
+    driver: StagedPageDriver,
 ) -> None:
     driver.library.add_sequence("bob", [SequenceStep("stand", 500)])
     driver.choose_row("aracnaMotions", "bob")
-    driver.panel.play()
+    driver.page.play()
     assert driver.plays == [], "there is no robot"
-    driver.panel.show_link(True)
-    driver.panel.show_present((512,) * 8)
-    driver.panel.play()
+    driver.connect()
+    driver.show_present(*(512,) * 8)
+    driver.page.play()
     assert len(driver.plays) == 1
-    driver.panel.show_playing(PlayState(1, 1))
-    driver.panel.play()
+    driver.show_playing(driver.plays[0])
+    driver.page.play()
     assert len(driver.plays) == 1
 
 
-def test_menu_capture_adds_pose_and_edits_its_name(driver: PosesPanelDriver) -> None:
+def test_menu_capture_adds_pose_and_edits_its_name(driver: StagedPageDriver) -> None:
     before = driver.pose_names()
-    driver.panel.capture()
+    driver.page.capture()
     assert driver.pose_names() == before
     assert "the position is unknown" in driver.messages[-1]
-    driver.panel.show_present(EIGHT)
-    driver.panel.capture()
+    driver.show_present(*EIGHT)
+    driver.page.capture()
     driver.type_name("aracnaPoses", "here")
     assert driver.pose_names() == [*before, "here"]
 
 
-def test_play_uses_typed_values_before_enter(driver: PosesPanelDriver, qtbot: QtBot) -> None:
+def test_play_uses_typed_values_before_enter(driver: StagedPageDriver, qtbot: QtBot) -> None:
     driver.library.add_sequence("bob", [SequenceStep("stand", 500)])
     driver.choose_row("aracnaMotions", "bob")
-    driver.panel.show_link(True)
-    driver.panel.show_present((512,) * 8)
+    driver.connect()
+    driver.show_present(*(512,) * 8)
     driver.check("aracnaBlendIn", False)
-    driver.panel.activateWindow()
+    driver.page.activateWindow()
     view = driver.steps
     view.setCurrentIndex(view.model().index(0, 2))
     view.edit(view.currentIndex())
@@ -238,7 +237,7 @@ def test_play_uses_typed_values_before_enter(driver: PosesPanelDriver, qtbot: Qt
     qtbot.waitUntil(time.hasFocus, timeout=15_000)
     time.selectAll()
     QTest.keyClicks(time, "1200")
-    driver.panel.play()
+    driver.page.play()
     assert driver.plays[-1].steps[0].seconds == 1.2
 
     rounds = driver.spin("aracnaRounds")
@@ -246,5 +245,5 @@ def test_play_uses_typed_values_before_enter(driver: PosesPanelDriver, qtbot: Qt
     qtbot.waitUntil(rounds.hasFocus, timeout=15_000)
     rounds.selectAll()
     QTest.keyClicks(rounds, "7")
-    driver.panel.play()
+    driver.page.play()
     assert driver.plays[-1].rounds == 7

@@ -40,15 +40,15 @@ class NameModel(QAbstractListModel):
     ) -> None:
         super().__init__(parent)
         self._notifier = notifier
-        self.library = library
-        self.kind = kind
+        self._library = library
+        self._kind = kind
         self._rows = self._keys()
         library.changed.connect(self._on_library_changed)
 
     def _keys(self) -> tuple[ItemKey, ...]:
-        if self.kind is ItemKind.POSE:
-            return tuple(map(ItemKey, self.library.project.pose_names))
-        sequences = tuple(ItemKey(one.name) for one in self.library.project.sequences)
+        if self._kind is ItemKind.POSE:
+            return tuple(map(ItemKey, self._library.project.pose_names))
+        sequences = tuple(ItemKey(one.name) for one in self._library.project.sequences)
         return sequences + tuple(ItemKey(gait.name, built_in=True) for gait in GAITS)
 
     def key(self, row: int) -> ItemKey | None:
@@ -72,16 +72,16 @@ class NameModel(QAbstractListModel):
         return self._tool_tip(key) if role == _Role.ToolTipRole else None
 
     def _tool_tip(self, key: ItemKey) -> str:
-        if self.kind is ItemKind.POSE:
-            pose = self.library.project.pose(key.name)
+        if self._kind is ItemKind.POSE:
+            pose = self._library.project.pose(key.name)
             return ", ".join(map(str, pose.positions)) if pose else ""
-        played = self.library.playable(key)
+        played = self._library.playable(key)
         if isinstance(played, Gait):
             ours = self.tr("It is made of the authors' poses, but not theirs.")
             return f"{played.about} {ours}" if played.ours else played.about
         if played is None:
             return ""
-        if missing := played.missing(self.library.project.pose_names):
+        if missing := played.missing(self._library.project.pose_names):
             return self.tr("Undefined poses: {0}").format(", ".join(missing))
         return self.tr("{0} steps, {1:g} s").format(len(played.steps), played.seconds)
 
@@ -100,7 +100,7 @@ class NameModel(QAbstractListModel):
         if key is None or key.built_in or role != _Role.EditRole:
             return False
         try:
-            self.library.rename(self.kind, key.name, str(value))
+            self._library.rename(self._kind, key.name, str(value))
         except BadRequest as error:
             self._notifier.error.emit(self.tr("Not renamed: {0}.").format(error))
             return False

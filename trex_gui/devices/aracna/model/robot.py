@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Close, Outcome
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.model.robot_state import PlayState, Rate, RobotState
+from trex_gui.devices.aracna.model.robot_state import Rate, RobotState
 from trex_gui.devices.aracna.model.setpoints import (
     FIRST_SPEED,
     JointLimits,
@@ -275,7 +275,7 @@ class Robot(DeviceConnection[PortSettings]):
         if not self.ask(lambda number: replace(play, id=number), self._on_play_done):
             return False
         steps, rounds = len(play.steps), play.rounds
-        self.state.play, self.state.playing = play, PlayState(steps, rounds)
+        self.state.play = play
         often = self.tr("{0} times").format(rounds) if rounds else self.tr("repeating")
         self.events.add(EventKind.NOTE, self.tr("Playing {0} steps, {1}.").format(steps, often))
         self.changed.emit()
@@ -368,17 +368,24 @@ class Robot(DeviceConnection[PortSettings]):
         pairs = zip(self.state.present, self.targets.goals, strict=False)
         self.targets.set_all([goal if present is None else present for present, goal in pairs])
 
-    def _can_move(self) -> bool:
-        reason = ""
+    @property
+    def move_blocker(self) -> str:
+        """Why the robot cannot be moved now; empty if it can."""
         if self.link is not ConnectionState.CONNECTED:
-            reason = self.tr("No robot is connected.")
-        elif self.state.play is not None:
-            reason = self.tr("A sequence is playing. Stop it first.")
-        elif self.state.stuck is not None:
-            reason = self.tr("The robot is stuck. Nothing is sent until it has answered.")
-        if reason:
-            self.rejected.emit(reason)
-        return not reason
+            return self.tr("No robot is connected.")
+        if self.state.play is not None:
+            return self.tr("A sequence is playing. Stop it first.")
+        if (stuck := self.state.stuck) is None:
+            return ""
+        if stuck.motor is None:
+            return self.tr("The robot does not answer.")
+        text = self.tr("The robot waits for motor {0} and reads nothing until it answers.")
+        return text.format(stuck.motor)
+
+    def _can_move(self) -> bool:
+        if blocker := self.move_blocker:
+            self.rejected.emit(blocker)
+        return not blocker
 
     def _inform(self, text: str) -> None:
         self.events.add(EventKind.NOTE, text)
@@ -401,7 +408,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.changed.emit()
 
     def _on_play_done(self, outcome: Outcome) -> None:
-        self.state.play = self.state.playing = None
+        self.state.play = self.state.step = None
         if outcome.error is not None and not self._is_holding:
             self._reject_because(self.tr("Aborted: {0}"), outcome.error)
         self.changed.emit()

@@ -1,9 +1,10 @@
-"""The state of the robot as its session reports it; no Qt, no clock of its own."""
+"""The state of the robot as its session or a recording reports it; no Qt, no clock of its own."""
 
 from collections import deque
 from dataclasses import dataclass, field
 
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
+from trex_gui.devices.aracna.recording import StoppedResponding
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     LineStats,
@@ -49,22 +50,6 @@ class RejectedSpeed:
     held: int
 
 
-@dataclass(frozen=True, slots=True)
-class PlayState:
-    """The running step of a sequence: `step` (from 0) of `steps` in `part` and `round`.
-
-    `step` is `None` before the first one; `rounds` 0 is endless; `name` is that of the step.
-    """
-
-    steps: int
-    rounds: int
-    part: str = ""
-    step: int | None = None
-    round: int = 0
-    name: str = ""
-    late: float = 0.0
-
-
 class Rate:
     def __init__(self) -> None:
         self._times: deque[float] = deque(maxlen=10)
@@ -103,7 +88,7 @@ class RobotState:
             over.
         speeds: the last reply to a `.v`.
         play: the playing sequence.
-        playing: its running step.
+        step: its running step; `None` before the first.
     """
 
     motors: int
@@ -118,7 +103,7 @@ class RobotState:
     unobserved_until: float | None = None
     speeds: SpeedsHeld | None = None
     play: Play | None = None
-    playing: PlayState | None = None
+    step: StepBegun | None = None
     stats: LineStats = field(default_factory=LineStats)
 
     def __post_init__(self) -> None:
@@ -142,20 +127,20 @@ class RobotState:
                 self.stuck = report
             case SpeedsHeld():
                 self.speeds = report
-            case Restarted() | NotResponding():
+            case Restarted() | NotResponding() | StoppedResponding():
                 self.present = (None,) * self.motors
                 self._stop_observing()
                 self.moved, self.speeds = None, None
-                self.uncertain = self.goals is not None
+                self.uncertain, self.step = self.goals is not None, None
             case Connected(version=version):
                 self.version = version
                 # A robot that answers `.q` waits for no motor. Servos may move all the same:
                 # opening the port may have reset the board, which does not stop them.
                 self._stop_observing()
-            case StepBegun() if self.play is not None:
-                self.playing = _play_state(self.play, report)
+            case StepBegun():
+                self.step = report
             case PlayEnded():
-                self.play, self.playing = None, None
+                self.play = self.step = None
             case LineStats():
                 self.stats = report
             case _:
@@ -233,11 +218,3 @@ class RobotState:
         This includes the time before the first reply: another host may have moved the robot.
         """
         return self.moving is None and (self.moved is None or self.reply_lost)
-
-
-def _play_state(play: Play, begun: StepBegun) -> PlayState:
-    steps = {"in": play.blend_in, "out": play.blend_out}.get(begun.part, play.steps)
-    name = steps[begun.index].name if begun.index < len(steps) else ""
-    return PlayState(
-        len(steps), play.rounds, begun.part, begun.index, begun.round, name, begun.late
-    )

@@ -4,7 +4,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.model.robot_state import PlayState
+from trex_gui.devices.aracna.session.messages import Play, StepBegun
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets import builders
@@ -75,7 +75,7 @@ class ActionBar(QWidget):
     def _update(self) -> None:
         robot = self._robot
         is_connected = robot.link is ConnectionState.CONNECTED
-        self._end.setEnabled(robot.state.playing is not None and is_connected)
+        self._end.setEnabled(robot.state.play is not None and is_connected)
         left = robot.remaining()
         text, alarming = self._activity_text(left)
         self._activity.show_note(text, alarming=alarming)
@@ -98,8 +98,8 @@ class ActionBar(QWidget):
         if state.stuck is not None:
             return self._stuck_text(state.stuck.motor), True
         wait = self._wait_text(left)
-        if state.playing is not None:
-            return f"{self._playing_text(state.playing)} {wait}", True
+        if state.play is not None:
+            return f"{self._playing_text(state.play, state.step)} {wait}", True
         if wait:
             return wait, True
         if link is ConnectionState.NOT_RESPONDING or state.may_be_moving:
@@ -131,17 +131,17 @@ class ActionBar(QWidget):
             return self.tr("The motion ends by itself in about {0:.1f} s.").format(left)
         return self.tr("Waiting for motor {0} to arrive …").format(state.awaited_motor)
 
-    def _playing_text(self, playing: PlayState) -> str:
-        if playing.step is None:
+    def _playing_text(self, play: Play, step: StepBegun | None) -> str:
+        if step is None:
             return self.tr("The sequence begins.")
-        where = self.tr("step {0} of {1}").format(playing.step + 1, playing.steps)
-        if playing.name:
-            where += f" “{playing.name}”"
-        if playing.part == "in":
-            where = self.tr("blend-in")
-        elif playing.part == "out":
-            where = self.tr("blend-out")
-        elif playing.rounds != 1:
-            rounds = "∞" if playing.rounds == 0 else str(playing.rounds)
-            where += self.tr(", round {0} of {1}").format(playing.round + 1, rounds)
+        if step.part != "steps":
+            return (
+                self.tr("Playing blend-in.") if step.part == "in" else self.tr("Playing blend-out.")
+            )
+        where = self.tr("step {0} of {1}").format(step.index + 1, len(play.steps))
+        if name := play.steps[step.index].name:
+            where += f" “{name}”"
+        if play.rounds != 1:
+            rounds = str(play.rounds or "∞")
+            where += self.tr(", round {0} of {1}").format(step.round + 1, rounds)
         return self.tr("Playing {0}.").format(where)

@@ -4,7 +4,7 @@ from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QIcon, QPixmap
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QWidget
 
-from trex_gui.devices.aracna.model.playback import COLORS, Moment, RobotPlayback
+from trex_gui.devices.aracna.model.recordings import COLORS, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
@@ -42,7 +42,7 @@ class RobotPlaybackWindow(RecordingWindow):
         )
         super().__init__(playback, "aracnaPlayback", plot_name, parent)
         self.playback = playback
-        state = playback.state().known
+        state = playback.state()
 
         self._activity = builders.named(
             Note(3, self), "aracnaRecordedDoing", accessible=self.tr("Activity of the robot")
@@ -88,14 +88,13 @@ class RobotPlaybackWindow(RecordingWindow):
 
     @Slot()
     def _show_moment(self) -> None:
-        moment = self.playback.state()
-        state = moment.known
+        state = self.playback.state()
         goals = state.goals  # before the first one the positions
         if goals is None:
             goals = tuple(CENTRE if place is None else place for place in state.present)
         self._drawing.show_robot(state, goals)
         self._joints.show_state(state)
-        text, alarming = activity_text(moment, self.playback.position)
+        text, alarming = activity_text(state, self.playback.position)
         self._activity.show_note(text, alarming=alarming)
 
     @Slot(int)
@@ -222,27 +221,26 @@ def _tr(text: str) -> str:
     return QCoreApplication.translate("AracnaRecorded", text)
 
 
-def activity_text(moment: Moment, time: float) -> tuple[str, bool]:
+def activity_text(state: RobotState, time: float) -> tuple[str, bool]:
     """Describe what the robot did at a time (session's clock), and whether that is alarming."""
-    known = moment.known
-    if known.stuck is not None:
-        if (motor := known.stuck.motor) is None:
+    if state.stuck is not None:
+        if (motor := state.stuck.motor) is None:
             return _tr("The robot did not answer."), True
         text = _tr("Stuck: the robot waited for motor {0} and accepted no command.")
         return text.format(motor), True
-    if known.moving is not None:
-        begun, expected = known.moving.time, known.moving.expected
+    if state.moving is not None:
+        begun, expected = state.moving.time, state.moving.expected
         text = _tr("Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.").format(
-            max(time - begun, 0.0), expected, known.awaited_motor
+            max(time - begun, 0.0), expected, state.awaited_motor
         )
-        return _with_step(text, moment.step), False
-    if known.uncertain:
+        return _with_step(text, state.step), False
+    if state.uncertain:
         return _tr("Positions are unknown; the last motion may still be running."), True
-    if known.reply_lost:
-        return _tr("The answer was lost, or no motor answered: positions are unknown."), True
-    if all(place is None for place in known.present):
+    if state.reply_lost:
+        return _tr("The answer was lost, or no motor answered: positions are unstate."), True
+    if all(place is None for place in state.present):
         return _tr("Positions are not known yet."), False
-    return _with_step(_tr("At rest."), moment.step), False
+    return _with_step(_tr("At rest."), state.step), False
 
 
 def _with_step(text: str, step: StepBegun | None) -> str:

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.devices.aracna.model.playback import RobotPlayback
-from trex_gui.devices.aracna.model.recorder import AracnaRecorder
+from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 

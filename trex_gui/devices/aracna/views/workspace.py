@@ -15,7 +15,7 @@ from trex_gui.devices.aracna.views.demo.panel import RobotPanel
 from trex_gui.devices.aracna.views.help import help_text
 from trex_gui.devices.aracna.views.log_page import LogPage
 from trex_gui.devices.aracna.views.menu import menus
-from trex_gui.devices.aracna.views.poses.panel import PosesPage
+from trex_gui.devices.aracna.views.poses.page import PosesPage
 from trex_gui.devices.aracna.views.recordings import AracnaRecordings
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -102,7 +102,7 @@ class AracnaWorkspace(Workspace):
         return (FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), self._open_poses),)
 
     def _open_poses(self, path: Path) -> None:
-        if self._poses.panel.files.open_file(path):
+        if self._poses.files.open_file(path):
             self.show_page("poses")
 
     @property
@@ -115,7 +115,7 @@ class AracnaWorkspace(Workspace):
         return menus(self.page_actions())
 
     def slots(self) -> Mapping[str, Callable[[], object]]:
-        controls, files, undo = self._page.controls, self._poses.panel.files, self._library.undo
+        controls, files, undo = self._page.controls, self._poses.files, self._library.undo
         return {
             "aracna_move": self._page.move_now,
             "aracna_present": controls.take_present,
@@ -147,7 +147,7 @@ class AracnaWorkspace(Workspace):
 
     def enabled_actions(self) -> Mapping[str, bool]:
         robot, recorder = self._robot, self.recordings.recorder
-        idle, undo = robot.state.playing is None, self._library.undo
+        idle, undo = robot.state.play is None, self._library.undo
         known = any(position is not None for position in robot.state.present)
         return {
             "aracna_move": self._page.controls.can_move,
@@ -166,11 +166,11 @@ class AracnaWorkspace(Workspace):
 
     def _play(self) -> None:
         self.show_page("poses")
-        self._poses.panel.play()
+        self._poses.play()
 
     def _capture(self) -> None:
         self.show_page("poses")
-        self._poses.panel.capture()
+        self._poses.capture()
 
     # --- Updates ------------------------------------------------------------------------
 
@@ -203,7 +203,7 @@ class AracnaWorkspace(Workspace):
 
     def may_close(self, leave: Callable[[], object]) -> bool:
         del leave
-        return self._poses.panel.files.may_close()
+        return self._poses.files.may_close()
 
     def prepare_to_close(self) -> None:
         QObject.disconnect(self._undo_watch)  # the stack emits at its end, too

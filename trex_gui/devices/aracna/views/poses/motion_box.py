@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
-from trex_gui.devices.aracna.model.pose_models import NameModel, StepColumn, StepTable
+from trex_gui.devices.aracna.model.pose_models import StepColumn, StepTable
 from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
 from trex_gui.devices.aracna.poses.project import (
     DEFAULT_MS,
@@ -57,54 +57,27 @@ class MotionBox(QGroupBox):
     shown = Signal()
 
     def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(self.tr("Sequences and gaits"), parent)
         self.setObjectName("aracnaMotionBox")
-        self.setTitle(self.tr("Sequences and gaits"))
         self._library = library
         self._next_pose = ""
         self.table = StepTable(library, self)
 
-        model = NameModel(library, ItemKind.SEQUENCE, notifier, self)
         self._list = builders.named(
-            NameList(model, "", self), "aracnaMotions", accessible=self.tr("Sequences and gaits")
+            NameList(library, ItemKind.SEQUENCE, notifier, "", self),
+            "aracnaMotions",
+            accessible=self.tr("Sequences and gaits"),
         )
         self._steps = StepView(self.table, library, self)
+        tr, arrows = self.tr, Qt.ArrowType
         new = small_button(
-            self,
-            "aracnaNewSequence",
-            self.tr("New"),
-            tip=self.tr("New sequence"),
-            icon="new",
-            on_click=self._on_new_clicked,
+            self, "aracnaNewSequence", tr("New sequence"), text=tr("New"), icon="new"
         )
-        self._add = small_button(
-            self,
-            "aracnaAddStep",
-            self.tr("Add step"),
-            tip=self.tr("Add a step"),
-            icon="new",
-            on_click=self._on_add_clicked,
-        )
-        self._remove = small_button(
-            self,
-            "aracnaRemoveStep",
-            tip=self.tr("Remove this step"),
-            icon="clear",
-            on_click=self._steps.remove,
-        )
-        self._up = small_button(
-            self,
-            "aracnaStepUp",
-            tip=self.tr("Move this step up"),
-            arrow=Qt.ArrowType.UpArrow,
-            on_click=lambda: self._steps.shift(-1),
-        )
+        self._add = small_button(self, "aracnaAddStep", text=tr("Add step"), icon="new")
+        self._remove = small_button(self, "aracnaRemoveStep", tr("Remove this step"), icon="clear")
+        self._up = small_button(self, "aracnaStepUp", tr("Move this step up"), arrow=arrows.UpArrow)
         self._down = small_button(
-            self,
-            "aracnaStepDown",
-            tip=self.tr("Move this step down"),
-            arrow=Qt.ArrowType.DownArrow,
-            on_click=lambda: self._steps.shift(1),
+            self, "aracnaStepDown", tr("Move this step down"), arrow=arrows.DownArrow
         )
         builders.column(
             (self._list, 2),
@@ -116,6 +89,11 @@ class MotionBox(QGroupBox):
             spacing=4,
         )
 
+        new.clicked.connect(self._on_new_clicked)
+        self._add.clicked.connect(self._on_add_clicked)
+        self._remove.clicked.connect(self._steps.remove)
+        self._up.clicked.connect(lambda: self._steps.shift(-1))
+        self._down.clicked.connect(lambda: self._steps.shift(1))
         self._list.chosen.connect(lambda: self.table.show_item(self._list.current))
         self._steps.selectionModel().currentChanged.connect(self._update_buttons)
         self.table.shown.connect(self._on_table_shown)

@@ -1,13 +1,13 @@
 """A list of poses or sequences that is edited in place, and its buttons."""
 
 from PySide6.QtCore import QModelIndex, QPoint, QRect, Qt, Signal, Slot
-from PySide6.QtGui import QAction, QDropEvent, QKeySequence, QPainter, QPaintEvent
+from PySide6.QtGui import QAction, QDropEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QListView, QToolButton, QWidget
 
-from trex_gui.devices.aracna.model.library import ItemKey, ItemKind
+from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
 from trex_gui.devices.aracna.model.pose_models import NameModel
 from trex_gui.devices.aracna.poses.gaits import Gait
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders
 
@@ -23,11 +23,19 @@ class NameList(QListView):
 
     chosen = Signal()
 
-    def __init__(self, model: NameModel, empty: str, parent: QWidget | None = None) -> None:
-        """Show a model; `empty` is shown while it has no rows."""
+    def __init__(
+        self,
+        library: Library,
+        kind: ItemKind,
+        notifier: Notifier,
+        empty: str,
+        parent: QWidget | None = None,
+    ) -> None:
+        """Show the items of one kind; `empty` is shown while there are none."""
         super().__init__(parent)
-        self._model = model
-        self._library = model.library
+        self._library = library
+        self._kind = kind
+        self._model = model = NameModel(library, kind, notifier, self)
         self._empty = empty
         self._chosen: ItemKey | None = None
         self.setModel(model)
@@ -41,10 +49,9 @@ class NameList(QListView):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.setMinimumHeight(_LINES * (self.fontMetrics().height() + 6))
-        delete = QKeySequence.StandardKey.Delete
         self._rename = self._action(self.tr("Rename"), "F2", self.edit_name)
         self._duplicate = self._action(self.tr("Duplicate"), "", self._on_duplicate, "copy")
-        self._delete = self._action(self.tr("Delete"), delete, self._on_delete, "clear")
+        self._delete = self._action(self.tr("Delete"), "Del", self._on_delete, "clear")
         self._up = self._action(self.tr("Move up"), "Alt+Up", lambda: self._move(-1))
         self._down = self._action(self.tr("Move down"), "Alt+Down", lambda: self._move(1))
 
@@ -53,13 +60,7 @@ class NameList(QListView):
         model.dataChanged.connect(self._on_data_changed)
         self._update_actions()
 
-    def _action(
-        self,
-        text: str,
-        shortcut: str | QKeySequence.StandardKey,
-        slot: builders.Handler,
-        icon: str = "",
-    ) -> QAction:
+    def _action(self, text: str, shortcut: str, slot: builders.Handler, icon: str = "") -> QAction:
         context = Qt.ShortcutContext.WidgetShortcut
         action = builders.action(
             self, "", text, icon=icon, shortcut=shortcut, context=context, on_trigger=slot
@@ -68,19 +69,18 @@ class NameList(QListView):
         return action
 
     def buttons(self, parent: QWidget) -> list[QToolButton]:
-        kind = "Pose" if self._model.kind is ItemKind.POSE else "Sequence"
-        up, down = Qt.ArrowType.UpArrow, Qt.ArrowType.DownArrow
+        """Create buttons for the actions on the current item."""
+        kind = "Pose" if self._kind is ItemKind.POSE else "Sequence"
+        arrows = Qt.ArrowType
         buttons = []
         for action, name, arrow in (
-            (self._duplicate, f"aracnaDuplicate{kind}", None),
-            (self._delete, f"aracnaDelete{kind}", None),
-            (self._up, f"aracna{kind}Up", up),
-            (self._down, f"aracna{kind}Down", down),
+            (self._duplicate, f"aracnaDuplicate{kind}", arrows.NoArrow),
+            (self._delete, f"aracnaDelete{kind}", arrows.NoArrow),
+            (self._up, f"aracna{kind}Up", arrows.UpArrow),
+            (self._down, f"aracna{kind}Down", arrows.DownArrow),
         ):
-            button = small_button(parent, name, tip=action.text())
+            button = small_button(parent, name, action.text(), arrow=arrow)
             button.setDefaultAction(action)
-            if arrow is not None:
-                button.setArrowType(arrow)
             buttons.append(button)
         return buttons
 
@@ -134,7 +134,7 @@ class NameList(QListView):
         if isinstance(gait, Gait):
             name = self._library.add_gait(gait)
         else:
-            name = self._library.duplicate(self._model.kind, key.name)
+            name = self._library.duplicate(self._kind, key.name)
         self.choose(ItemKey(name))
 
     @Slot()
@@ -142,7 +142,7 @@ class NameList(QListView):
         """Delete the current item; the next one can be deleted as well."""
         if (key := self.current) is not None and not key.built_in:
             row = self.currentIndex().row()
-            self._library.delete(self._model.kind, key.name)
+            self._library.delete(self._kind, key.name)
             self.choose(self._model.key(min(row, self._model.rowCount() - 1)))
 
     def _move(self, by: int) -> None:
@@ -151,7 +151,7 @@ class NameList(QListView):
             self._move_to(key, self._model.row(key) + by)
 
     def _move_to(self, key: ItemKey, row: int) -> None:
-        self._library.move(self._model.kind, key.name, row)
+        self._library.move(self._kind, key.name, row)
         self.choose(key)
 
     @Slot()
@@ -184,19 +184,19 @@ class NameList(QListView):
 def small_button(
     parent: QWidget,
     name: str,
-    text: str = "",
+    tip: str = "",
     *,
-    tip: str,
+    text: str = "",
     icon: str = "",
     arrow: Qt.ArrowType = Qt.ArrowType.NoArrow,
     on_click: builders.Handler | None = None,
 ) -> QToolButton:
     """Create a tool button that takes the focus when it is clicked."""
-    button = builders.tool_button(parent, name, text, tip=tip, accessible=tip, on_click=on_click)
+    button = builders.tool_button(
+        parent, name, text, icon=icon, tip=tip, accessible=tip, on_click=on_click
+    )
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     button.setArrowType(arrow)
-    if icon:
-        set_icon(button, icon)
     return button
 
 

@@ -4,10 +4,12 @@ from collections import defaultdict
 from collections.abc import Sequence as Many
 from dataclasses import dataclass, field
 
-from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
+from PySide6.QtCore import QCoreApplication, Qt, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.devices.aracna.model.library import ItemKey, Library
+from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.gaits import Gait
 from trex_gui.devices.aracna.poses.playing import (
     Cropped,
@@ -23,6 +25,8 @@ from trex_gui.devices.aracna.poses.playing import (
 from trex_gui.devices.aracna.poses.project import Pose, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import Play
+from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
+from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.labels import Note
 
@@ -31,34 +35,24 @@ _SLOWEST, _FASTEST = 10, 400  # percent
 _MINUTE = 60.0
 
 
-@dataclass(frozen=True, slots=True)
-class PlayOptions:
-    """How to play; `rounds` 0 is endless, `time_scale` 2 is half as fast."""
-
-    rounds: int
-    time_scale: float
-    blend_in: bool
-    blend_out: bool
-
-
 class PlayBar(QWidget):
-    """Options, a summary and the button.
+    """Plays the current sequence or gait: options, a preview and the button."""
 
-    Signals:
-        play_clicked: play now.
-        options_changed: `options` have changed.
-        scale_changed: the new time scale, which also applies to what is playing.
-    """
-
-    play_clicked = Signal()
-    options_changed = Signal()
-    scale_changed = Signal(float)
-
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, robot: Robot, library: Library, motions: MotionBox, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaPlayBar")
+        self._robot = robot
+        self._library = library
+        self._motions = motions
+        self._preview = Preview()
+        self._limits: tuple[Limits, ...] = ()  # of the preview, as the positions
+        self._present: Present = ()
+        self._played: ItemKey | None = None
+
         self._play = builders.button(
-            self, "aracnaPlay", self.tr("Pla&y"), icon="run", on_click=self.play_clicked
+            self, "aracnaPlay", self.tr("Pla&y"), icon="run", on_click=self.play
         )
         self._rounds = builders.spin_box(
             self,
@@ -66,7 +60,7 @@ class PlayBar(QWidget):
             self.tr("Rounds"),
             1,
             _MOST_ROUNDS,
-            on_change=self.options_changed,
+            on_change=self._update_preview,
         )
         self._loop = builders.check_box(
             self,
@@ -93,14 +87,14 @@ class PlayBar(QWidget):
             self.tr("Blend &in"),
             tip=self.tr("First go slowly, in 3 s, to the start."),
             checked=True,
-            on_toggle=self.options_changed,
+            on_toggle=self._update_preview,
         )
         self._blend_out = builders.check_box(
             self,
             "aracnaBlendOut",
             self.tr("Blend o&ut to stand"),
             tip=self.tr("At the end go slowly, in 3 s, to the pose “stand”."),
-            on_toggle=self.options_changed,
+            on_toggle=self._update_preview,
         )
         for box in (self._rounds, self._speed):
             box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -124,32 +118,74 @@ class PlayBar(QWidget):
             spacing=4,
         )
 
+        motions.shown.connect(self._update_preview)
+        library.changed.connect(self._update_preview)
+        robot.changed.connect(self._on_robot_changed)
+        robot.limits.changed.connect(self._on_robot_changed)
+        self._update_preview()
+
     @property
-    def options(self) -> PlayOptions:
-        return PlayOptions(
-            0 if self._loop.isChecked() else self._rounds.value(),
-            100 / self._speed.value(),
-            self._blend_in.isChecked(),
-            self._blend_out.isChecked(),
-        )
+    def _time_scale(self) -> float:
+        return 100 / self._speed.value()
 
-    def set_play_enabled(self, enabled: bool, tip: str) -> None:
-        self._play.setEnabled(enabled)
-        self._play.setToolTip(tip)
-
-    def show_summary(self, text: str, *, alarming: bool) -> None:
-        self._summary.show_note(text, alarming=alarming)
-        self._summary.setAccessibleName(text or self.tr("Nothing to play"))
+    @Slot()
+    def play(self) -> None:
+        """Play the current sequence or gait, if that is possible."""
+        take_typed()
+        self._update_preview()
+        if self._preview.play is not None and not self._robot.move_blocker:
+            self._played = self._motions.current
+            self._robot.play(self._preview.play)
 
     @Slot(bool)
     def _on_loop_toggled(self, checked: bool) -> None:
         self._rounds.setEnabled(not checked)
-        self.options_changed.emit()
+        self._update_preview()
 
     @Slot()
     def _on_speed_changed(self) -> None:
-        self.options_changed.emit()
-        self.scale_changed.emit(self.options.time_scale)
+        self._update_preview()
+        self._robot.set_time_scale(self._time_scale)
+
+    @Slot()
+    def _on_robot_changed(self) -> None:
+        """Renew the preview only if needed: while dragging, replies arrive 30 times a second."""
+        state = self._robot.state
+        has_moved = state.play is None and state.present != self._present
+        if has_moved or self._robot.limits.first(state.motors) != self._limits:
+            self._update_preview()
+        else:
+            self._show_whether_playing()
+
+    @Slot()
+    def _update_preview(self) -> None:
+        state = self._robot.state
+        self._limits, self._present = self._robot.limits.first(state.motors), state.present
+        self._preview = preview(
+            self._motions.played,
+            self._library.project.poses,
+            self._limits,
+            self._present,
+            rounds=0 if self._loop.isChecked() else self._rounds.value(),
+            time_scale=self._time_scale,
+            with_blend_in=self._blend_in.isChecked(),
+            with_blend_out=self._blend_out.isChecked(),
+        )
+        self._motions.table.show_notes(self._preview.notes)
+        text = self._preview.text
+        self._summary.show_note(text, alarming=self._preview.alarming)
+        self._summary.setAccessibleName(text)
+        self._show_whether_playing()
+
+    def _show_whether_playing(self) -> None:
+        blocker, step = self._robot.move_blocker, self._robot.state.step
+        is_playable = self._preview.play is not None
+        tip = self.tr("Play the current sequence or gait.") if is_playable else self._preview.text
+        self._play.setEnabled(is_playable and not blocker)
+        self._play.setToolTip(blocker or tip)
+        is_shown = step is not None and step.part == "steps"
+        is_shown &= self._played == self._motions.current
+        self._motions.table.show_running(step.index if step is not None and is_shown else None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,8 +209,13 @@ def preview(
     poses: Many[Pose],
     limits: Many[Limits],
     present: Present,
-    options: PlayOptions,
+    *,
+    rounds: int,
+    time_scale: float,
+    with_blend_in: bool,
+    with_blend_out: bool,
 ) -> Preview:
+    """Check what would be played; `rounds` 0 is endless, `time_scale` 2 is half as fast."""
     if played is None:
         return Preview(text=tr("Choose a sequence or a gait to play it."))
     try:
@@ -192,16 +233,16 @@ def preview(
     play = Play(
         0,
         steps,
-        options.rounds,
-        blend_in(played, poses, limits, present) if options.blend_in else (),
-        blend_out(limits, poses) if options.blend_out else (),
-        options.time_scale,
+        rounds,
+        blend_in(played, poses, limits, present) if with_blend_in else (),
+        blend_out(limits, poses) if with_blend_out else (),
+        time_scale,
     )
-    scaled = steps_of(played, poses, limits, options.time_scale)
+    scaled = steps_of(played, poses, limits, time_scale)
     start = play.blend_in[-1].goals if play.blend_in else present
-    late = late_motors(scaled, start, again=options.rounds != 1)
+    late = late_motors(scaled, start, again=rounds != 1)
     crops = crops_of(played, poses, limits)
-    sentences = [_length_text(len(steps), estimated_seconds(scaled, start), options.rounds)]
+    sentences = [_length_text(len(steps), estimated_seconds(scaled, start), rounds)]
     if crops:
         sentences.append(tr("Positions outside the limits are cropped."))
     if late:

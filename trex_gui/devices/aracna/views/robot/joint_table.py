@@ -321,7 +321,7 @@ class JointTable(QWidget):
         if sum(row.slider.isVisibleTo(self) for row in self._rows) != state.motors:
             self._show_rows(state.motors)
             self._on_limits_changed()
-        enabled = state.playing is None
+        enabled = state.play is None
         speeds = self._robot.speeds.values
         for motor, (row, speed) in enumerate(zip(self._rows, speeds, strict=False)):
             if row.speed.value() != speed:

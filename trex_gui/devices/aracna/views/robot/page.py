@@ -12,7 +12,7 @@ from trex_gui.devices.aracna.protocol.units import CENTRE
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.devices.aracna.views.robot.joint_table import JointTable
 from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
-from trex_gui.devices.aracna.views.robot.texts import assumed_text, move_blocker, speed_text
+from trex_gui.devices.aracna.views.robot.texts import assumed_text, speed_text
 from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
@@ -256,7 +256,7 @@ class Controls(QWidget):
 
     @property
     def can_move(self) -> bool:
-        return not move_blocker(self._robot) and self._robot.state.playing is None
+        return not self._robot.move_blocker
 
     @Slot()
     def take_present(self) -> None:
@@ -292,8 +292,8 @@ class Controls(QWidget):
         robot = self._robot
         self._move.setEnabled(self.can_move)
         tip = self.tr("Move every motor to its goal, within its limits (Ctrl+M)")
-        self._move.setToolTip(move_blocker(robot) or tip)
-        is_idle = robot.state.playing is None
+        self._move.setToolTip(robot.move_blocker or tip)
+        is_idle = robot.state.play is None
         is_known = any(each is not None for each in robot.state.present)
         self._present.setEnabled(is_idle and is_known)
         for button in (self._centre, self._stand):

@@ -2,10 +2,8 @@
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.protocol.joints import JOINTS, Joint, JointKind, Side
 from trex_gui.devices.aracna.protocol.units import degrees, degrees_per_second
-from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 def tr(text: str) -> str:
@@ -58,16 +56,3 @@ def speed_text(speed: int) -> str:
 
 def assumed_text() -> str:
     return tr("Which leg is which is assumed; even motors are inner joints, odd ones outer.")
-
-
-def move_blocker(robot: Robot) -> str:
-    """Return why the robot cannot be moved now; empty if it can."""
-    if robot.link is not ConnectionState.CONNECTED:
-        return tr("No robot is connected.")
-    if (stuck := robot.state.stuck) is None:
-        return ""
-    if stuck.motor is None:
-        return tr("The robot does not answer.")
-    return tr("The robot waits for motor {0} and reads nothing until it answers.").format(
-        stuck.motor
-    )

@@ -7,32 +7,32 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
-from tests.devices.aracna.views.poses_stage import EIGHT, PosesPanelDriver
+from tests.devices.aracna.views.poses_stage import EIGHT, StagedPageDriver
 
 
 @pytest.fixture
-def driver(qtbot: QtBot) -> Iterator[PosesPanelDriver]:
-    driver = PosesPanelDriver(qtbot)
+def driver(qtbot: QtBot) -> Iterator[StagedPageDriver]:
+    driver = StagedPageDriver(qtbot)
     yield driver
     driver.close()
 
 
-def test_present_positions_are_captured_and_named(driver: PosesPanelDriver) -> None:
+def test_present_positions_are_captured_and_named(driver: StagedPageDriver) -> None:
     assert not driver.button("aracnaCapture").isEnabled()
-    driver.panel.show_present(EIGHT)
+    driver.show_present(*EIGHT)
     driver.click("aracnaCapture")
     driver.type_name("aracnaPoses", "mine")
     assert driver.library.project.poses[-1].name == "mine"
     assert driver.library.project.poses[-1].positions == EIGHT
 
 
-def test_capture_is_disabled_while_position_is_unknown(driver: PosesPanelDriver) -> None:
-    driver.panel.show_present((None, *EIGHT[1:]))
+def test_capture_is_disabled_while_position_is_unknown(driver: StagedPageDriver) -> None:
+    driver.show_present(None, *EIGHT[1:])
     assert not driver.button("aracnaCapture").isEnabled()
     assert "after its first move" in driver.button("aracnaCapture").toolTip()
 
 
-def test_f2_renames_pose_and_reports_duplicate_name(driver: PosesPanelDriver, qtbot: QtBot) -> None:
+def test_f2_renames_pose_and_reports_duplicate_name(driver: StagedPageDriver, qtbot: QtBot) -> None:
     driver.choose_row("aracnaPoses", "flat")
     view = driver.names("aracnaPoses")
     QTest.keyClick(view, Qt.Key.Key_F2)
@@ -44,7 +44,7 @@ def test_f2_renames_pose_and_reports_duplicate_name(driver: PosesPanelDriver, qt
     assert driver.pose_names()[0] == "low"
 
 
-def test_delete_removes_pose_and_undo_restores_it(driver: PosesPanelDriver, qtbot: QtBot) -> None:
+def test_delete_removes_pose_and_undo_restores_it(driver: StagedPageDriver, qtbot: QtBot) -> None:
     assert not driver.button("aracnaUndo").isEnabled()
     driver.choose_row("aracnaPoses", "flat")
     QTest.keyClick(driver.names("aracnaPoses"), Qt.Key.Key_Delete)
@@ -55,7 +55,7 @@ def test_delete_removes_pose_and_undo_restores_it(driver: PosesPanelDriver, qtbo
     assert "flat" not in driver.pose_names()
 
 
-def test_alt_arrow_keys_move_selected_pose(driver: PosesPanelDriver, qtbot: QtBot) -> None:
+def test_alt_arrow_keys_move_selected_pose(driver: StagedPageDriver, qtbot: QtBot) -> None:
     driver.choose_row("aracnaPoses", "flat")
     view = driver.names("aracnaPoses")
     for _ in range(2):
@@ -66,7 +66,7 @@ def test_alt_arrow_keys_move_selected_pose(driver: PosesPanelDriver, qtbot: QtBo
     assert driver.pose_names()[:3] == ["half-stand", "flat", "stand"]
 
 
-def test_dragged_pose_moves_to_drop_position(driver: PosesPanelDriver) -> None:
+def test_dragged_pose_moves_to_drop_position(driver: StagedPageDriver) -> None:
     driver.choose_row("aracnaPoses", "flat")
     view = driver.names("aracnaPoses")
     below = view.visualRect(driver.index_of(view, "stand")).bottomLeft() + QPoint(5, 0)
@@ -78,16 +78,16 @@ def test_dragged_pose_moves_to_drop_position(driver: PosesPanelDriver) -> None:
     assert driver.pose_names()[-1] == "flat"
 
 
-def test_go_to_requests_positions_when_robot_is_connected(driver: PosesPanelDriver) -> None:
+def test_go_to_requests_positions_when_robot_is_connected(driver: StagedPageDriver) -> None:
     driver.choose_row("aracnaPoses", "stand")
     assert not driver.button("aracnaGoTo").isEnabled()
-    driver.panel.show_link(True)
+    driver.connect()
     driver.click("aracnaGoTo")
-    assert driver.requested_goals == [(512, 680) * 4]
+    assert driver.robot.goals == [(512, 680) * 4]
 
 
 def test_position_field_edits_pose_and_shows_clamped_value(
-    driver: PosesPanelDriver,
+    driver: StagedPageDriver,
 ) -> None:
     driver.choose_row("aracnaPoses", "stand")
     field = driver.spin("aracnaPosition3")
@@ -100,7 +100,7 @@ def test_position_field_edits_pose_and_shows_clamped_value(
     assert "sent as" not in field.toolTip()
 
 
-def test_next_pose_is_selected_after_deletion(driver: PosesPanelDriver) -> None:
+def test_next_pose_is_selected_after_deletion(driver: StagedPageDriver) -> None:
     driver.choose_row("aracnaPoses", "half-stand")
     view = driver.names("aracnaPoses")
     QTest.keyClick(view, Qt.Key.Key_Delete)

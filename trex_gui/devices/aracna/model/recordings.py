@@ -1,0 +1,192 @@
+"""Recording a robot, and playing its recordings back."""
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QCoreApplication, QObject, Slot
+
+from trex_gui.core.recording.kinds import marker
+from trex_gui.core.recording.store import Recording
+from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.model.robot_state import RobotState
+from trex_gui.devices.aracna.protocol.units import degrees
+from trex_gui.devices.aracna.recording import FORMAT, Header, Record, Report, StoppedResponding
+from trex_gui.devices.aracna.session.messages import (
+    Moved,
+    Moving,
+    NotResponding,
+    Passed,
+    SpeedsHeld,
+)
+from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.event_log import Event, EventKind
+from trex_gui.ui.playback.player import Curves, RecordingPlayer
+from trex_gui.ui.plotting.data.history import SampleHistory
+from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
+from trex_gui.ui.runtime import now
+from trex_gui.ui.workers.record_thread import RecordThread
+
+COLORS = ("motor1", "motor2", "good", "dirty", "danger", "muted", "warning", "plot_text")
+"""Theme colours of the curves, motor 0 first; each curve has its number, too."""
+
+MAX_ROWS = 2_000_000
+"""Rows that are drawn: two hours of a sequence at the robot's highest rate, 144 MB."""
+
+_NO_GAP = math.inf
+"""The robot reports positions only while it moves; between motions they do not change."""
+
+_Row = tuple[float, ...]
+"""A time (s) and a position for each motor (degrees; NaN if unknown)."""
+
+
+class AracnaRecorder(RecordThread[Record]):
+    """Records the session of a robot into one file at a time.
+
+    A recording ends with the connection, and when the robot returns with another number of motors,
+    since its columns would be wrong. It continues while the robot does not respond.
+    """
+
+    def __init__(self, robot: Robot, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._robot = robot
+        self._motors = 0
+
+        robot.reported.connect(self._on_reported)
+        robot.events.happened.connect(self.put_event)
+        robot.rejected.connect(self._on_rejected)
+        robot.link_changed.connect(self._on_link_changed)
+
+    @property
+    def is_available(self) -> bool:
+        return self._robot.link is ConnectionState.CONNECTED
+
+    def start(self, path: Path) -> bool:
+        if not self.can_record:
+            return False
+        self._motors = self._robot.state.motors
+        header = Header(datetime.now(UTC), now(), self._robot.state.version or 0, self._motors)
+        self.begin(path, FORMAT, header, self._known_at(header.clock))
+        return True
+
+    @Slot()
+    def stop(self) -> None:
+        """End the recording; `ended` follows once the file is complete.
+
+        A last marker keeps its length, since nothing may have happened for a long time.
+        """
+        self.put(marker(now(), EventKind.NOTE.value, self.tr("The recording ends here.")))
+        super().stop()
+
+    def _known_at(self, time: float) -> Sequence[Record]:
+        known, records = self._robot.state, list[Record]()
+        if known.moved is not None:
+            records.append(replace(known.moved, time=time))
+        elif any(place is not None for place in known.present):
+            places = tuple(-1 if place is None else place for place in known.present)
+            records.append(Passed(time, places))
+        if known.speeds is not None:
+            records.append(SpeedsHeld(time, known.speeds.requested, known.speeds.held))
+        if known.moving is not None and known.ends_at is not None:
+            left = max(known.ends_at - time, 0.0)
+            records.append(replace(known.moving, time=time, expected=left))
+        if known.stuck is not None:
+            records.append(replace(known.stuck, time=time))
+        return records
+
+    @Slot(object)
+    def _on_reported(self, report: object) -> None:
+        if isinstance(report, Report):
+            self.put(report)
+        elif isinstance(report, NotResponding):
+            self.put(StoppedResponding(now()))
+
+    @Slot(str)
+    def _on_rejected(self, text: str) -> None:
+        self.put(marker(now(), EventKind.NOTE.value, text))
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        if self.recording and self._robot.link is ConnectionState.DISCONNECTED:
+            self.end_because(self.tr("Recording {0} ended with the connection."))
+        elif self.recording and self._robot.state.motors != self._motors:
+            self.end_because(self.tr("Recording {0} ended: the number of motors has changed."))
+        else:
+            self.changed.emit()
+
+
+class RobotPlayback(RecordingPlayer[Header, Record, RobotState]):
+    def __init__(
+        self,
+        recording: Recording[Header, Record],
+        parent: QObject | None = None,
+        *,
+        max_rows: int = MAX_ROWS,
+    ) -> None:
+        motors = recording.header.motors
+        curves = Curves(motors, _rows, max_rows, _NO_GAP)
+        super().__init__(recording, RobotState(motors), curves, parent)
+
+    @classmethod
+    def open(cls, path: Path, parent: QObject | None = None) -> "RobotPlayback":
+        """Open a recording and start loading it.
+
+        Raises:
+            RecordingError: the file cannot be opened.
+        """
+        playback = cls(Recording(path, FORMAT), parent)
+        playback.start_loading()
+        return playback
+
+    def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
+        return Traces([_trace(motor) for motor in range(self.header.motors)], history, events)
+
+
+def _trace(motor: int) -> TraceInfo:
+    label = QCoreApplication.translate("RobotPlayback", "Motor {0}").format(motor)
+    color = COLORS[motor % len(COLORS)]
+    return TraceInfo(f"motor_{motor}", label, "°", color, str(motor))
+
+
+def _rows(state: RobotState, records: Iterable[Record]) -> list[_Row]:
+    """Return a row at the start of a motion, for each answer, and for events between motions.
+
+    From the start of a motion to its answer a motor's curve is straight; its real path is unknown.
+    """
+    rows = list[_Row]()
+    motion = list[tuple[int, int]]()  # place of each row of a motion, and how many had answered
+    for record in records:
+        state.take(record)
+        match record:
+            case Moving():
+                motion = [(len(rows), 0)]
+            case Passed(present=present) if motion:
+                motion.append((len(rows), len(present)))
+            case Moved() if motion:
+                motion.append((len(rows), state.motors))
+            case _ if state.moving is not None:
+                continue
+        positions = (math.nan if each is None else degrees(each) for each in state.present)
+        rows.append((record.time, *positions))
+        if state.moving is None:
+            _straighten(rows, motion)
+            motion = []
+    return rows
+
+
+def _straighten(rows: list[_Row], motion: Sequence[tuple[int, int]]) -> None:
+    """Draw each motor straight to its own answer."""
+    if len(motion) < 3:
+        return
+    table = np.array([rows[place] for place, _ in motion])
+    times = table[:, 0]
+    for motor in range(table.shape[1] - 1):
+        answer = next((n for n, (_, count) in enumerate(motion) if count > motor), 0)
+        ends = table[[0, answer], motor + 1]
+        between = slice(1, answer)
+        table[between, motor + 1] = np.interp(times[between], times[[0, answer]], ends)
+    for (place, _), row in zip(motion, table.tolist(), strict=True):
+        rows[place] = tuple(row)
