@@ -11,9 +11,9 @@ import serial
 
 from tests.support.simulator import StartSimulator
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.memory import Eeprom
 
 _TRANSACTIONS = 30_000
 _WANTED_RATE = 20_000

@@ -24,7 +24,7 @@ from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 _PRESSES = 1000

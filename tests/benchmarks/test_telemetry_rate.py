@@ -19,8 +19,8 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session.messages import Batch, Report
 from trex_gui.devices.trex.session.polling import rates
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.program import Program
 

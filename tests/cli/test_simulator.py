@@ -20,7 +20,7 @@ from tests.devices.trex.simulator.patience import PATIENCE, becomes
 from tests.support.matrix import sampled
 from trex_gui import __version__
 from trex_gui.cli.simulator import main
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.memory import Eeprom
 
 needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-terminals")
 

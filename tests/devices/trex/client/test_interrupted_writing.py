@@ -17,6 +17,7 @@ from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
 from trex_gui.devices.trex.discovery.prober import find
 from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_FIELDS,
     DEFAULT_CALIBRATION,
     Calibration,
     CalibrationKey,
@@ -28,8 +29,8 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
-from trex_gui.devices.trex.simulator.eeprom import CALIBRATION_FIELDS, Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.memory import Eeprom
 
 Values = Mapping[str, int]
 """Everything that an EEPROM holds: parameters by key, calibrations as `RC 1 minimum`."""

@@ -33,7 +33,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
-from trex_gui.devices.trex.simulator.serial_control import SerialControl
+from trex_gui.devices.trex.simulator.motors import SerialControl
 
 VIRTUAL = ConnectionSettings("virtual")
 PARITIES = (Detection.NONE, Detection.EVEN, Detection.ODD)

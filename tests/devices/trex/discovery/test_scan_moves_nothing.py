@@ -12,9 +12,9 @@ import pytest
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.memory import Eeprom
 
 
 class _Recorder(VirtualTransport):

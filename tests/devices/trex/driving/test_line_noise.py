@@ -24,8 +24,8 @@ from trex_gui.devices.trex.protocol.commands import STOP, DriveMotor, GetRawChan
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import NotResponding, Write
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 FULL_BRAKE = SetMotor(1, Drive.brake(127))

@@ -17,10 +17,10 @@ from tests.devices.trex.oracle.remapping import Calibration
 from tests.support.matrix import examples
 from trex_gui.devices.trex.protocol.calibration import Calibration as BoardCalibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
-from trex_gui.devices.trex.simulator.signals import Signal
+from trex_gui.devices.trex.simulator.memory import Eeprom
 
 SOURCES = {"rc": InputSource.RC, "analog": InputSource.ANALOG}
 MASKS = ("ignored_channels", "reversed_channels", "parabolic_channels")

@@ -12,9 +12,9 @@ from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import Report
 from trex_gui.devices.trex.session.session import TrexSession
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 KindT = TypeVar("KindT")

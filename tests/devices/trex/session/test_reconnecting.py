@@ -34,8 +34,7 @@ from trex_gui.devices.trex.session.messages import (
     Write,
 )
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.motors import MotorDirection
-from trex_gui.devices.trex.simulator.serial_control import SerialControl
+from trex_gui.devices.trex.simulator.motors import MotorDirection, SerialControl
 
 OLD = ConnectionSettings("virtual")
 EVERYWHERE = [

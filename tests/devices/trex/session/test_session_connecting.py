@@ -23,8 +23,8 @@ from trex_gui.devices.trex.session.messages import (
     Write,
 )
 from trex_gui.devices.trex.session.session import TrexSession
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.memory import Eeprom
 
 
 def connected(stage: Stage) -> Connected:

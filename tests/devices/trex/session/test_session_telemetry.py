@@ -28,7 +28,7 @@ from trex_gui.devices.trex.protocol.commands import GetMode, GetStatus
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
 from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason, RunCommand, Write
 from trex_gui.devices.trex.session.polling import Topic, rates
-from trex_gui.devices.trex.simulator.signals import Signal
+from trex_gui.devices.trex.simulator.channels import Signal
 
 KINDS: dict[Topic, type[Sample]] = {
     Topic.CURRENTS: Currents,

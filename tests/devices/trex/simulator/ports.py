@@ -1,8 +1,8 @@
 """Packets to the UART of a board and its answers, in hex, without a wire."""
 
 from trex_gui.devices.trex.protocol.flags import UartError
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 NO_REPLY = ""

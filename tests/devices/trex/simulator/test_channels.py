@@ -6,8 +6,7 @@ from itertools import pairwise
 import pytest
 
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.simulator.channels import Channels
-from trex_gui.devices.trex.simulator.signals import Signal, SignalKind
+from trex_gui.devices.trex.simulator.channels import Channels, Signal, SignalKind
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG
 TICK = 0.0025

@@ -7,12 +7,11 @@ from hypothesis import strategies as st
 
 from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.core.simulator.sampling import ReceiveError
-from trex_gui.devices.trex.simulator.control import control
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.control import control, report
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.physics import CONSTANTS
-from trex_gui.devices.trex.simulator.report import report
 
 PULSES = 0.025
 """Seconds in which every input is renewed."""

@@ -5,9 +5,9 @@ import pytest
 from tests.devices.trex.simulator.conftest import make_ask
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.control import control
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 BYTE = 10 / 19200

@@ -1,9 +1,9 @@
 from itertools import pairwise
 
+from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.command import Demo
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
-from trex_gui.devices.trex.simulator.signals import Signal
 
 
 def demo_line(mode: str = "serial") -> TrexLine:

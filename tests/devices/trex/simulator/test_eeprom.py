@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
-from trex_gui.devices.trex.simulator.eeprom import Eeprom, EepromError
+from trex_gui.devices.trex.simulator.memory import Eeprom, EepromError
 
 STICK = Calibration(2600, 3660, 4700, 50)
 

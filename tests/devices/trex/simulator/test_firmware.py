@@ -4,11 +4,11 @@ from tests.devices.trex.simulator.ports import SETTLED
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, UartError
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.channels import Signal
+from trex_gui.devices.trex.simulator.control import report
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
-from trex_gui.devices.trex.simulator.report import report
-from trex_gui.devices.trex.simulator.signals import Signal
 
 FORWARD = MotorDirection.FORWARD
 
@@ -108,7 +108,7 @@ class TestPower:
             for each in (board, new)
         )
         assert shown == wanted
-        assert board.memory.learned(InputSource.RC) == 0
+        assert board.eeprom.learned(InputSource.RC) == 0
 
     def test_small_time_steps_give_same_state_as_one_step(self) -> None:
         boards = Board(seed=3), Board(seed=3)

@@ -7,10 +7,10 @@ from hypothesis import strategies as st
 from tests.devices.trex.simulator.ports import a_board
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.control import report
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
-from trex_gui.devices.trex.simulator.report import report
+from trex_gui.devices.trex.simulator.memory import Eeprom
 
 Ask = Callable[[str], str]
 BYTE = 10 / 19200

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.simulator.mapping import ChannelSetup, motor_values
+from trex_gui.devices.trex.simulator.channel_control import ChannelSetup, motor_values
 
 SETUP = ChannelSetup((DEFAULT_CALIBRATION[InputSource.RC],) * 5)
 values = st.integers(-127, 127)

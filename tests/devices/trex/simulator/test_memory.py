@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.memory import Eeprom
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG
 OLD = Calibration(2400, 3600, 4800, 60)

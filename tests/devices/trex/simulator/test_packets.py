@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from tests.devices.trex.simulator.ports import NO_REPLY, a_board, ask, errors
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.simulator.control import report
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
-from trex_gui.devices.trex.simulator.report import report
 from trex_gui.devices.trex.simulator.uart import SEND_BUFFER, SerialPort
 
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE

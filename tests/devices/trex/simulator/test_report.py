@@ -5,9 +5,9 @@ import pytest
 from tests.devices.trex.simulator.ports import ask
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.simulator.channels import Signal
+from trex_gui.devices.trex.simulator.control import report
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.report import report
-from trex_gui.devices.trex.simulator.signals import Signal
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 

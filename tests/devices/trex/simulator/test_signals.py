@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.simulator.signals import Signal, SignalKind
+from trex_gui.devices.trex.simulator.channels import Signal, SignalKind
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG
 LUCK = Random(0)

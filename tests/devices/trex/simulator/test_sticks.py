@@ -3,11 +3,11 @@
 import pytest
 
 from tests.devices.trex.simulator.ports import SETTLED
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.channels import Signal
+from trex_gui.devices.trex.simulator.control import report
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
-from trex_gui.devices.trex.simulator.report import report
-from trex_gui.devices.trex.simulator.signals import Signal
 
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
 

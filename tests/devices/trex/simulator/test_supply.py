@@ -6,13 +6,12 @@ from typing import Any
 import pytest
 
 from tests.devices.trex.simulator.ports import SETTLED, a_board, ask
-from trex_gui.devices.trex.simulator.control import control
+from trex_gui.devices.trex.simulator.channels import Signal
+from trex_gui.devices.trex.simulator.control import control, report
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.physics import CONSTANTS, DriverOutput, Machine
-from trex_gui.devices.trex.simulator.report import report
-from trex_gui.devices.trex.simulator.signals import Signal
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE

@@ -16,8 +16,8 @@ from tests.devices.trex.simulator.ports import (
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource, UartError
+from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.signals import Signal
 from trex_gui.devices.trex.simulator.uart import SerialPort, remainder
 
 PULSES = 0.025

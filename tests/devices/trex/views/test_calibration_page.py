@@ -28,7 +28,7 @@ from trex_gui.devices.trex.protocol.calibration import (
 )
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.simulator.mapping import ChannelSetup
+from trex_gui.devices.trex.simulator.channel_control import ChannelSetup
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.ui.theme.theme import theme
 

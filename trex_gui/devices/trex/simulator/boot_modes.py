@@ -23,8 +23,6 @@ _UNSTEADY = {InputSource.RC: 100, InputSource.ANALOG: 40}
 
 
 class BootHost(Protocol):
-    """What a boot mode uses of its board."""
-
     mix: bool
     so_ground: bool
     mode: Mode
@@ -62,11 +60,7 @@ def boot_mode(board: BootHost) -> BootMode | None:
 
 
 class BootLoader:
-    """Waits for new firmware, and restores the default serial settings before.
-
-    The handshake is known (mix off, then SO off ground). Inferred: that it restores lost serial
-    settings, and that those are UART settings and CRC polynomial.
-    """
+    """Waits for new firmware, and restores the default serial settings before."""
 
     is_over = False
 
@@ -217,7 +211,6 @@ class _Watched:
         self._highest: int | None = None
 
     def take(self, value: int | None) -> None:
-        """Add a measurement, `None` for an error."""
         if value is None:
             self._is_bad = True
             return

@@ -1,16 +1,81 @@
-"""Channel motor control: sticks, flip, serial override, safe-start.
+"""Channel motor control: remapping, mixing, switches, safe-start.
 
-Ref: Pololu TReX User's Guide 4.a-4.c; TReX Jr User's Guide 4.e (safe-start).
+Ref: Pololu TReX User's Guide 4.a-4.c; TReX Jr User's Guide 4.e (safe-start); TReX 1.0 command
+documentation 0x87.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration, remap
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, channels_in
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.simulator.channels import Channels
-from trex_gui.devices.trex.simulator.mapping import ChannelSetup, motor_values
 from trex_gui.devices.trex.simulator.memory import Memory
 from trex_gui.devices.trex.simulator.motors import AuxiliaryMotor, Motor, MotorDirection
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelSetup:
+    """Calibrations and the masks 0x02-0x04."""
+
+    calibrations: Sequence[Calibration]
+    ignored: int = 0
+    reversed_: int = 0
+    parabolic: int = 0
+
+    def remapped(self, raw: Sequence[int | None]) -> tuple[int, ...]:
+        """Return the channels before mixing and flip, -127 to 127."""
+        return tuple(
+            remap(
+                raw[index],
+                self.calibrations[index],
+                parabolic=_has(self.parabolic, index),
+                reversed_=_has(self.reversed_, index),
+                ignored=_has(self.ignored, index),
+            )
+            for index in range(len(CHANNELS))
+        )
+
+    def is_switched(self, channel: int, raw: int | None) -> bool:
+        """Whether a switch channel (4 flip, 5 override) is active.
+
+        That it is active below a threshold is sourced (User's Guide 4.a). Inferred: the
+        threshold lies half way from neutral to minimum; no signal and an ignored channel are
+        inactive; a reversed channel counts from the other end.
+        """
+        index = channel - 1
+        if raw is None or _has(self.ignored, index):
+            return False
+        calibration = self.calibrations[index]
+        if _has(self.reversed_, index):
+            return raw > (calibration.maximum + calibration.neutral) / 2
+        return raw < (calibration.minimum + calibration.neutral) / 2
+
+
+def motor_values(remapped: Sequence[int], *, mix: bool, flip: bool, joint: bool) -> tuple[int, int]:
+    """Return the values of motors 1 and 2 (-127 to 127) from channels 1 and 2.
+
+    Mixing: channel 2 is forward, channel 1 turns (User's Guide 4.a). Inferred: the sums and
+    their clipping. Flip: motors and directions are swapped (User's Guide 4.a). Joint mode
+    has no mixing (TReX Jr manual page 6); inferred: flip reverses its one motor.
+    """
+    turn, forward = remapped[0], remapped[1]
+    if joint:
+        return (-turn if flip else turn), forward
+    first, second = turn, forward
+    if mix:
+        first, second = _clip(forward + turn), _clip(forward - turn)
+    return (-second, -first) if flip else (first, second)
+
+
+def _has(mask: int, index: int) -> bool:
+    return bool(mask >> index & 1)
+
+
+def _clip(value: int) -> int:
+    return max(-FULL_SCALE, min(FULL_SCALE, value))
+
 
 _SIGNAL_REQUIRED_WITHIN = 0.5  # seconds; User's Guide 4.c
 _NEARLY_NEUTRAL = 8  # inferred: how far sticks may be from neutral when safe-start ends
@@ -33,10 +98,9 @@ class ChannelControl:
 
     @property
     def setup(self) -> ChannelSetup:
-        """Active calibrations and masks."""
-        active = self._memory.active
+        active, eeprom = self._memory.active, self._memory.eeprom
         return ChannelSetup(
-            tuple(self._memory.calibration(self._mode.source, channel) for channel in CHANNELS),
+            tuple(eeprom.calibration(self._mode.source, channel) for channel in CHANNELS),
             ignored=active[ParameterKey.IGNORED_CHANNELS],
             reversed_=active[ParameterKey.REVERSED_CHANNELS],
             parabolic=active[ParameterKey.PARABOLIC_CHANNELS],

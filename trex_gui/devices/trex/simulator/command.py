@@ -13,11 +13,11 @@ from trex_gui.core.simulator.timeline import Timeline
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.simulator.channels import Signal, SignalKind
 from trex_gui.devices.trex.simulator.control import control
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import MODE_JUMPERS, Board
 from trex_gui.devices.trex.simulator.line import TrexLine
-from trex_gui.devices.trex.simulator.signals import Signal, SignalKind
+from trex_gui.devices.trex.simulator.memory import Eeprom
 
 _MODELS = [model.key for model in device_table().models]
 _FIRMWARE = sorted({version for model in device_table().models for version in model.firmware})

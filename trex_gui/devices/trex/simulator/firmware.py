@@ -5,6 +5,7 @@ Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 
 from collections import Counter
 
+from trex_gui.core.simulator.timeline import EPSILON
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
@@ -12,17 +13,16 @@ from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterK
 from trex_gui.devices.trex.simulator.boot_modes import BootMode, boot_mode
 from trex_gui.devices.trex.simulator.channel_control import ChannelControl
 from trex_gui.devices.trex.simulator.channels import Channels
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
-from trex_gui.devices.trex.simulator.memory import Memory
+from trex_gui.devices.trex.simulator.memory import Eeprom, Memory
 from trex_gui.devices.trex.simulator.motors import (
     FULL_SPEED,
     AuxiliaryMotor,
     Motor,
     MotorDirection,
     MotorSettings,
+    SerialControl,
 )
 from trex_gui.devices.trex.simulator.physics import DriverOutput, Machine
-from trex_gui.devices.trex.simulator.serial_control import SerialControl
 
 MODE_JUMPERS = ("serial", "rc", "analog")
 
@@ -31,8 +31,6 @@ TICK = 0.0025
 
 _UPDATE_TICKS = 4  # motors and safety, 100 times a second
 _CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # readings, 80 or 50 times a second
-
-_EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 
 _FAULT = (Status.MOTOR1_FAULT, Status.MOTOR2_FAULT)
 _OVER_LIMIT = (Status.MOTOR1_OVER_LIMIT, Status.MOTOR2_OVER_LIMIT)
@@ -170,13 +168,12 @@ class Board:
     # Time
 
     def advance(self, seconds: float) -> None:
-        """Let time pass."""
         end = self.now + seconds
         while True:
             next_tick = (self._ticks + 1) * TICK
             write_left = self.memory.busy_for
             until = min(next_tick, self.now + write_left) if write_left else next_tick
-            if until > end + _EPSILON:
+            if until > end + EPSILON:
                 break
             self._pass(until)
             if until == next_tick:
@@ -262,25 +259,21 @@ class Board:
     # Serial port
 
     def note_byte(self) -> None:
-        """Count a received byte, valid or not."""
         self.counters["bytes_received"] += 1
         self.serial.restart_timeout(self.now)
 
     def report_error(self, error: UartError) -> None:
-        """Latch a UART error; the motors may stop."""
         shut_down = bool(self.memory.active[ParameterKey.UART_ERROR_SHUTDOWN])
         self.serial.report(error, shut_down=shut_down)
 
     def set_parameter(self, number: int, value: int) -> ResultCode:
-        """Begin to write a parameter (0xAF); see `Memory.set`."""
         return self.memory.set(number, value, self.mode)
 
     def calibration(self, channel: int) -> Calibration:
         """Return the calibration of a channel (1-5) for the current mode."""
-        return self.memory.calibration(self.mode.source, channel)
+        return self.eeprom.calibration(self.mode.source, channel)
 
     def set_calibration(self, channel: int, calibration: Calibration) -> ResultCode:
-        """Begin to write a calibration (0xA0-0xA4); see `Memory.set_calibration`."""
         return self.memory.set_calibration(channel, calibration, self.mode)
 
     # Environment

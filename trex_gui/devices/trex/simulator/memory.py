@@ -1,17 +1,263 @@
-"""Parameters and calibrations in the firmware: active, stored, being written."""
+"""Parameters and calibrations: in the EEPROM, and what the firmware keeps of them."""
 
+import json
+import os
+import tempfile
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import partial
+from pathlib import Path
+from typing import Any
 
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.core.errors import StudioError
+from trex_gui.core.simulator.timeline import EPSILON
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_FIELDS,
+    DEFAULT_CALIBRATION,
+    HIGHEST_CODED,
+    Calibration,
+)
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.errors import ResultCode
-from trex_gui.devices.trex.protocol.flags import InputSource, Mode
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channel_mask
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey, parameters_of
-from trex_gui.devices.trex.simulator.eeprom import CALIBRATION_FIELDS, Eeprom
+from trex_gui.devices.trex.protocol.parameters import (
+    MotorParameter,
+    ParameterKey,
+    ParameterSpec,
+    parameters_of,
+)
+
+_WHAT = "EEPROM of a simulated TReX"
+_CALIBRATION_KEYS = {InputSource.RC: "rc_calibration", InputSource.ANALOG: "analog_calibration"}
+
+
+class EepromError(StudioError):
+    """The EEPROM file cannot be read or written; the text says which and why."""
+
+
+class Eeprom:
+    """EEPROM of one board in wire values; a file, if there is one, is saved after each write.
+
+    It has a cell for every parameter of any firmware of the model.
+
+    Attributes:
+        reset_pending: whether the next power-up resets the parameters to factory defaults.
+        unsaved: why the last write is not in the file; `None` if it is.
+    """
+
+    def __init__(self, model: str = "trex", *, path: Path | None = None) -> None:
+        self.model = device_table().model(model)
+        self.reset_pending = False
+        self.unsaved: EepromError | None = None
+        self._path = path
+        self._specs = parameters_of(model, self.model.firmware[-1])
+        self._values = self._factory_values()
+        self._calibrations = _factory_calibrations()
+
+    @classmethod
+    def open(cls, path: Path, model: str = "trex") -> "Eeprom":
+        """Return the EEPROM in a file, or a new one that is saved to the file.
+
+        Raises:
+            EepromError: the file is damaged, belongs to another model, or cannot be written.
+        """
+        eeprom = cls(model, path=path)
+        try:
+            text = path.read_text(encoding="utf-8")
+        except FileNotFoundError:
+            eeprom.save()
+        except (OSError, UnicodeDecodeError) as error:
+            raise EepromError(f"the EEPROM file {path} cannot be read: {error}") from error
+        else:
+            eeprom._load(text)
+        return eeprom
+
+    def __getitem__(self, which: str | int) -> int:
+        """Return a parameter by key or number, or raise KeyError."""
+        return self._values[self._spec(which).key]
+
+    def write(self, which: str | int, value: int) -> None:
+        """Store a parameter (wire value) and save.
+
+        Raises:
+            KeyError: there is no such cell.
+            ValueError: the parameter cannot be this value.
+        """
+        spec = self._spec(which)
+        self._values[spec.key] = spec.check(value)
+        self._save_if_possible()
+
+    def calibration(self, source: InputSource, channel: int) -> Calibration:
+        return self._calibrations[source][channel]
+
+    def write_calibration(
+        self, source: InputSource, channel: int, calibration: Calibration
+    ) -> None:
+        self._calibrations[source][channel] = calibration
+        self._save_if_possible()
+
+    def write_calibration_value(
+        self, source: InputSource, channel: int, field: str, value: int
+    ) -> None:
+        calibration = replace(self._calibrations[source][channel], **{field: value})
+        self.write_calibration(source, channel, calibration)
+
+    def lose(self, which: str | int) -> None:
+        """Lose a parameter whose write was interrupted.
+
+        Inferred, here and for calibrations: the cell is left erased, and the firmware uses the
+        factory default at the next power-up.
+        """
+        self.write(which, self._spec(which).default)
+
+    def lose_calibration_value(self, source: InputSource, channel: int, field: str) -> None:
+        value = getattr(DEFAULT_CALIBRATION[source], field)
+        self.write_calibration_value(source, channel, field, value)
+
+    def factory_reset(self) -> None:
+        """Reset parameters and calibrations to factory defaults, and save."""
+        self._values = self._factory_values()
+        self._calibrations = _factory_calibrations()
+        self.reset_pending = False
+        self._save_if_possible()
+
+    def learned(self, source: InputSource) -> int:
+        """Return the mask of channels whose calibration differs from the default (0x95)."""
+        default = DEFAULT_CALIBRATION[source]
+        calibrations = self._calibrations[source].items()
+        return channel_mask(channel for channel, value in calibrations if value != default)
+
+    def request_reset(self) -> None:
+        self.reset_pending = True
+        self._save_if_possible()
+
+    def reset_if_pending(self) -> None:
+        """Do the reset that 0x7F requested, at power-up. Inferred: calibrations stay."""
+        if self.reset_pending:
+            self._values = self._factory_values()
+            self.reset_pending = False
+            self._save_if_possible()
+
+    def _save_if_possible(self) -> None:
+        """Save; when that fails the board continues without the file."""
+        self.unsaved = None
+        try:
+            self.save()
+        except EepromError as error:
+            self.unsaved = error
+
+    def save(self) -> None:
+        """Write the file, if there is one, atomically.
+
+        Raises:
+            EepromError: it cannot be written.
+        """
+        if self._path is None:
+            return
+        text = json.dumps(self._document(), indent=2) + "\n"
+        try:
+            _replace(self._path, text)
+        except OSError as error:
+            message = f"the EEPROM file {self._path} cannot be written: {error}"
+            raise EepromError(message) from error
+
+    def _spec(self, which: str | int) -> ParameterSpec:
+        if isinstance(which, int):
+            spec = self._specs.number(which)
+        else:
+            spec = next((spec for spec in self._specs if spec.key == which), None)
+        if spec is None or not spec.readable:
+            raise KeyError(which)
+        return spec
+
+    def _factory_values(self) -> dict[str, int]:
+        return {spec.key: spec.default for spec in self._specs.readable}
+
+    def _document(self) -> dict[str, Any]:
+        document: dict[str, Any] = {
+            "what": _WHAT,
+            "model": self.model.key,
+            "reset_at_power_up": self.reset_pending,
+            "parameters": self._values,
+        }
+        for source, key in _CALIBRATION_KEYS.items():
+            document[key] = list(map(asdict, self._calibrations[source].values()))
+        return document
+
+    def _load(self, text: str) -> None:
+        try:
+            self._take(json.loads(text))
+        except json.JSONDecodeError as error:
+            raise self._damaged(f"line {error.lineno}: {error.msg}") from error
+        except RecursionError as error:
+            raise self._damaged("it is nested too deep") from error
+        except (TypeError, ValueError) as error:
+            raise self._damaged(str(error)) from error
+
+    def _damaged(self, why: str) -> EepromError:
+        return EepromError(
+            f"the EEPROM file {self._path} is damaged ({why}); "
+            "repair it, or delete it to start with a new board"
+        )
+
+    def _take(self, document: object) -> None:
+        if not isinstance(document, dict) or document.get("what") != _WHAT:
+            raise ValueError(f'it does not begin with "what": "{_WHAT}"')
+        if document.get("model") != self.model.key:
+            raise ValueError(f"it belongs to model {document.get('model')}, not {self.model.key}")
+        parameters = document.get("parameters", {})
+        if not isinstance(parameters, dict):
+            raise TypeError("parameters is not a table")
+        for key, value in parameters.items():
+            self._take_parameter(key, value)
+        for source, name in _CALIBRATION_KEYS.items():
+            rows = document.get(name)
+            if rows is None:
+                continue
+            if not isinstance(rows, list) or len(rows) != len(CHANNELS):
+                raise ValueError(f"{name} is not a list of {len(CHANNELS)}")
+            for channel, row in zip(CHANNELS, rows, strict=True):
+                self._calibrations[source][channel] = _read_calibration(
+                    f"{name}, channel {channel}", row
+                )
+        self.reset_pending = document.get("reset_at_power_up") is True
+
+    def _take_parameter(self, key: str, value: object) -> None:
+        try:
+            spec = self._spec(key)
+        except KeyError:
+            raise ValueError(f"there is no parameter {key}") from None
+        if type(value) is not int:
+            raise TypeError(f"{key} is not a whole number")
+        self._values[key] = spec.check(value)
+
+
+def _read_calibration(name: str, row: object) -> Calibration:
+    if not isinstance(row, dict) or set(row) != set(CALIBRATION_FIELDS):
+        raise ValueError(f"{name} does not have {', '.join(CALIBRATION_FIELDS)}")
+    for field, value in row.items():
+        if type(value) is not int or not 0 <= value <= HIGHEST_CODED:
+            raise ValueError(f"{name}: {field} is not a number from 0 to {HIGHEST_CODED}")
+    return Calibration(**row)  # in any order: a power cut may have mixed old and new values
+
+
+def _factory_calibrations() -> dict[InputSource, dict[int, Calibration]]:
+    return {source: dict.fromkeys(CHANNELS, DEFAULT_CALIBRATION[source]) for source in InputSource}
+
+
+def _replace(path: Path, text: str) -> None:
+    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    temporary = Path(name)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(text)
+        temporary.replace(path)
+    except OSError:
+        temporary.unlink(missing_ok=True)
+        raise
+
 
 PARAMETER_WRITE = 0.004
 CALIBRATION_WRITE = 0.032
@@ -34,15 +280,13 @@ class _Step:
     lose: Callable[[], None]
 
 
-_EPSILON = 1e-9  # seconds; swallows the rounding of summed times
-
-
 class Memory:
     """Active and stored settings, and the writes that are going on.
 
     Parameters 0x7B-0x7F take effect after a power cycle, the others when their write ends.
 
     Attributes:
+        eeprom: what is stored, of all firmware versions.
         active: active parameters by key.
         line_settings, baud: active settings of the serial line, and its real bit rate.
         writes: number of finished writes.
@@ -51,7 +295,7 @@ class Memory:
     def __init__(self, eeprom: Eeprom, firmware: str) -> None:
         self.parameters = parameters_of(eeprom.model.key, firmware)
         self.writes = 0
-        self._eeprom = eeprom
+        self.eeprom = eeprom
         self._firmware = firmware
         self._steps: deque[_Step] = deque()
         self._done = 0.0  # seconds spent on the first of them
@@ -60,14 +304,13 @@ class Memory:
     def load(self) -> None:
         """Activate the stored settings, at power-up."""
         self.lose_write()
-        self._eeprom.reset_if_pending()
+        self.eeprom.reset_if_pending()
         self.active = self.stored()
         self.line_settings = LineSettings.from_wire(self.active[ParameterKey.UART_SETTINGS])
         self.baud = self.line_settings.real_baud(self._firmware)
 
     def stored(self) -> dict[str, int]:
-        """Return the stored parameters that this firmware knows."""
-        return {spec.key: self._eeprom[spec.key] for spec in self.parameters.readable}
+        return {spec.key: self.eeprom[spec.key] for spec in self.parameters.readable}
 
     @property
     def is_joint(self) -> bool:
@@ -82,13 +325,13 @@ class Memory:
 
     @property
     def crc_polynomial(self) -> int | None:
-        """The polynomial (0x80-0xFF), `None` when packets carry no CRC."""
+        """0x80-0xFF; `None` when packets carry no CRC."""
         if self.line_settings.detection is not Detection.CRC7:
             return None
         return 0x80 | self.active[ParameterKey.CRC7_POLYNOMIAL]
 
     def pwm_frequency(self, number: int) -> float:
-        """Return the PWM frequency in Hz of motor 1 or 2."""
+        """Return the frequency in Hz of motor 1 or 2."""
         prescaler = self.active[MotorParameter.PWM_PRESCALER.of(number)]
         maximum = self.active[MotorParameter.PWM_MAXIMUM.of(number)]
         return device_table().pwm.frequency(prescaler, maximum)
@@ -101,9 +344,7 @@ class Memory:
     def get(self, number: int) -> int | None:
         """Return the stored value of a parameter; `None` if this firmware does not know it."""
         spec = self.parameters.number(number)
-        if spec is None or not spec.readable:
-            return None
-        return self._eeprom[spec.key]
+        return self.eeprom[spec.key] if spec is not None and spec.readable else None
 
     def set(self, number: int, value: int, mode: Mode) -> ResultCode:
         """Begin to write a parameter; it is stored `busy_for` seconds later.
@@ -119,27 +360,20 @@ class Memory:
             return ResultCode.BAD_VALUE
         if not spec.readable:
             # Inferred: 0x7F sets a mark, and the next power-up resets all parameters.
-            step = _Step(PARAMETER_WRITE, self._eeprom.request_reset, lambda: None)
+            step = _Step(PARAMETER_WRITE, self.eeprom.request_reset, lambda: None)
         else:
             store = partial(self._store, spec.key, value, at_once=not spec.needs_power_cycle)
-            step = _Step(PARAMETER_WRITE, store, partial(self._eeprom.lose, spec.key))
+            step = _Step(PARAMETER_WRITE, store, partial(self.eeprom.lose, spec.key))
         self._steps.append(step)
         return ResultCode.OK
 
-    def calibration(self, source: InputSource, channel: int) -> Calibration:
-        """Return the calibration of a channel (1-5) for one kind of input."""
-        return self._eeprom.calibration(source, channel)
-
-    def learned(self, source: InputSource) -> int:
-        """Return the mask of channels whose calibration differs from the default (0x95)."""
-        return self._eeprom.learned(source)
-
     def set_calibration(self, channel: int, calibration: Calibration, mode: Mode) -> ResultCode:
-        """Begin to write a channel's calibration into the set that the mode uses."""
         if not mode.is_serial:
             return ResultCode.NOT_SERIAL_MODE
-        low, middle, high = calibration.minimum, calibration.neutral, calibration.maximum
-        if not (low <= middle <= high and low < high):
+        if not (
+            calibration.minimum <= calibration.neutral <= calibration.maximum
+            and calibration.minimum < calibration.maximum
+        ):
             return ResultCode.BAD_VALUE
         self.store_calibration(mode.source, channel, calibration)
         return ResultCode.OK
@@ -148,17 +382,16 @@ class Memory:
         self, source: InputSource, channel: int, calibration: Calibration
     ) -> None:
         """Begin to write a calibration, after pending writes."""
-        for field in CALIBRATION_FIELDS:
-            value = getattr(calibration, field)
-            store = partial(self._eeprom.write_calibration_value, source, channel, field, value)
-            lose = partial(self._eeprom.lose_calibration_value, source, channel, field)
+        for field, value in asdict(calibration).items():
+            store = partial(self.eeprom.write_calibration_value, source, channel, field, value)
+            lose = partial(self.eeprom.lose_calibration_value, source, channel, field)
             self._steps.append(_Step(CALIBRATION_WRITE / len(CALIBRATION_FIELDS), store, lose))
 
     def restore_line_settings(self) -> None:
         """Begin to write the default serial settings, for the recovery by jumpers."""
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL):
             store = partial(self._store, key, self.parameters[key].default, at_once=False)
-            lose = partial(self._eeprom.lose, key)
+            lose = partial(self.eeprom.lose, key)
             self._steps.append(_Step(PARAMETER_WRITE, store, lose))
 
     @property
@@ -170,7 +403,7 @@ class Memory:
         if not self._steps:
             return
         self._done += seconds
-        while self._steps and self._done >= self._steps[0].seconds - _EPSILON:
+        while self._steps and self._done >= self._steps[0].seconds - EPSILON:
             step = self._steps.popleft()
             self._done -= step.seconds
             step.store()
@@ -186,6 +419,6 @@ class Memory:
         self._done = 0.0
 
     def _store(self, key: str, value: int, *, at_once: bool) -> None:
-        self._eeprom.write(key, value)
+        self.eeprom.write(key, value)
         if at_once:
             self.active[key] = value

@@ -131,7 +131,6 @@ class MotorPhysics:
         self.speed = math.copysign(max(0.0, abs(speed) - friction), speed)
 
     def measure(self) -> None:
-        """Measure the mean current since the last measurement."""
         mean = self._charge / self._time if self._time else 0.0
         self._charge = self._time = 0.0
         if self.forced is not None:
@@ -184,7 +183,6 @@ class Machine:
         self.factory_reset()
 
     def factory_reset(self) -> None:
-        """Reset battery and motors."""
         self.battery = self.constants.battery
         self.resistance = self.constants.battery_resistance
         self.volts = self.battery

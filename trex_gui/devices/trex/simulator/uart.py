@@ -119,7 +119,6 @@ class SerialPort:
         self._begin()
 
     def _begin(self) -> None:
-        """Wait for the first byte of a packet."""
         self._packet = bytearray()
         self._is_skipping = False
         self.board.receiving = False
@@ -321,7 +320,7 @@ _COMMANDS: dict[int, _Command] = {
     0x8E: _read(lambda board: bytes([board.physics[1].reading])),
     0x8F: _read(lambda board: bytes(physics.reading for physics in board.physics)),
     **dict.fromkeys(range(0x90, 0x95), _Command(0, _get_calibration)),
-    0x95: _read(lambda board: bytes([board.memory.learned(board.mode.source)])),
+    0x95: _read(lambda board: bytes([board.eeprom.learned(board.mode.source)])),
     0x9F: _Command(1, _get_parameter),
     **dict.fromkeys(range(0xA0, 0xA5), _Command(10, _set_calibration)),
     0xAF: _Command(4, _set_parameter),

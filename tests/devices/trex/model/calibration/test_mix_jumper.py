@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.devices.trex.model.calibration.mix_jumper import MixWatch, is_mixed
-from trex_gui.devices.trex.simulator.mapping import motor_values
+from trex_gui.devices.trex.simulator.channel_control import motor_values
 
 outputs = st.integers(-127, 127)
 

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.devices.trex.model.motors import mix
-from trex_gui.devices.trex.simulator.mapping import motor_values
+from trex_gui.devices.trex.simulator.channel_control import motor_values
 
 SHARE = st.floats(-1, 1, allow_nan=False)
 

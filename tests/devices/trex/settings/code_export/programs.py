@@ -20,7 +20,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.code_export import Language, export_code, file_name
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.memory import Eeprom
 
 HERE = Path(__file__).parent
 LANGUAGES = tuple(Language)
