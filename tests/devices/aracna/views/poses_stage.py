@@ -22,21 +22,14 @@ class StagedRobot(Robot):
     """A robot whose state is set by a test, and which keeps what it is requested to do.
 
     Attributes:
-        is_connected: whether it can be used.
         plays, goals, scales: the requests, in order.
     """
 
     def __init__(self) -> None:
         super().__init__()
-        self.is_connected = False
         self.plays: list[Play] = []
         self.goals: list[tuple[int, ...]] = []
         self.scales: list[float] = []
-
-    @property
-    def link(self) -> ConnectionState:
-        up, down = ConnectionState.CONNECTED, ConnectionState.DISCONNECTED
-        return up if self.is_connected else down
 
     def play(self, play: Play) -> bool:
         self.plays.append(play)
@@ -131,7 +124,7 @@ class StagedPageDriver(PosesPageDriver):
         return self.robot.plays
 
     def connect(self) -> None:
-        self.robot.is_connected = True
+        self.robot.link = ConnectionState.CONNECTED
         self.robot.changed.emit()
 
     def show_present(self, *present: int | None) -> None:
