@@ -1,6 +1,6 @@
 """Menus and shortcuts: one table for the frame, one for each workspace, one `QAction` an entry."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
 
@@ -112,32 +112,46 @@ def _menu_bar(workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
 def build_menus(
     window: QMainWindow, slots: Mapping[str, Callable[[], object]], workspaces: Sequence[Menus]
 ) -> dict[str, QAction]:
-    """Fill the window's menu bar; return the actions by key.
+    """Fill the main window's menu bar; return the actions by key."""
+    actions = fill_menu_bar(window, _menu_bar(workspaces), slots)
+    # Whatever window is in front; the others have their own keys.
+    actions["stop"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
+    schemes = QActionGroup(window)
+    for key in ("system", "light", "dark"):
+        schemes.addAction(actions[key])
+    return actions
 
-    Qt shows no separator at an end of a menu or behind another one.
+
+def fill_menu_bar(
+    window: QMainWindow,
+    menus: Iterable[tuple[str, Entries]],
+    slots: Mapping[str, Callable[[], object]],
+    prefix: str = "",
+) -> dict[str, QAction]:
+    """Add menus by title to a window; return the actions by key.
+
+    Object names are `openAction`, or `editorOpenAction` with a prefix. Qt shows no separator at
+    an end of a menu or behind another one.
     """
     actions: dict[str, QAction] = {}
-    for title, entries in _menu_bar(workspaces):
+    for title, entries in menus:
         menu = window.menuBar().addMenu(title)
         menu.setToolTipsVisible(True)
         for entry in entries:
             if isinstance(entry, str):
                 menu.addSeparator()
                 continue
+            key = entry.key
             action = QAction(entry.text, window)
-            action.setObjectName(f"{entry.key}Action")
+            name = f"{prefix}{key[0].upper()}{key[1:]}" if prefix else key
+            action.setObjectName(f"{name}Action")
             action.setShortcut(QKeySequence(entry.shortcut))
-            if entry.key == "stop":  # whatever window is in front; the others have their own keys
-                action.setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
             action.setCheckable(entry.checkable)
             if entry.icon:
                 set_icon(action, entry.icon)
-            action.triggered.connect(_without_state(slots[entry.key]))
+            action.triggered.connect(_without_state(slots[key]))
             menu.addAction(action)
-            actions[entry.key] = action
-    schemes = QActionGroup(window)
-    for key in ("system", "light", "dark"):
-        schemes.addAction(actions[key])
+            actions[key] = action
     return actions
 
 

@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Qt, SignalInstance
 from PySide6.QtGui import QAction, QIcon, QKeySequence, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QAbstractItemView,
     QBoxLayout,
     QCheckBox,
     QComboBox,
@@ -19,12 +20,15 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSizePolicy,
     QSpinBox,
+    QTableView,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.behaviour import name_headers
 
 
 class NoWheelComboBox(QComboBox):
@@ -238,6 +242,31 @@ def double_spin_box(
     if on_change is not None:
         made.valueChanged.connect(on_change)
     return made
+
+
+TableT = TypeVar("TableT", bound=QTableView)
+
+
+def flat_table(table: TableT, name: str, accessible: str) -> TableT:
+    """Give a table the look of all: striped rows, no grid, the whole row selected; return it.
+
+    Its cells are read-only and one row can be selected, unless the caller changes that.
+    """
+    named(table, name, accessible=accessible)
+    name_headers(table)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setAlternatingRowColors(True)
+    table.setShowGrid(False)
+    table.setTabKeyNavigation(False)
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 12)
+    header = table.horizontalHeader()
+    header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+    header.setHighlightSections(False)
+    theme().changed.connect(table.viewport().update)
+    return table
 
 
 def progress_bar(parent: QWidget, name: str, accessible: str) -> QProgressBar:

@@ -93,7 +93,7 @@ def test_matching_rows_are_readable(driver: ComparisonDialog) -> None:
 
 def test_rejection_reasons_are_readable(view: ComparisonView, driver: ComparisonDialog) -> None:
     why = "The board refused it: Channels 1, 2 and 3 drive the motors, but not in this mode."
-    view.show_outcomes({row.key: why for row in view.table.comparison.rows})
+    view.table.set_outcomes({row.key: why for row in view.table.comparison.rows})
     assert cut_short(driver.table) == []
     view.freeze("Before", "Written")
     assert cut_short(driver.table) == []

@@ -14,18 +14,16 @@ from PySide6.QtCore import (
 )
 
 from trex_gui.devices.trex.model.settings.rows import renew_rows
-from trex_gui.devices.trex.protocol.calibration import (
-    CALIBRATION_FIELDS,
-    CALIBRATION_KEYS,
-    Calibration,
-)
-from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
+from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, wire_text
 
 Index = QModelIndex | QPersistentModelIndex
 
+_NONE = "–"
+
 
 class ComparisonColumn(IntEnum):
-    """The columns, left to right; the last is there once something was tried."""
+    """The columns; OUTCOME is there after writing."""
 
     SETTING = 0
     BEFORE = 1
@@ -35,8 +33,6 @@ class ComparisonColumn(IntEnum):
 
 
 class ComparisonRole(IntEnum):
-    """Data of a cell besides its text."""
-
     CHANGED = Qt.ItemDataRole.UserRole
     KEY = Qt.ItemDataRole.UserRole + 1
     FAILED = Qt.ItemDataRole.UserRole + 2
@@ -44,128 +40,102 @@ class ComparisonRole(IntEnum):
 
 
 class ComparisonTable(QAbstractTableModel):
-    """One row a setting; the rows that differ, or all.
+    """One row per setting; the rows that differ, or all.
 
     Signals:
-        ticked_changed: other rows are ticked.
+        ticked_changed: check boxes have changed.
     """
 
     ticked_changed = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._comparison = Comparison(())
+        self.comparison = Comparison(())
         self._rows: list[ComparisonRow] = []
-        self._ticked: set[str] = set()
-        self._unticked: set[str] = set()
+        self._cleared: set[str] = set()
         self._with_ticks = True
         self._with_equal = False
         self._outcomes: dict[str, str] = {}
-        self._titles = (self.tr("Before"), self.tr("After"))
-
-    # --- What is shown ------------------------------------------------------------------
+        self._titles = ("", "")
 
     def show_comparison(
         self, comparison: Comparison, before: str, after: str, *, with_ticks: bool = True
     ) -> None:
-        """Show another comparison, every change ticked; the texts head the two columns."""
+        """Show a comparison, every change ticked; `before` and `after` head the columns."""
         self.beginResetModel()
-        self._comparison = comparison
+        self.comparison = comparison
         self._titles = (before, after)
         self._with_ticks = with_ticks
-        self._ticked = {row.key for row in comparison.rows if row.changed} if with_ticks else set()
-        self._unticked = set()
+        self._cleared = set()
         self._outcomes = {}
         self._rows = self._chosen_rows()
         self.endResetModel()
         self.ticked_changed.emit()
 
     def renew(self, comparison: Comparison, *, tick_new: bool = True) -> None:
-        """Update both sides; cleared check boxes stay cleared.
-
-        Other changes are ticked; without `tick_new` only those that were there.
-        """
-        before = {row.key for row in self._comparison.rows if row.changed}
-        changed = {row.key for row in comparison.rows if row.changed}
-        self._comparison = comparison
+        """Update both sides; cleared check boxes stay cleared, new changes get `tick_new`."""
+        if not tick_new:
+            ticked = {row.key for row in self.ticked}
+            self._cleared |= {row.key for row in comparison.rows if row.changed} - ticked
+        self.comparison = comparison
         self.set_outcomes({})
-        if self._with_ticks:
-            self._unticked |= before - self._ticked
-            self._ticked = changed - self._unticked if tick_new else changed & self._ticked
         renew_rows(self, self._rows, self._chosen_rows(), lambda row: row.key)
         self._announce_ticks()
 
+    def freeze(self, before: str, after: str) -> None:
+        """Keep only the checked rows, under new headings, without check boxes."""
+        chosen = Comparison(self.ticked, self.comparison.left_out)
+        self.show_comparison(chosen, before, after, with_ticks=False)
+
     def set_with_equal(self, with_equal: bool) -> None:
-        """Show the rows whose two sides match, too."""
+        """Show or hide the rows whose two sides match."""
         self._with_equal = with_equal
         renew_rows(self, self._rows, self._chosen_rows(), lambda row: row.key)
 
     def _chosen_rows(self) -> list[ComparisonRow]:
-        return list(self._comparison.rows if self._with_equal else self._comparison.differing)
-
-    @property
-    def comparison(self) -> Comparison:
-        """What is compared, whatever part of it is shown."""
-        return self._comparison
-
-    # --- Ticks --------------------------------------------------------------------------
+        return list(self.comparison.rows if self._with_equal else self.comparison.differing)
 
     @property
     def ticked(self) -> tuple[ComparisonRow, ...]:
-        """The changes that are wanted, in the order of the table."""
-        return tuple(row for row in self._comparison.rows if row.key in self._ticked)
+        """The changes to make, in the order of the table."""
+        rows = self.comparison.rows if self._with_ticks else ()
+        return tuple(row for row in rows if row.changed and row.key not in self._cleared)
 
     def tick_all(self, ticked: bool) -> None:
-        """Want every change, or none."""
-        changed = {row.key for row in self._comparison.rows if row.changed}
-        self._set_ticked(changed if ticked and self._with_ticks else set())
-
-    def freeze(self, before: str, after: str) -> None:
-        """Keep only the checked rows, under new headings, with the check boxes fixed."""
-        rows = self.ticked
-        self.beginResetModel()
-        self._titles = (before, after)
-        self._comparison = Comparison(rows, self._comparison.left_out)
-        self._with_ticks = False
-        self._rows = self._chosen_rows()
-        self.endResetModel()
-
-    def toggle(self, row: int) -> None:
-        """Want the change of a row that was not wanted, or the other way round."""
-        index = self.index(row, ComparisonColumn.SETTING)
-        if self._is_tickable(index):
-            ticked = self._rows[row].key in self._ticked
-            wanted = Qt.CheckState.Unchecked if ticked else Qt.CheckState.Checked
-            self.setData(index, wanted, Qt.ItemDataRole.CheckStateRole)
-
-    def _set_ticked(self, ticked: set[str]) -> None:
-        self._ticked = ticked
-        self._unticked = set()
+        """Tick every change, or none."""
+        changed = {row.key for row in self.comparison.rows if row.changed}
+        self._cleared = set() if ticked else changed
         self._announce_ticks()
 
+    def toggle(self, row: int) -> None:
+        """Tick or clear the change in a row, if it has a check box."""
+        index = self.index(row, ComparisonColumn.SETTING)
+        is_cleared = self._rows[row].key in self._cleared
+        state = Qt.CheckState.Checked if is_cleared else Qt.CheckState.Unchecked
+        self.setData(index, state, Qt.ItemDataRole.CheckStateRole)
+
     def _announce_ticks(self) -> None:
-        if self._rows:
-            self.dataChanged.emit(self.index(0, 0), self.index(len(self._rows) - 1, 0))
+        self._announce_rows()
         self.ticked_changed.emit()
 
-    # --- How it went --------------------------------------------------------------------
+    def _announce_rows(self) -> None:
+        if self._rows:
+            last = self.index(len(self._rows) - 1, self.columnCount() - 1)
+            self.dataChanged.emit(self.index(0, 0), last)
 
     def set_outcomes(self, outcomes: Mapping[str, str]) -> None:
-        """Say how writing went, by key: empty where it is stored, else why it is not."""
-        place, nowhere = ComparisonColumn.OUTCOME, QModelIndex()
+        """Show the outcome of writing by key: empty if the value is stored, else the reason."""
+        column, root = ComparisonColumn.OUTCOME, QModelIndex()
         if outcomes and not self._outcomes:
-            self.beginInsertColumns(nowhere, place, place)
+            self.beginInsertColumns(root, column, column)
             self._outcomes = dict(outcomes)
             self.endInsertColumns()
         elif self._outcomes and not outcomes:
-            self.beginRemoveColumns(nowhere, place, place)
+            self.beginRemoveColumns(root, column, column)
             self._outcomes = {}
             self.endRemoveColumns()
-        else:
-            self._outcomes = dict(outcomes)
-        if outcomes and self._rows:
-            last = self.index(len(self._rows) - 1, self.columnCount() - 1)
-            self.dataChanged.emit(self.index(0, 0), last)
+        self._outcomes = dict(outcomes)
+        self._announce_rows()
 
     # --- Qt -----------------------------------------------------------------------------
 
@@ -189,30 +159,19 @@ class ComparisonTable(QAbstractTableModel):
         return titles[section] if section < self.columnCount() else None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        if not index.isValid():
-            return Qt.ItemFlag.NoItemFlags
-        flags = (
-            Qt.ItemFlag.ItemIsEnabled
-            | Qt.ItemFlag.ItemIsSelectable
-            | Qt.ItemFlag.ItemNeverHasChildren
-        )
-        if self._is_tickable(index):
-            flags |= Qt.ItemFlag.ItemIsUserCheckable
-        return flags
+        flags = super().flags(index)
+        return flags | Qt.ItemFlag.ItemIsUserCheckable if self._is_tickable(index) else flags
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         if not index.isValid():
             return None
         row = self._rows[index.row()]
-        column = ComparisonColumn(index.column())
         match role:
-            case Qt.ItemDataRole.DisplayRole:
-                return self._text(row, column)
-            case Qt.ItemDataRole.ToolTipRole:
-                return self._text(row, column) or None
+            case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.ToolTipRole:
+                return self._text(row, ComparisonColumn(index.column()))
             case Qt.ItemDataRole.CheckStateRole if self._is_tickable(index):
-                ticked = row.key in self._ticked
-                return Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked
+                is_cleared = row.key in self._cleared
+                return Qt.CheckState.Unchecked if is_cleared else Qt.CheckState.Checked
             case ComparisonRole.CHANGED:
                 return row.before != row.after
             case ComparisonRole.KEY:
@@ -228,10 +187,9 @@ class ComparisonTable(QAbstractTableModel):
             return False
         key = self._rows[index.row()].key
         if Qt.CheckState(value) is Qt.CheckState.Checked:
-            self._ticked.add(key)
-            self._unticked.discard(key)
+            self._cleared.discard(key)
         else:
-            self._ticked.discard(key)
+            self._cleared.add(key)
         self.dataChanged.emit(index, index)
         self.ticked_changed.emit()
         return True
@@ -244,61 +202,36 @@ class ComparisonTable(QAbstractTableModel):
             and self._rows[index.row()].changed
         )
 
-    # --- Text ---------------------------------------------------------------------------
-
     def _text(self, row: ComparisonRow, column: ComparisonColumn) -> str:
         match column:
             case ComparisonColumn.SETTING:
                 return row.name
             case ComparisonColumn.BEFORE:
-                return self._side(row, row.before, row.after, row.text_before)
+                return self._side_text(row, row.before, row.text_before)
             case ComparisonColumn.AFTER:
-                return self._side(row, row.after, row.before, row.text_after)
+                return self._side_text(row, row.after, row.text_after)
             case ComparisonColumn.WIRE:
-                return _wires(row)
+                return _wires_text(row)
             case ComparisonColumn.OUTCOME:
                 outcome = self._outcomes.get(row.key)
                 return "" if outcome is None else outcome or self.tr("stored")
 
-    def _side(
-        self,
-        row: ComparisonRow,
-        value: int | Calibration | None,
-        other: int | Calibration | None,
-        text: str,
-    ) -> str:
-        """One side in physical units; of a calibration each field that differs, on its line."""
+    def _side_text(self, row: ComparisonRow, value: int | Calibration | None, text: str) -> str:
+        """Return one side in physical units; each differing field of a calibration has a line."""
         if value is None:
             return self.tr("not given")
-        differing = _differing(value, other)
-        if not isinstance(value, Calibration) or not differing:
+        if not row.differing_fields:
             return text
         source = CALIBRATION_KEYS[row.key].source
-        return "\n".join(f"{name} {source.text(getattr(value, name))}" for name in differing)
+        return "\n".join(f"{f} {source.text(getattr(value, f))}" for f in row.differing_fields)
 
 
-def _differing(value: int | Calibration | None, other: int | Calibration | None) -> tuple[str, ...]:
-    """Return the fields in which two calibrations differ: all, where one is not known."""
-    if not isinstance(value, Calibration) and not isinstance(other, Calibration):
-        return ()
-    return tuple(f for f in CALIBRATION_FIELDS if _field(value, f) != _field(other, f))
-
-
-def _field(value: int | Calibration | None, name: str) -> int | None:
-    return getattr(value, name) if isinstance(value, Calibration) else None
-
-
-def _wires(row: ComparisonRow) -> str:
+def _wires_text(row: ComparisonRow) -> str:
     before, after = row.before, row.after
     if before == after:
-        return _wire(before)
-    if differing := _differing(before, after):
-        pairs = ((_wire(_field(before, f)), _wire(_field(after, f))) for f in differing)
-        return "\n".join(f"{left} → {right}" for left, right in pairs)
-    return f"{_wire(before)} → {_wire(after)}"
-
-
-def _wire(value: int | Calibration | None) -> str:
-    if isinstance(value, Calibration):
-        return " ".join(str(getattr(value, name)) for name in CALIBRATION_FIELDS)
-    return "–" if value is None else str(value)
+        return wire_text(before, _NONE)
+    pairs = [(getattr(before, f, None), getattr(after, f, None)) for f in row.differing_fields]
+    return "\n".join(
+        f"{wire_text(old, _NONE)} → {wire_text(new, _NONE)}"
+        for old, new in pairs or [(before, after)]
+    )

@@ -183,7 +183,7 @@ class ReviewDialog(QDialog):
         keys = [result.key for result in results]
         if not self._wanted.issuperset(keys):
             return  # the result of something else, such as an order to reset
-        self._rows.show_outcomes(dict(zip(keys, self._outcomes(results), strict=True)))
+        self._rows.table.set_outcomes(dict(zip(keys, self._outcomes(results), strict=True)))
         self._problem = self._problem_text(results)
         if self._device.parameters.waiting_for_power:
             self._cycle.begin()
