@@ -18,6 +18,7 @@ ROOT = Path(__file__).parents[2]
 
 _SCRIPT = """
 import sys
+from functools import partial
 from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QTimer
@@ -25,8 +26,8 @@ from trex_gui import app, composition
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.model.telemetry import Series
 from trex_gui.devices.trex.model.telemetry import board_traces
-from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.traces import Traces
+from trex_gui.ui.plotting.history import SampleHistory
+from trex_gui.ui.plotting.traces import Traces
 
 build, kept, path = composition.build, [], Path(sys.argv[2])
 
@@ -39,9 +40,10 @@ def table(program):
     panel.export.save_table(path, -np.inf, np.inf)
 
 def transcript(program):
-    from trex_gui.ui.traffic.saver import TrafficSaver
-    kept.append(saver := TrafficSaver(trex(program).device.connection.traffic, program.window))
-    saver.save(path, trex(program).device.connection.traffic.everything.rows)
+    from trex_gui.ui.workers.file_worker import FileSaver
+    traffic = trex(program).device.connection.traffic
+    kept.append(saver := FileSaver(program.window, finishing_ms=3000))
+    saver.save(path, partial(traffic.write, rows=traffic.everything.rows))
 
 def built(*_):
     program = build()

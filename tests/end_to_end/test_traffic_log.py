@@ -12,8 +12,7 @@ from PySide6.QtWidgets import QCheckBox, QFileDialog, QLineEdit, QPlainTextEdit
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.ui.traffic.page import TrafficPage
-from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS
-from trex_gui.ui.traffic.table_view import TrafficView
+from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS, TrafficView
 
 
 class TrafficDriver(WidgetDriver):

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.ui.plotting.axes import AutoRange, round_up, spread, ticks
+from trex_gui.ui.plotting.axes import ValueAxis, round_up, spread, ticks
 
 
 @pytest.mark.parametrize(
@@ -48,37 +48,33 @@ def test_labels_never_overlap(centres: list[float], width: float) -> None:
         assert width / 2 - 1e-6 <= centre <= 300 - width / 2 + 1e-6
 
 
+def fitted(axis: ValueAxis, low: float, high: float) -> tuple[float, float]:
+    axis.fit([(low, high)])
+    return axis.ends
+
+
 def test_range_grows_at_once() -> None:
-    scale = AutoRange()
-    scale.include(0, 7.2)
-    assert (scale.low, scale.high) == (0, 10)
+    assert fitted(ValueAxis("A"), 0, 7.2) == (0, 10)
 
 
 def test_range_shrinks_only_when_data_fits_with_margin() -> None:
-    scale = AutoRange()
-    scale.include(0, 7.2)
-    scale.include(0, 4.6)
-    assert scale.high == 10
-    scale.include(0, 3.9)
-    assert scale.high == 5
+    axis = ValueAxis("A")
+    assert fitted(axis, 0, 7.2) == (0, 10)
+    assert fitted(axis, 0, 4.6) == (0, 10)
+    assert fitted(axis, 0, 3.9) == (0, 5)
 
 
 def test_range_does_not_oscillate_at_a_step() -> None:
-    scale = AutoRange()
+    axis = ValueAxis("A")
     for high in (5.01, 4.99, 5.01, 4.9, 5.0, 5.02):
-        scale.include(0, high)
-        assert (scale.low, scale.high) == (0, 10)
+        assert fitted(axis, 0, high) == (0, 10)
 
 
 def test_range_goes_below_zero_only_for_negative_values() -> None:
-    scale = AutoRange()
-    scale.include(-3, 3)
-    assert (scale.low, scale.high) == (-5, 5)
-    scale.include(0.5, 3)
-    assert scale.low == 0
+    axis = ValueAxis("A")
+    assert fitted(axis, -3, 3) == (-5, 5)
+    assert fitted(axis, 0.5, 3) == (0, 5)
 
 
 def test_range_never_collapses() -> None:
-    scale = AutoRange()
-    scale.include(0, 0)
-    assert (scale.low, scale.high) == (0, 1)
+    assert fitted(ValueAxis("A"), 0, 0) == (0, 1)

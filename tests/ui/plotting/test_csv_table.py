@@ -4,14 +4,20 @@ import csv
 import io
 import math
 
-from trex_gui.ui.plotting.csv_table import write_trace_csv
+import numpy as np
+
+from trex_gui.ui.plotting.export import write_csv
 
 COLUMNS = [("motor1_current", "A"), ("channel1", "")]
 
 
 def table(rows: list[tuple[float, ...]], events: list[tuple[float, str]]) -> list[list[str]]:
     file = io.StringIO(newline="")
-    assert write_trace_csv(file, COLUMNS, rows, events, origin=100.0) == len(rows)
+    columns = np.array(rows, dtype=float).reshape(-1, 1 + len(COLUMNS)).T
+    written = write_csv(
+        file, lambda _share: None, heads=COLUMNS, columns=list(columns), events=events, origin=100.0
+    )
+    assert written == len(rows)
     return list(csv.reader(io.StringIO(file.getvalue())))
 
 

@@ -7,9 +7,9 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.model.telemetry import Series, board_traces
-from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.traces import Traces
+from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.panel import TracePanel
+from trex_gui.ui.plotting.traces import Traces
 
 
 @pytest.fixture

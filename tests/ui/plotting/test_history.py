@@ -8,8 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.pyramid import Floats
+from trex_gui.ui.plotting.history import Floats, SampleHistory
 
 
 def filled(count: int, capacity: int = 1_000_000, seed: int = 1, rate: float = 80) -> SampleHistory:
@@ -155,7 +154,7 @@ def test_one_ampere_for_an_hour_is_one_ampere_hour() -> None:
     times = np.arange(3600 * 80 + 1) / 80
     history.extend(times, [np.full_like(times, 1.0)])
     found = history.statistics(0, 0, 3600)
-    assert found.per_hour == pytest.approx(1, rel=1e-12)
+    assert found.integral / 3600 == pytest.approx(1, rel=1e-12)
     assert found.mean == pytest.approx(1, rel=1e-12)
     assert found.rms == pytest.approx(1, rel=1e-12)
 

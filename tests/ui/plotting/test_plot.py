@@ -23,11 +23,11 @@ from pytestqt.qtbot import QtBot
 from tests.support.window import WidgetDriver
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.plotting.canvas import PlotCanvas
-from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
+from trex_gui.ui.plotting.figures import TraceColumn, TraceTable
+from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.panel import TracePanel
 from trex_gui.ui.plotting.plot import TracePlot
-from trex_gui.ui.plotting.table import TraceColumn, TraceTable
+from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import theme
 
 RATE = 80
@@ -177,7 +177,7 @@ def test_points_drawn_are_limited_however_long_the_history(plot: TracePlot) -> N
         plot.set_window(length)
         assert 0 < plot.points_drawn <= 2 * 1100, length
         for name in plot.shown:
-            assert len(plot._curves[name]._item.getData()[0]) <= 1100
+            assert len(plot._curves[name].item.getData()[0]) <= 1100
 
 
 def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: TracePlot) -> None:

@@ -1,5 +1,6 @@
 """Rows that the traffic model keeps, and their text."""
 
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,7 @@ from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.ui.traffic.model import MOST_KEPT, TrafficModel
-from trex_gui.ui.traffic.saver import TrafficSaver
+from trex_gui.ui.workers.file_worker import FileSaver
 from trex_gui.ui.workers.session_thread import SessionThread
 
 POLL, ANSWER = b"\x8f", b"\x02\x00"
@@ -118,9 +119,9 @@ def test_saved_rows_include_bytes_and_meaning(
     setup.log(POLL)
     setup.log(POLL, ANSWER)
     setup.traffic.pull()
-    saver, path = TrafficSaver(setup.traffic), tmp_path / "line.txt"
+    saver, path = FileSaver(), tmp_path / "line.txt"
     with qtbot.waitSignal(saver.saved, timeout=15_000) as saved:
-        saver.save(path, setup.traffic.everything.rows)
+        saver.save(path, partial(setup.traffic.write, rows=setup.traffic.everything.rows))
     assert saved.args == [3, path]
     lines = path.read_text(encoding="utf-8").splitlines()
     body = [line.split("\t") for line in lines if not line.startswith("#")]
@@ -137,9 +138,9 @@ def test_failed_save_is_reported_and_leaves_no_file(
 ) -> None:
     setup.log(WRITE, STORED)
     setup.traffic.pull()
-    saver = TrafficSaver(setup.traffic)
+    saver, path = FileSaver(), tmp_path / "no such folder" / "line.txt"
     with qtbot.waitSignal(saver.failed, timeout=15_000) as failed:
-        saver.save(tmp_path / "no such folder" / "line.txt", setup.traffic.everything.rows)
+        saver.save(path, partial(setup.traffic.write, rows=setup.traffic.everything.rows))
     assert "line.txt: It was not written: No such file or directory." in failed.args
     assert not saver.is_saving
     assert list(tmp_path.iterdir()) == []

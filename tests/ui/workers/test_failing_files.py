@@ -2,6 +2,7 @@
 
 import logging
 import os
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -14,12 +15,11 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.recording import FORMAT
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.traffic.saver import TrafficSaver
 from trex_gui.ui.workers.file_worker import Done, FileSaver, FileWorker
 from trex_gui.ui.workers.record_thread import RecordThread
 
 
-def fail(_: object) -> int:
+def fail(*_: object) -> int:
     raise ZeroDivisionError("on purpose")
 
 
@@ -40,12 +40,12 @@ def test_internal_error_in_a_worker_is_reported_and_logged(
 def test_saver_reports_an_internal_error_and_stays_usable(qtbot: QtBot, tmp_path: Path) -> None:
     saver = FileSaver()
     with qtbot.waitSignal(saver.failed) as failed:
-        saver.begin(tmp_path / "line.txt", fail)
+        saver.save(tmp_path / "line.txt", fail)
     assert isinstance(failed.args, list)
     assert failed.args[0].startswith("line.txt was not written. Internal error")
     assert not saver.is_saving
     with qtbot.waitSignal(saver.saved) as saved:
-        saver.begin(tmp_path / "line.txt", lambda _tell: 3)
+        saver.save(tmp_path / "line.txt", lambda _file, _progress: 3)
     assert saved.args == [3, tmp_path / "line.txt"]
 
 
@@ -55,7 +55,7 @@ def test_silent_end_of_a_worker_is_reported_as_a_failure(
     monkeypatch.setattr(FileWorker, "run", lambda _worker: None)  # as a thread that dies
     saver = FileSaver()
     with qtbot.waitSignal(saver.failed) as failed:
-        saver.begin(tmp_path / "line.txt", lambda _tell: 0)
+        saver.save(tmp_path / "line.txt", lambda _file, _progress: 0)
     assert failed.args == ["line.txt was not written."]
     assert not saver.is_saving
 
@@ -65,9 +65,9 @@ def test_undecodable_port_name_is_saved_in_the_transcript(qtbot: QtBot, tmp_path
     device = Device()
     device.connect_to(ConnectionSettings(os.fsdecode(b"/dev/pts/\xe9")))
     qtbot.waitUntil(lambda: device.link is ConnectionState.DISCONNECTED)
-    saver, path = TrafficSaver(device.connection.traffic), tmp_path / "line.txt"
+    traffic, saver, path = device.connection.traffic, FileSaver(), tmp_path / "line.txt"
     with qtbot.waitSignal(saver.saved):
-        saver.save(path, device.connection.traffic.everything.rows)
+        saver.save(path, partial(traffic.write, rows=traffic.everything.rows))
     assert "There is no port /dev/pts/\\udce9" in path.read_text(encoding="utf-8")
     qtbot.waitUntil(device.shut_down)
 

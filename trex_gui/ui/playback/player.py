@@ -16,8 +16,8 @@ from trex_gui.core.recording.replay import Replay, StateT
 from trex_gui.core.recording.store import Recording
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.playback.cursor import PlaybackCursor
-from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.traces import Traces
+from trex_gui.ui.plotting.history import SampleHistory
+from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
 _CLOSE_TIMEOUT_MS = 500

@@ -14,8 +14,8 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.player import RecordingPlayer
 from trex_gui.ui.playback.transport import TransportBar
-from trex_gui.ui.plotting.event_list import EventList
 from trex_gui.ui.plotting.export import ExportButton
+from trex_gui.ui.plotting.figures import EventList
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import application_icon
@@ -29,32 +29,6 @@ _EVENT_MARGIN = 5.0
 """Seconds shown before and after a chosen event, unless less is shown already."""
 
 _CSV_SUFFIX = ".csv"
-
-
-class _RecordedEvents(EventList):
-    """The events of a recording; says so when there are none."""
-
-    _player: RecordingPlayer[Any, Any, Any] | None = None
-
-    def __init__(
-        self, plot: TracePlot, player: RecordingPlayer[Any, Any, Any], parent: QWidget
-    ) -> None:
-        super().__init__(plot, parent)
-        self._player = player
-        player.loaded.connect(self._on_loaded)
-        self._describe()
-
-    @property
-    def empty_text(self) -> str:
-        player = self._player
-        if player is None or not player.is_loaded or player.events:
-            return ""
-        return self.tr("Nothing happened in this recording that is listed here.")
-
-    @Slot()
-    def _on_loaded(self) -> None:
-        self._describe()
-        self.viewport().update()
 
 
 class RecordingWindow(QMainWindow):
@@ -124,7 +98,8 @@ class RecordingWindow(QMainWindow):
         self._picture = ExportButton(
             self.plot, self.notifier, self, name=playback.path.stem, tables=False
         )
-        self._list = _RecordedEvents(self.plot, playback, self)
+        self._list = EventList(self.plot, self)
+        self._list.set_placeholder("")
         self._transport = TransportBar(playback, self)
 
         QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
@@ -220,6 +195,7 @@ class RecordingWindow(QMainWindow):
     def _on_loaded(self) -> None:
         self.show_curves()
         self.show_all()
+        self._list.set_placeholder(self.tr("This recording has no events."))
         self._list.refresh()
         self.update_figures()
         self.plot.set_cursor(self.player.position)

@@ -1,7 +1,7 @@
 """Axes: round steps, ranges that do not jump, labels, and which part of the time is shown."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from PySide6.QtCore import QCoreApplication
 
@@ -18,6 +18,11 @@ _MAX_TIME_LABELS = 7
 
 FULL_COUNTS = 127.0
 """The highest speed and the highest remapped channel; plain counts seldom exceed it."""
+
+_SMALLEST_END = 1.0
+
+_SHRINK_BELOW = 0.8
+"""Share of the next smaller range that values must fit in before the axis shrinks."""
 
 MIN_SPAN = 0.05
 """Seconds shown at least: four samples of currents."""
@@ -71,58 +76,33 @@ def spread(
     return moved
 
 
-class AutoRange:
-    """A range in steps of 1, 2 and 5 that grows at once and shrinks only well below a step.
-
-    It contains 0: currents and speeds mean little without it.
-    """
-
-    SHRINK_BELOW = 0.8
-    """The share of the next smaller range that the data must fit in before that is taken."""
-
-    def __init__(self, smallest: float = 1.0) -> None:
-        self._smallest = smallest
-        self.low = 0.0
-        self.high = smallest
-
-    def include(self, low: float, high: float) -> None:
-        """Fit the lowest and the highest value that are shown."""
-        self.high = self._end(self.high, high)
-        self.low = -self._end(-self.low, -low)
-        if self.high == self.low == 0:
-            self.high = self._smallest
-
-    def _end(self, current: float, needed: float) -> float:
-        if needed <= 0:
-            return 0.0
-        if needed > current:
-            return max(self._smallest, round_up(needed))
-        return min(current, max(self._smallest, round_up(needed / self.SHRINK_BELOW)))
-
-
 class ValueAxis:
-    """An axis for one unit; plain counts have a fixed one of -127 to 127 while they fit."""
+    """An axis for one unit that grows at once and shrinks only well below a step.
+
+    It contains 0: currents and speeds mean little without it. Its ends are 1, 2 or 5 times a power
+    of ten; those of plain counts are -127 and 127 while they fit.
+    """
 
     def __init__(self, unit: str) -> None:
         self.unit = unit
-        self._range = AutoRange()
+        self._low, self._high = 0.0, _SMALLEST_END
 
-    def fit(self, extremes: Iterable[tuple[float, float]]) -> None:
+    def fit(self, extremes: Sequence[tuple[float, float]]) -> None:
         """Fit these lowest and highest values; without any the axis stays as it is."""
-        known = list(extremes)
-        if known:
-            self._range.include(min(low for low, _ in known), max(high for _, high in known))
+        if extremes:
+            self._high = _fitted_end(self._high, max(high for _, high in extremes))
+            self._low = -_fitted_end(-self._low, -min(low for low, _ in extremes))
+            if self._high == self._low == 0:
+                self._high = _SMALLEST_END
 
     @property
     def _is_fixed(self) -> bool:
-        return not self.unit and max(self._range.high, -self._range.low) <= 200
+        return not self.unit and max(self._high, -self._low) <= 200
 
     @property
     def ends(self) -> tuple[float, float]:
         """The values at the bottom and the top, without the margin."""
-        return (
-            (-FULL_COUNTS, FULL_COUNTS) if self._is_fixed else (self._range.low, self._range.high)
-        )
+        return (-FULL_COUNTS, FULL_COUNTS) if self._is_fixed else (self._low, self._high)
 
     @property
     def reach(self) -> tuple[float, float]:
@@ -132,7 +112,7 @@ class ValueAxis:
         return low - margin, high + margin
 
     def labels(self) -> Labels:
-        """Return the labels of round values; the highest has the unit."""
+        """Label round values; the highest has the unit."""
         if self._is_fixed:
             return count_labels()
         low, high = self.ends
@@ -144,13 +124,21 @@ class ValueAxis:
         return bottom + (value - low) / (high - low) * (top - bottom)
 
 
+def _fitted_end(current: float, needed: float) -> float:
+    if needed <= 0:
+        return 0.0
+    if needed > current:
+        return max(_SMALLEST_END, round_up(needed))
+    return min(current, max(_SMALLEST_END, round_up(needed / _SHRINK_BELOW)))
+
+
 def count_labels() -> Labels:
-    """Return the labels of speeds and remapped channels, -127 to 127."""
+    """Label speeds and remapped channels, -127 to 127."""
     return value_labels([-FULL_COUNTS, -64.0, 0.0, 64.0, FULL_COUNTS], "")
 
 
 def value_labels(values: Sequence[float], unit: str) -> Labels:
-    """Return labels of these values; the last has the unit."""
+    """Label these values; the last has the unit."""
     texts = [f"{value:g}".replace("-", MINUS) for value in values]
     if texts:
         texts[-1] = f"{texts[-1]} {unit}".strip()
@@ -209,16 +197,14 @@ class Span:
 
     @property
     def start(self) -> float:
-        """The time at the left edge."""
         return self.end - self.length
 
     @property
     def end(self) -> float:
-        """The time at the right edge."""
         return self._newest if self.live else self._end
 
     def set_available(self, oldest: float, newest: float) -> None:
-        """Take the times of the oldest and of the newest sample."""
+        """Set the times of the oldest and of the newest sample."""
         self._oldest, self._newest = oldest, newest
 
     def set_length(self, seconds: float) -> None:
@@ -232,7 +218,6 @@ class Span:
         self.length = min(max(seconds, MIN_SPAN), MAX_SPAN)
 
     def hold(self) -> None:
-        """Stay where it is from now on."""
         self._end = self.end
         self.live = False
 
@@ -255,7 +240,7 @@ class Span:
             self._keep_in_reach()
 
     def pan(self, seconds: float) -> None:
-        """Show what is that much later (earlier below 0), and stay there."""
+        """Move to later times (earlier below 0), and stay there."""
         self.hold()
         self._end += seconds
         self._keep_in_reach()

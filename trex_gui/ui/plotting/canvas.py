@@ -12,7 +12,7 @@ from PySide6.QtGui import QBrush, QFont, QFontMetrics, QPainterPath, QPen
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QWidget
 
 from trex_gui.ui.plotting.axes import Labels
-from trex_gui.ui.plotting.data.pyramid import Floats
+from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import column
 
@@ -30,30 +30,27 @@ class _Shape:
     """An item of the plot in a named colour of the theme."""
 
     def __init__(self, item: Any, color: str, pen: QPen) -> None:  # pyqtgraph has no types
-        self._item = item
+        self.item = item
         self._color = color
         self._pen = pen
 
     def set_visible(self, visible: bool) -> None:
-        """Show or hide it."""
-        self._item.setVisible(visible)
+        self.item.setVisible(visible)
 
     def recolor(self) -> None:
-        """Take the color from the theme in use."""
         self._pen.setColor(theme().color(self._color))
-        self._item.setPen(self._pen)
+        self.item.setPen(self._pen)
 
 
 class Curve(_Shape):
     """A line through points."""
 
     def set_points(self, x: Floats, y: Floats, *, gaps: bool = False) -> None:
-        """Draw through these points; with `gaps`, NaN interrupts the line."""
-        self._item.setData(x, y, connect="finite" if gaps else "all", skipFiniteCheck=not gaps)
+        """Set the points; with `gaps`, NaN interrupts the line."""
+        self.item.setData(x, y, connect="finite" if gaps else "all", skipFiniteCheck=not gaps)
 
     def clear(self) -> None:
-        """Draw nothing."""
-        self._item.setData([], [])
+        self.item.setData([], [])
 
 
 class Line(_Shape):
@@ -61,29 +58,29 @@ class Line(_Shape):
 
     def set_value(self, value: float | None) -> None:
         """Move it there; `None` hides it."""
-        self._item.setVisible(value is not None)
+        self.item.setVisible(value is not None)
         if value is not None:
-            self._item.setValue(value)
+            self.item.setValue(value)
 
 
 class Band(_Shape):
     """A filled range of the x axis."""
 
     def set_range(self, ends: tuple[float, float] | None) -> None:
-        """Fill from one x to another; `None` hides it."""
-        self._item.setVisible(ends is not None)
+        """Set the lowest and the highest x; `None` hides it."""
+        self.item.setVisible(ends is not None)
         if ends is not None:
-            self._item.setRegion(ends)
+            self.item.setRegion(ends)
 
     def recolor(self) -> None:
-        self._item.setBrush(QBrush(theme().color(self._color)))
+        self.item.setBrush(QBrush(theme().color(self._color)))
 
 
 ShapeT = TypeVar("ShapeT", bound=_Shape)
 
 
 class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
-    """Reports the mouse to its canvas instead of moving the axes."""
+    """Reports the mouse to its canvas."""
 
     canvas: "PlotCanvas"
 
@@ -127,15 +124,12 @@ class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
 
 
 class PlotCanvas(QWidget):
-    """A plot with fixed axes; x and pixel positions are those of its `viewport`.
-
-    A screen reader reads its `name`.
+    """A plot with fixed axes. Pixels are those of its `viewport`, from the left.
 
     Signals:
         arranged: the plot has another size, or its axes another range.
-        hovered: the mouse is over the plot at this pixel from the left.
+        hovered, clicked: the mouse, with its left button, is at this pixel.
         unhovered: the mouse has left the plot.
-        clicked: at this pixel, with the left button.
         selected: a span was dragged, from one pixel to another.
         zoomed: show this many times as much, around this pixel.
         panned: the content was dragged this many pixels to the right.
@@ -152,7 +146,7 @@ class PlotCanvas(QWidget):
     def __init__(
         self, name: str, parent: QWidget | None = None, *, is_navigable: bool = False
     ) -> None:
-        """Drags and the wheel are taken, with a rubber band, where the plot `is_navigable`."""
+        """A screen reader reads `name`; only a navigable plot takes drags and the wheel."""
         super().__init__(parent)
         self.is_navigable = is_navigable
         self._box = _MouseBox(enableMouse=False, enableMenu=False, defaultPadding=0)
@@ -190,38 +184,35 @@ class PlotCanvas(QWidget):
         return QRectF(self._box.sceneBoundingRect())
 
     def add_curve(
-        self,
-        color: str,
-        width: float = 1,
-        style: Qt.PenStyle = Qt.PenStyle.SolidLine,
+        self, color: str, width: float = 1, style: Qt.PenStyle = Qt.PenStyle.SolidLine
     ) -> Curve:
-        """Draw a line through points; with a width of 1 it is not smoothed and costs least."""
+        """Add a line through points; with a width of 1 it is not smoothed and costs least."""
         item = pg.PlotCurveItem(antialias=width > 1, skipFiniteCheck=True)
         item.setSegmentedLineMode("off")  # which would break dashes
-        return self._add(Curve(item, color, self._pen(width, style)), item)
+        return self._add(Curve(item, color, self._pen(width, style)))
 
     def add_line(
         self, color: str, style: Qt.PenStyle = Qt.PenStyle.SolidLine, *, vertical: bool = False
     ) -> Line:
-        """Draw a straight line across the plot; it is hidden until it has a value."""
+        """Add a straight line across the plot; it is hidden until it has a value."""
         item = pg.InfiniteLine(angle=90 if vertical else 0)
         item.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
         item.hide()
-        return self._add(Line(item, color, self._pen(1, style)), item)
+        return self._add(Line(item, color, self._pen(1, style)))
 
     def add_band(self, color: str) -> Band:
-        """Fill a range of the x axis below everything else; it is hidden until it has one."""
+        """Add a filled range below everything else; it is hidden until it has one."""
         item = pg.LinearRegionItem(movable=False, pen=QPen(Qt.PenStyle.NoPen))
         item.setZValue(-20)
         item.hide()
-        return self._add(Band(item, color, QPen()), item)
+        return self._add(Band(item, color, QPen()))
 
     def add_item(self, item: QGraphicsItem) -> None:
-        """Draw an item in the units of the axes."""
+        """Add an item in the units of the axes."""
         self._box.addItem(item, ignoreBounds=True)
 
     def add_overlay(self, item: QGraphicsItem) -> None:
-        """Draw an item in pixels."""
+        """Add an item in pixels."""
         self._plot.scene().addItem(item)
 
     def _pen(self, width: float, style: Qt.PenStyle) -> QPen:
@@ -230,8 +221,8 @@ class PlotCanvas(QWidget):
         pen.setCosmetic(True)
         return pen
 
-    def _add(self, shape: ShapeT, item: Any) -> ShapeT:
-        self._box.addItem(item, ignoreBounds=True)
+    def _add(self, shape: ShapeT) -> ShapeT:
+        self._box.addItem(shape.item, ignoreBounds=True)
         shape.recolor()
         self._shapes.append(shape)
         return shape
@@ -256,7 +247,7 @@ class PlotCanvas(QWidget):
         self.arranged.emit()
 
     def set_right_axis(self, labels: Labels) -> None:
-        """Label values of the left axis at the right too; without labels there is no axis."""
+        """Label values of the left axis at the right; without labels there is no axis."""
         axis = self._axes["right"]
         if bool(labels) != self._has_right_axis:
             self._has_right_axis = bool(labels)
@@ -270,12 +261,12 @@ class PlotCanvas(QWidget):
 
     @property
     def right_edge(self) -> float:
-        """The pixel where the right axis ends, or the plot where there is none."""
+        """The pixel where the right axis, or without one the plot, ends."""
         width = float(self._axes["right"].width()) if self._has_right_axis else 0.0
         return self.frame.right() + width
 
     def set_margins(self, *, left: str, top: int, right: int, x_axis: bool) -> None:
-        """Leave room beside the plot: for the widest text at the left, for pixels elsewhere."""
+        """Leave room for the widest text at the left, and for pixels elsewhere."""
         metrics = QFontMetrics(self.small_font())
         self._axes["left"].setWidth(metrics.horizontalAdvance(left) + 10)
         bottom = self._axes["bottom"]
@@ -285,20 +276,16 @@ class PlotCanvas(QWidget):
         self._plot.getPlotItem().layout.setContentsMargins(1, top, right, below)
 
     def x_of(self, x: float) -> float:
-        """Return the pixel from the left of a value of the x axis."""
         return float(self._box.mapViewToScene(QPointF(x, 0)).x())
 
     def y_of(self, y: float) -> float:
-        """Return the pixel from the top of a value of the y axis."""
         return float(self._box.mapViewToScene(QPointF(0, y)).y())
 
     def x_at(self, pixel: float) -> float:
-        """Return the value of the x axis at a pixel from the left."""
         frame, (low, high) = self.frame, self._x_range
         return low + (pixel - frame.left()) / max(frame.width(), 1.0) * (high - low)
 
     def small_font(self) -> QFont:
-        """Return the font of the axes."""
         font = QFont(self.font())
         if font.pointSizeF() > 0:
             font.setPointSizeF(font.pointSizeF() * 0.9)

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.plotting.axes import clock_text, spread
-from trex_gui.ui.plotting.data.history import Statistics
-from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
+from trex_gui.ui.plotting.history import Statistics
+from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 
@@ -57,7 +57,7 @@ def charge_text(found: Statistics) -> str:
     """Return a current's charge in Ah, below 1 Ah in mAh."""
     if not found.seconds:
         return NO_VALUE
-    charge = found.per_hour
+    charge = found.integral / 3600
     text = f"{charge:.3f} Ah" if abs(charge) >= 1 else f"{charge * 1000:.2f} mAh"
     return text.replace("-", MINUS)
 

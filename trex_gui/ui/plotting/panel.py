@@ -3,17 +3,15 @@
 Importing it loads pyqtgraph: do so when a plot is to be shown.
 """
 
-from PySide6.QtCore import QEvent, QObject, Qt, Slot
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import QEvent, Qt, Slot
 from PySide6.QtWidgets import QSplitter, QWidget
 
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.plotting.data.traces import Traces
-from trex_gui.ui.plotting.event_list import EventList
 from trex_gui.ui.plotting.export import ExportButton
+from trex_gui.ui.plotting.figures import EventList, FiguresAndEvents, TraceTable, TraceTableView
 from trex_gui.ui.plotting.plot import TracePlot
-from trex_gui.ui.plotting.table import TraceTable, TraceTableView
+from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.builders import button, column, combo_box, label, row
 
@@ -22,9 +20,6 @@ WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)
 
 _EVERY = 8
 """Frames from one refresh of the figures to the next: digits that run cannot be read."""
-
-_MIN_EVENTS = 12
-"""Characters of an event that are visible at least."""
 
 
 class TracePanel(QWidget):
@@ -68,7 +63,7 @@ class TracePanel(QWidget):
         splitter = QSplitter(Qt.Orientation.Vertical, self)
         splitter.setObjectName("tracesSplitter")
         splitter.addWidget(self.plot)
-        splitter.addWidget(_FiguresAndEvents(self._view, self._list, self))
+        splitter.addWidget(FiguresAndEvents(self._view, self._list, self))
         splitter.setStretchFactor(0, 1)
         splitter.setStretchFactor(1, 0)
         splitter.setChildrenCollapsible(False)
@@ -167,44 +162,3 @@ class TracePanel(QWidget):
         if event.type() == QEvent.Type.DeferredDelete:
             self.export.finish()
         return super().event(event)
-
-
-class _FiguresAndEvents(QSplitter):
-    """Gives the figures the room that they need first, until the user has moved the handle."""
-
-    def __init__(self, figures: TraceTableView, events: EventList, parent: QWidget) -> None:
-        super().__init__(Qt.Orientation.Horizontal, parent)
-        self._figures = figures
-        self._is_moved = False
-        events.setMinimumWidth(events.fontMetrics().averageCharWidth() * _MIN_EVENTS)
-        self._min_events = events.minimumWidth()
-        self.addWidget(figures)
-        self.addWidget(events)
-        self.setChildrenCollapsible(False)
-        figures.horizontalHeader().geometriesChanged.connect(self._share)
-        figures.horizontalHeader().sectionResized.connect(self._share)
-        figures.verticalScrollBar().installEventFilter(self)
-        self.splitterMoved.connect(self._on_moved)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._share()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Share the width again when the scroll bar appears or disappears."""
-        if event.type() in {QEvent.Type.Show, QEvent.Type.Hide}:
-            self._share()
-        return super().eventFilter(watched, event)
-
-    @Slot()
-    def _share(self) -> None:
-        room = self.width() - self.handleWidth()
-        if self._is_moved or room <= 0:
-            return
-        figures = min(self._figures.full_width(), room - self._min_events)
-        if self.sizes()[0] != figures:
-            self.setSizes([figures, room - figures])
-
-    @Slot()
-    def _on_moved(self) -> None:
-        self._is_moved = True

@@ -15,9 +15,7 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.plotting.axes import Span, ValueAxis, ago_labels, clock_text, since_labels
 from trex_gui.ui.plotting.canvas import Curve, Line, PlotCanvas
-from trex_gui.ui.plotting.data.history import Points
-from trex_gui.ui.plotting.data.pyramid import Floats
-from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
+from trex_gui.ui.plotting.history import Floats, Points
 from trex_gui.ui.plotting.marks import (
     EVENT_COLORS,
     MAX_MARKS,
@@ -25,6 +23,7 @@ from trex_gui.ui.plotting.marks import (
     EventMarks,
     Readout,
 )
+from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import FocusFramed
 from trex_gui.ui.widgets.builders import column, named

@@ -2,16 +2,25 @@
 
 import time
 from collections.abc import Sequence
+from datetime import UTC, datetime
+from typing import TextIO
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui import __version__
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction, TransactionAssembler
 from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
 
 MOST_KEPT = 20_000
 """Rows of each buffer; at full telemetry all transactions of less than a minute."""
+
+_COLUMNS = ("time", "fault", "sent", "received", "took_ms", "meaning")
+
+_CHUNK = 100
+"""Rows of a file from one progress report to the next."""
 
 _TRIMMED = MOST_KEPT * 9 // 10
 _INTERVAL_MS = 100
@@ -86,32 +95,54 @@ class TrafficModel(QObject):
         return self._log.lost
 
     def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
-        """Set line settings that the device reported and the port does not know."""
+        """Set line settings that the device reported."""
         self.pull()
         self._assembler.note_settings(settings, echo=echo)
 
     def decode_again(self) -> None:
         """Decode every row again, after the decoder has learned more about the device."""
-        for transaction in self.everything.rows:
-            transaction.words = None
-        for transaction in self.without_polling.rows:
+        for transaction in (*self.everything.rows, *self.without_polling.rows):
             transaction.words = None
         self.changed.emit()
 
     def decoded(self, transaction: Transaction) -> Decoded:
-        """Return the meaning of a row."""
         return self._decoder.decoded(transaction)
 
     def shown(self, data: bytes) -> str:
-        """Return bytes as text."""
         return self._decoder.shown(data)
 
     def wall_time(self, transaction: Transaction) -> float:
         """Return the time of a row in seconds since 1970."""
         return self._epoch + transaction.time
 
+    def line_of(self, row: Transaction) -> str:
+        """Return a row as a line of tab-separated text, without its end."""
+        words = self.decoded(row)
+        moment = datetime.fromtimestamp(self.wall_time(row)).astimezone()
+        values = (
+            moment.isoformat(sep=" ", timespec="milliseconds"),
+            "!" if words.is_fault else "",
+            self.shown(row.sent),
+            self.shown(row.received),
+            "" if row.seconds is None else f"{row.seconds * 1e3:.1f}",
+            words.text,
+        )
+        return "\t".join(values)
+
+    def write(
+        self, file: TextIO, progress: ProgressCallback, *, rows: Sequence[Transaction]
+    ) -> int:
+        """Write rows as tab-separated text, from any thread; return their number."""
+        written = datetime.now(UTC).astimezone().isoformat(sep=" ", timespec="seconds")
+        file.write(f"# TReX Studio {__version__}: traffic on the line\n# written {written}\n")
+        file.write("\t".join(_COLUMNS) + "\n")
+        for done, row in enumerate(rows):
+            if done % _CHUNK == 0:
+                progress(done / len(rows))
+            file.write(f"{self.line_of(row)}\n")
+        return len(rows)
+
     def clear(self) -> None:
-        """Drop every row."""
         self.pull()
         self.everything.clear()
         self.without_polling.clear()
@@ -120,7 +151,6 @@ class TrafficModel(QObject):
 
     @Slot()
     def pull(self) -> None:
-        """Take the new events from the traffic log."""
         rows = self._assembler.feed(self._log.take())
         for transaction in rows:
             self._add(transaction)

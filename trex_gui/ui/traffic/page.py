@@ -1,31 +1,25 @@
 """Page of the traffic log: every byte on the line, and its meaning."""
 
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QModelIndex, QSettings, Qt, Slot
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShortcut, QShowEvent
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QFileDialog,
-    QHBoxLayout,
-    QLabel,
-    QLineEdit,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
+from PySide6.QtWidgets import QFileDialog, QLineEdit, QWidget
 
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.traffic.model import TrafficModel
-from trex_gui.ui.traffic.saver import TrafficSaver, row_of
-from trex_gui.ui.traffic.table import TrafficTable
-from trex_gui.ui.traffic.table_view import RowDetails, TrafficView
+from trex_gui.ui.traffic.table import RowDetails, TrafficTable, TrafficView
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.workers.file_worker import FileSaver
 
 _TYPING_MS = 200
+
+_SAVE_TIMEOUT_MS = 3000
+"""Longest wait for a file at the end of the program."""
 
 
 class TrafficPage(QWidget):
@@ -35,75 +29,90 @@ class TrafficPage(QWidget):
         self,
         traffic: TrafficModel,
         key: str,
-        who: str,
+        device: str,
         notifier: Notifier,
         parent: QWidget | None = None,
     ) -> None:
-        """Show traffic; `key` names the page and its settings, `who` the device."""
+        """Show traffic; `key` names the page and its settings, `device` is in the texts."""
         super().__init__(parent)
         self.setObjectName(f"{key}Page")
         self._traffic = traffic
         self._notifier = notifier
-        self._key = key
-        self._who = who
+        self._polling_key = f"{key}/polling"
+        self._device = device
         self._store = QSettings(self)
         self._table = TrafficTable(traffic, self)
-        self._saver = TrafficSaver(traffic, self)
+        self._saver = FileSaver(self, finishing_ms=_SAVE_TIMEOUT_MS)
 
-        self._search = QLineEdit(self)
-        self._search.setObjectName(f"{key}Search")
-        self._search.setAccessibleName(self.tr("Search the traffic log"))
+        self._search = ui.named(
+            QLineEdit(self), f"{key}Search", accessible=self.tr("Search the traffic log")
+        )
         self._search.setPlaceholderText(self.tr("Search bytes and meanings (Ctrl+F)"))
         self._search.setClearButtonEnabled(True)
-        self._polling = self._check_box(
-            "Polling",
+        self._polling = ui.check_box(
+            self,
+            f"{key}Polling",
             self.tr("Show polling"),
-            self.tr("Also show the requests that the program repeats many times a second"),
+            tip=self.tr("Also show the requests that the program repeats many times a second"),
         )
-        self._faults = self._check_box(
-            "Faults",
+        self._faults = ui.check_box(
+            self,
+            f"{key}Faults",
             self.tr("Only faults"),
-            self.tr("Show only failed transactions and line errors"),
+            tip=self.tr("Show only failed transactions and line errors"),
         )
-        self._paused = self._check_box(
-            "Pause",
+        self._paused = ui.check_box(
+            self,
+            f"{key}Pause",
             self.tr("Pause"),
-            self.tr("Do not add rows for now; the traffic is still logged"),
+            tip=self.tr("Do not add rows for now; the traffic is still logged"),
         )
-        copy = self._button("Copy", self.tr("Copy"), "copy", self._copy)
-        copy.setToolTip(self.tr("Copy the selected rows (Ctrl+C), or all rows shown"))
-        save = self._button("Save", self.tr("Save…"), "save", self._ask_and_save)
-        save.setToolTip(self.tr("Save the rows shown as text"))
-        clear = self._button("Clear", self.tr("Clear"), "clear", traffic.clear)
-        clear.setToolTip(self.tr("Remove every row"))
-        self._view = TrafficView(self._table, self)
-        self._view.setObjectName(f"{key}View")
-        self._details = RowDetails(traffic, self._table, self)
-        self._details.setObjectName(f"{key}Details")
-        self._summary = QLabel(self)
-        self._summary.setObjectName(f"{key}Summary")
+        copy = ui.button(
+            self,
+            f"{key}CopyButton",
+            self.tr("Copy"),
+            icon="copy",
+            tip=self.tr("Copy the selected rows (Ctrl+C), or all rows shown"),
+            on_click=self._copy,
+        )
+        save = ui.button(
+            self,
+            f"{key}SaveButton",
+            self.tr("Save…"),
+            icon="save",
+            tip=self.tr("Save the rows shown as text"),
+            on_click=self._ask_and_save,
+        )
+        clear = ui.button(
+            self,
+            f"{key}ClearButton",
+            self.tr("Clear"),
+            icon="clear",
+            tip=self.tr("Remove every row"),
+            on_click=traffic.clear,
+        )
+        self._view = ui.named(TrafficView(self._table, self), f"{key}View")
+        self._details = ui.named(RowDetails(traffic, self._table, self), f"{key}Details")
+        self._summary = ui.label(self, f"{key}Summary")
         self._typing = runtime().timer(self)
         self._typing.setSingleShot(True)
         self._typing.setInterval(_TYPING_MS)
 
-        above = QHBoxLayout()
-        above.addWidget(self._search, 1)
-        for box in (self._polling, self._faults, self._paused):
-            above.addWidget(box)
+        above = ui.row((self._search, 1), self._polling, self._faults, self._paused)
         above.addSpacing(above.spacing())
         for button in (copy, save, clear):
             above.addWidget(button)
-        layout = QVBoxLayout(self)
-        layout.addLayout(above)
-        layout.addWidget(self._view, 1)
-        layout.addWidget(self._details)
-        layout.addWidget(self._summary)
+        ui.column(above, (self._view, 1), self._details, self._summary, into=self)
 
         QShortcut(QKeySequence.StandardKey.Find, self, self._on_find)
-        copying = QAction(self.tr("Copy"), self._view)
-        copying.setShortcut(QKeySequence.StandardKey.Copy)
-        copying.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-        copying.triggered.connect(self._copy)
+        copying = ui.action(
+            self._view,
+            f"{key}CopyAction",
+            self.tr("Copy"),
+            shortcut=QKeySequence.StandardKey.Copy,
+            context=Qt.ShortcutContext.WidgetShortcut,
+            on_trigger=self._copy,
+        )
         self._view.addAction(copying)
         self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._search.textChanged.connect(self._typing.start)
@@ -117,21 +126,8 @@ class TrafficPage(QWidget):
         self._saver.failed.connect(self._notifier.error)
         traffic.changed.connect(self._refresh)
         traffic.cleared.connect(self._refresh)
-        self._polling.setChecked(self._store.value(f"{key}/polling", False, bool) is True)
+        self._polling.setChecked(self._store.value(self._polling_key, False, bool) is True)
         self._apply_filter()
-
-    def _check_box(self, name: str, text: str, tip: str) -> QCheckBox:
-        box = QCheckBox(text, self)
-        box.setObjectName(f"{self._key}{name}")
-        box.setToolTip(tip)
-        return box
-
-    def _button(self, name: str, text: str, sign: str, slot: object) -> QPushButton:
-        button = QPushButton(text, self)
-        button.setObjectName(f"{self._key}{name}Button")
-        set_icon(button, sign)
-        button.clicked.connect(slot)
-        return button
 
     # --- Rows shown ---------------------------------------------------------------------
 
@@ -142,7 +138,7 @@ class TrafficPage(QWidget):
     @Slot()
     def _apply_filter(self) -> None:
         self._typing.stop()
-        self._store.setValue(f"{self._key}/polling", self._polling.isChecked())
+        self._store.setValue(self._polling_key, self._polling.isChecked())
         self._table.set_filter(
             polling=self._polling.isChecked(),
             faults=self._faults.isChecked(),
@@ -170,11 +166,10 @@ class TrafficPage(QWidget):
 
     def _summarize(self) -> None:
         traffic = self._traffic
-        faults = traffic.faults
         parts = [
             self.tr("shown: {0}").format(f"{self._table.rowCount():,}"),
             self.tr("transactions: {0}").format(f"{traffic.everything.count:,}"),
-            self.tr("faults: {0}").format(f"{faults:,}"),
+            self.tr("faults: {0}").format(f"{traffic.faults:,}"),
         ]
         if not self._polling.isChecked():
             parts.append(self.tr("polling is hidden"))
@@ -183,9 +178,9 @@ class TrafficPage(QWidget):
         if traffic.lost:
             parts.append(self.tr("events lost: {0}").format(f"{traffic.lost:,}"))
         self._summary.setText(" · ".join(parts))
-        self._view.set_empty_text(self._empty_text())
+        self._view.set_placeholder(self._placeholder())
 
-    def _empty_text(self) -> str:
+    def _placeholder(self) -> str:
         if self._traffic.everything.rows and self._search.text().strip():
             return self.tr("No row matches the search.")
         if self._traffic.everything.rows and self._faults.isChecked():
@@ -193,7 +188,7 @@ class TrafficPage(QWidget):
         return self.tr(
             "No traffic yet. While {0} is connected, this page lists every byte on the line and "
             "its meaning."
-        ).format(self._who)
+        ).format(self._device)
 
     @Slot(QModelIndex)
     def _on_current_changed(self, _current: QModelIndex) -> None:
@@ -216,14 +211,13 @@ class TrafficPage(QWidget):
 
     @Slot()
     def _copy(self) -> None:
-        """Copy the selected rows, or all."""
         selected = sorted(index.row() for index in self._view.selectionModel().selectedRows())
         rows = self._table.rows
         wanted = [rows[row] for row in selected] if selected else rows
         if not wanted:
             self._notifier.error.emit(self.tr("No rows to copy."))
             return
-        lines = [row_of(self._traffic, row).text() for row in wanted]
+        lines = [self._traffic.line_of(row) for row in wanted]
         QGuiApplication.clipboard().setText("\n".join(lines) + "\n")
         self._notifier.info.emit(self.tr("Copied rows: {0}.").format(f"{len(lines):,}"))
 
@@ -241,9 +235,8 @@ class TrafficPage(QWidget):
             self.save(path if path.suffix else path.with_suffix(".txt"))
 
     def save(self, path: Path) -> None:
-        """Write the rows shown."""
         file_questions.remember_folder(self._store, path)
-        self._saver.save(path, self._table.rows)
+        self._saver.save(path, partial(self._traffic.write, rows=tuple(self._table.rows)))
 
     @Slot(int, object)
     def _on_saved(self, count: int, path: Path) -> None:

@@ -1,28 +1,46 @@
-"""Table model of the traffic: filter, texts and colours of the rows."""
+"""Table of the traffic: its model with the filter, its view, and the selected row in full."""
 
 from bisect import bisect_right
 from collections.abc import Sequence
 from datetime import datetime
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
-from PySide6.QtGui import QFont, QFontDatabase
+from PySide6.QtGui import QFont, QFontDatabase, QFontMetrics, QPaintEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFrame,
+    QHeaderView,
+    QPlainTextEdit,
+    QTableView,
+    QWidget,
+)
 
 from trex_gui.core.transport.traffic import Transaction
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.traffic.model import RowBuffer, TrafficModel
+from trex_gui.ui.widgets.behaviour import name_headers, paint_placeholder
 
 TIME, SENT, RECEIVED, TOOK, WORDS = range(5)
+
+_SAMPLES = {
+    TIME: "00:00:00.000",
+    SENT: "80 07 2F 7E 00 55 2A",
+    RECEIVED: "54 52 65 58 31 2E 32 00 00 00",
+    TOOK: "Took (ms)",
+}
+"""Texts that set the column widths; longer bytes are elided, and complete below the table."""
+
+_DETAIL_LINES = 5
 
 Index = QModelIndex | QPersistentModelIndex
 
 
 class TrafficTable(QAbstractTableModel):
-    """One row per transaction: bytes sent, bytes received and their meaning.
-
-    New rows are added in `refresh` only, so a hidden page costs nothing.
+    """One row per transaction; `refresh` adds new rows, so a hidden page costs nothing.
 
     Attributes:
+        rows: the listed transactions, oldest first.
         mono: font of the bytes.
     """
 
@@ -44,8 +62,7 @@ class TrafficTable(QAbstractTableModel):
 
     @property
     def _source(self) -> RowBuffer:
-        polling = self._polling
-        return self._traffic.everything if polling else self._traffic.without_polling
+        return self._traffic.everything if self._polling else self._traffic.without_polling
 
     def set_filter(self, *, polling: bool, faults: bool, text: str) -> None:
         """List polls, too; list only faults; list only rows that contain `text`."""
@@ -58,7 +75,6 @@ class TrafficTable(QAbstractTableModel):
         self._paused_at = (rows[-1].number if rows else 0) if paused else None
 
     def rebuild(self) -> None:
-        """List every row that matches the filter, up to the start of a pause."""
         self.beginResetModel()
         last = self._paused_at
         known = [row for row in self._source.rows if last is None or row.number <= last]
@@ -67,7 +83,7 @@ class TrafficTable(QAbstractTableModel):
         self.endResetModel()
 
     def refresh(self) -> None:
-        """Add new rows and remove those that the model has dropped."""
+        """Add new rows and remove those that were dropped."""
         self._remove_dropped()
         if self._last is not None:  # it may have received more bytes
             self._update(self._last)
@@ -159,8 +175,8 @@ class TrafficTable(QAbstractTableModel):
         match role:
             case Qt.ItemDataRole.DisplayRole:
                 return self.text(row, column)
-            case Qt.ItemDataRole.AccessibleTextRole:
-                return self._accessible_text(row, column)
+            case Qt.ItemDataRole.AccessibleTextRole if column == WORDS and self._is_fault(row):
+                return self.tr("Fault: {0}").format(self.text(row, column))
             case Qt.ItemDataRole.TextAlignmentRole:
                 return _alignment(column)
             case Qt.ItemDataRole.FontRole:
@@ -172,7 +188,6 @@ class TrafficTable(QAbstractTableModel):
         return None
 
     def text(self, row: Transaction, column: int) -> str:
-        """Return the text of a cell."""
         match column:
             case 0:  # TIME
                 moment = datetime.fromtimestamp(self._traffic.wall_time(row)).astimezone()
@@ -184,12 +199,6 @@ class TrafficTable(QAbstractTableModel):
             case 3:  # TOOK
                 return "" if row.seconds is None else f"{row.seconds * 1e3:.1f}"
         return self._traffic.decoded(row).text
-
-    def _accessible_text(self, row: Transaction, column: int) -> str | None:
-        """Return what the colour shows, for screen readers."""
-        if column == WORDS and self._is_fault(row):
-            return self.tr("Fault: {0}").format(self.text(row, column))
-        return None
 
     def _font(self, row: Transaction, column: int) -> QFont | None:
         if column in {SENT, RECEIVED}:
@@ -213,3 +222,92 @@ class TrafficTable(QAbstractTableModel):
 def _alignment(column: int) -> Qt.AlignmentFlag:
     side = Qt.AlignmentFlag.AlignRight if column == TOOK else Qt.AlignmentFlag.AlignLeft
     return side | Qt.AlignmentFlag.AlignVCenter
+
+
+class TrafficView(QTableView):
+    """Table of transactions, with a text if it is empty."""
+
+    def __init__(self, table: TrafficTable, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._placeholder = ""
+        self.setAccessibleName(self.tr("Traffic on the line"))
+        self.setModel(table)
+        name_headers(self)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setAlternatingRowColors(True)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        rows = self.verticalHeader()
+        rows.hide()
+        rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        rows.setDefaultSectionSize(self.fontMetrics().height() + 6)
+        header = self.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setStretchLastSection(True)
+        for column, sample in _SAMPLES.items():
+            font = table.mono if column in {SENT, RECEIVED} else self.font()
+            width = QFontMetrics(font).horizontalAdvance(sample)
+            header.resizeSection(column, width + 3 * self.fontMetrics().averageCharWidth())
+        header.setMinimumSectionSize(self.fontMetrics().averageCharWidth() * 6)
+        self.setMinimumHeight(self.fontMetrics().height() * 6)
+
+    @property
+    def is_at_bottom(self) -> bool:
+        """Whether the newest row is visible, so that the next one should be, too."""
+        bar = self.verticalScrollBar()
+        return bar.value() >= bar.maximum() - self.verticalHeader().defaultSectionSize()
+
+    def set_placeholder(self, text: str) -> None:
+        """Show a text while there are no rows."""
+        if text != self._placeholder:
+            self._placeholder = text
+            self.viewport().update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.model().rowCount() == 0:
+            paint_placeholder(self, self._placeholder)
+
+
+class RowDetails(QPlainTextEdit):
+    """All bytes of the selected row, their meaning and timing; read-only."""
+
+    def __init__(
+        self, traffic: TrafficModel, table: TrafficTable, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._traffic = traffic
+        self._table = table
+        self.setAccessibleName(self.tr("Details of the selected row"))
+        self.setReadOnly(True)
+        self.setTabChangesFocus(True)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self.setPlaceholderText(self.tr("Select a row to see all its bytes."))
+        margins = 2 * (round(self.document().documentMargin()) + self.frameWidth())
+        self.setFixedHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES + margins)
+
+    def show_row(self, row: Transaction | None) -> None:
+        text = "" if row is None else "\n".join(self._lines(row))
+        if text != self.toPlainText():  # keeps a selection in it
+            self.setPlainText(text)
+
+    def _lines(self, row: Transaction) -> list[str]:
+        shown = self._traffic.shown
+        settings = row.settings
+        where = "" if settings is None else self.tr(" at {0}").format(settings.short)
+        lines = [f"{self._table.text(row, TIME)}  #{row.number}{where}"]
+        if row.sent:
+            lines.append(self.tr("sent      {0}").format(shown(row.sent)))
+        if row.received:
+            lines.append(self.tr("received  {0}").format(shown(row.received)))
+        if row.seconds is not None and settings is not None:
+            count = len(row.sent) + len(row.received)
+            text = self.tr("took      {0:.1f} ms; {1} bytes need {2:.1f} ms on this wire")
+            wire = settings.line.seconds(count)
+            lines.append(text.format(row.seconds * 1e3, count, wire * 1e3))
+        lines.append(self._traffic.decoded(row).text)
+        return lines

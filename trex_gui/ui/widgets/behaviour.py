@@ -30,8 +30,19 @@ class FocusFramed(QWidget):
         self.update()
 
 
+def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") -> None:
+    """Paint a text into an empty view; `short` instead where there is no room for all of it."""
+    box = view.viewport().rect().adjusted(8, 4, -8, -4)
+    how = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+    with QPainter(view.viewport()) as painter:
+        painter.setPen(theme().color("muted"))
+        if short and not box.contains(painter.boundingRect(box, how, text)):
+            text = short if text else ""
+        painter.drawText(box, how, text)
+
+
 def name_headers(view: QAbstractItemView) -> None:
-    """Say of each header what it is; which table it belongs to says the table."""
+    """Name the headers of a view for screen readers."""
     for header in view.findChildren(QHeaderView, options=Qt.FindChildOption.FindDirectChildrenOnly):
         across = header.orientation() is Qt.Orientation.Horizontal
         header.setAccessibleName(_tr("Columns") if across else _tr("Rows"))

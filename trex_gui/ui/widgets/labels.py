@@ -1,7 +1,7 @@
-"""Labels: notes that stand out, text that is cut off, muted text, signs."""
+"""Labels: notes, elided and muted text, signs, legend keys."""
 
-from PySide6.QtCore import QSize, Qt, Slot
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtCore import QPointF, QSize, Qt, Slot
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from trex_gui.ui.theme.icons import icon
@@ -22,7 +22,7 @@ class Note(QLabel):
         theme().changed.connect(self._on_theme_changed)
 
     def show_note(self, text: str, *, alarming: bool = False) -> None:
-        """Show a text; an alarming one is bold, in the theme's colour of warnings."""
+        """Show a text; an alarming one is bold and in the warning colour."""
         if self.text() != text:
             self.setText(text)
         if alarming != self._alarming:
@@ -41,9 +41,9 @@ class Note(QLabel):
 
 
 class ElidedLabel(QLabel):
-    """Plain text whose end may be cut; the tool tip has all of it.
+    """Plain text whose end may be elided; the tool tip has all of it.
 
-    `at_least` is as much text as always has room.
+    It is always wide enough for the text `at_least`.
     """
 
     def __init__(self, at_least: str, parent: QWidget | None = None) -> None:
@@ -52,7 +52,6 @@ class ElidedLabel(QLabel):
         self.setTextFormat(Qt.TextFormat.PlainText)
 
     def show_text(self, text: str) -> None:
-        """Show this, and all of it in the tool tip."""
         if text != self.text():
             self.setText(text)
             self.setToolTip(text)
@@ -66,17 +65,11 @@ class ElidedLabel(QLabel):
         del event
         rect = self.contentsRect()
         text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, rect.width())
-        painter = QPainter(self)
-        self.style().drawItemText(
-            painter,
-            rect,
-            self.alignment(),
-            self.palette(),
-            self.isEnabled(),
-            text,
-            self.foregroundRole(),
-        )
-        painter.end()
+        enabled, role = self.isEnabled(), self.foregroundRole()
+        with QPainter(self) as painter:
+            self.style().drawItemText(
+                painter, rect, self.alignment(), self.palette(), enabled, text, role
+            )
 
 
 class Sign(QLabel):
@@ -105,7 +98,7 @@ class Sign(QLabel):
 
 
 class Muted(QLabel):
-    """Wrapped text that is there for those who want to know more."""
+    """Wrapped text of secondary importance."""
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
         super().__init__(text, parent)
@@ -119,3 +112,39 @@ class Muted(QLabel):
         palette = self.palette()
         palette.setColor(self.foregroundRole(), theme().color("muted"))
         self.setPalette(palette)
+
+
+class LegendKey(QLabel):
+    """Names a curve; `color` is a name of the theme. Without a style it is a dot."""
+
+    def __init__(
+        self,
+        text: str,
+        color: str,
+        parent: QWidget,
+        style: Qt.PenStyle | None = Qt.PenStyle.SolidLine,
+    ) -> None:
+        super().__init__(text, parent)
+        self._color = color
+        self._style = style
+        self._sample = self.fontMetrics().averageCharWidth() * 3
+        self.setContentsMargins(16 if style is None else self._sample * 4 // 3, 0, 0, 0)
+        theme().changed.connect(self.update)
+
+    def set_color(self, color: str) -> None:
+        if color != self._color:
+            self._color = color
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        color, middle = theme().color(self._color), self.height() // 2
+        with QPainter(self) as painter:
+            if self._style is None:
+                painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+                painter.setPen(Qt.PenStyle.NoPen)
+                painter.setBrush(color)
+                painter.drawEllipse(QPointF(6, middle), 5, 5)
+            else:
+                painter.setPen(QPen(color, 2, self._style))
+                painter.drawLine(0, middle, self._sample, middle)

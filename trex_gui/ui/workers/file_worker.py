@@ -1,14 +1,18 @@
 """Long file operations in a separate thread, so that the window stays responsive."""
 
+import io
 import logging
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from typing import TextIO
 
 from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.files import atomic_file
 from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
@@ -169,9 +173,7 @@ class FileTask(QObject):
 
 
 class FileSaver(QObject):
-    """Writes one file at a time, completely or not at all.
-
-    Subclasses call `begin` while `is_saving` is false.
+    """Writes one text file at a time, completely or not at all.
 
     Signals:
         saved: number of rows and the `Path`.
@@ -196,10 +198,13 @@ class FileSaver(QObject):
     def is_saving(self) -> bool:
         return self._task.is_running
 
-    def begin(self, path: Path, work: Callable[[ProgressCallback], int]) -> None:
-        """Let `work` write the file in a thread; it returns the number of rows."""
-        self._path = path
-        self._task.start(work)
+    def save(self, path: Path, write: Callable[[TextIO, ProgressCallback], int]) -> None:
+        """Let `write` write the file in a thread; it returns the number of rows."""
+        if self.is_saving:
+            self.failed.emit(self.tr("Another file is still being written."))
+        else:
+            self._path = path
+            self._task.start(partial(_write_text, path, write))
 
     @Slot()
     def finish(self) -> None:
@@ -217,3 +222,18 @@ class FileSaver(QObject):
             self.saved.emit(done.result, self._path)
         else:
             self.failed.emit(self.tr("{0} was not written.").format(self._path.name))
+
+
+def _write_text(
+    path: Path, write: Callable[[TextIO, ProgressCallback], int], progress: ProgressCallback
+) -> int:
+    try:
+        with (
+            atomic_file(path) as data,
+            # Names of ports may contain undecodable bytes.
+            io.TextIOWrapper(data, "utf-8", errors="backslashreplace", newline="") as file,
+        ):
+            return write(file, progress)
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise RecordingError(path.name, f"It was not written: {reason.rstrip('.')}.") from error

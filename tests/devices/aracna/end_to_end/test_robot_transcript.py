@@ -2,8 +2,7 @@
 
 from tests.support.pages.robot import RobotWindow
 from tests.support.program import aracna
-from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS
-from trex_gui.ui.traffic.table_view import TrafficView
+from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS, TrafficView
 
 
 def column(window: RobotWindow, column: int) -> list[str]:

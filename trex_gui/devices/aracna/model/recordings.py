@@ -25,8 +25,8 @@ from trex_gui.devices.aracna.session.messages import (
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
-from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
+from trex_gui.ui.plotting.history import SampleHistory
+from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
 

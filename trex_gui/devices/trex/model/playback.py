@@ -19,8 +19,8 @@ from trex_gui.devices.trex.recording import FORMAT, BoardSnapshot, Header, Recor
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
-from trex_gui.ui.plotting.data.history import MAX_GAP, SampleHistory
-from trex_gui.ui.plotting.data.traces import Traces
+from trex_gui.ui.plotting.history import MAX_GAP, SampleHistory
+from trex_gui.ui.plotting.traces import Traces
 
 MAX_ROWS = 3_000_000
 """Rows that are drawn: ten hours at 80 a second, 240 MB."""

@@ -9,8 +9,8 @@ from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remap
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.session.messages import Batch
-from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.traces import TraceInfo
+from trex_gui.ui.plotting.history import SampleHistory
+from trex_gui.ui.plotting.traces import TraceInfo
 
 _INPUT_HISTORY = 3_000
 """Samples of the inputs kept: a minute at 50 a second."""

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.recording import BoardSnapshot
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.window import RecordingWindow
-from trex_gui.ui.plotting.table import TraceColumn, TraceTable, TraceTableView
+from trex_gui.ui.plotting.figures import TraceColumn, TraceTable, TraceTableView
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.bar import MINUS
 

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.model.learning.preconditions import (
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.ui.plotting.data.pyramid import Floats
+from trex_gui.ui.plotting.history import Floats
 
 
 class LearningStep(Enum):

@@ -13,10 +13,10 @@ from trex_gui.devices.trex.bench.profile import Profile
 from trex_gui.devices.trex.bench.run import Run
 from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
-from trex_gui.ui.plotting.data.pyramid import Floats
-from trex_gui.ui.plotting.legend import LegendKey
+from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.builders import column, label, row
+from trex_gui.ui.widgets.labels import LegendKey
 
 _WIDEST_LABEL = f"{MINUS}127"
 _SPEED_REACH = 134.0

@@ -6,11 +6,10 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
-from trex_gui.ui.plotting.legend import LegendKey
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import column, row
-from trex_gui.ui.widgets.labels import Muted
+from trex_gui.ui.widgets.labels import LegendKey, Muted
 
 _MIN_LINES = 13
 _MIN_CHARACTERS = 40

@@ -18,7 +18,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.pages.calibration.curve_handles import GRIP, HandleLayer, Threshold
 from trex_gui.ui.plotting.axes import Labels, count_labels, ticks, value_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
-from trex_gui.ui.plotting.data.pyramid import Floats
+from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import column
 

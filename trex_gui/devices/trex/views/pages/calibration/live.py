@@ -10,10 +10,10 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.pages.calibration.channel_list import ChannelList
 from trex_gui.devices.trex.views.pages.calibration.options import ChannelOptions
-from trex_gui.ui.plotting.legend import LegendKey
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import row
+from trex_gui.ui.widgets.labels import LegendKey
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot

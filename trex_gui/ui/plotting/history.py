@@ -1,4 +1,9 @@
-"""A million rows of samples in bounded memory; any span is drawn and summarized at once."""
+"""A million rows of samples in bounded memory; any span is drawn and summarized at once.
+
+A plot of an hour needs the extremes of some hundred spans of samples. `Pyramid` keeps those of
+blocks of rows, of blocks of blocks, and so on: they cost the same for eight samples and for a
+hundred thousand.
+"""
 
 import itertools
 import math
@@ -8,8 +13,12 @@ from dataclasses import dataclass
 from operator import itemgetter
 
 import numpy as np
+from numpy.typing import NDArray
 
-from trex_gui.ui.plotting.data.pyramid import FACTOR, MAX_LEVELS, Floats, Pyramid
+Floats = NDArray[np.float64]
+
+Points = tuple[Floats, Floats]
+"""Times and values; NaN interrupts the line."""
 
 CAPACITY = 1_000_000
 """Rows kept: three and a half hours at 80 a second."""
@@ -22,8 +31,142 @@ _FIRST_ROOM = 4096
 _MAX_GAPS_DRAWN = 200
 """Gaps drawn in one plot; where there are more, only the longest."""
 
-Points = tuple[Floats, Floats]
-"""Times and values; NaN interrupts the line."""
+FACTOR = 8
+"""Rows in a block of the lowest level, and blocks in one of the next."""
+
+_BATCH = 64
+"""Rows summarized at once: as many cost little more than a single block."""
+
+MAX_LEVELS = 6
+"""The largest block has 8 to the power of 6 rows: 55 minutes at 80 samples a second."""
+
+
+class Pyramid:
+    """Summaries of whole blocks of the rows of `times` and `values` (columns, rows).
+
+    NaN is left out; a block of nothing else is NaN itself. Integrals are by the trapezoidal rule:
+    the interval before a row belongs to the row, and counts nothing if it is longer than `max_gap`
+    seconds or has NaN at one end.
+    """
+
+    _REDUCE = (np.fmin, np.fmax, np.add, np.add, np.add)
+
+    def __init__(self, columns: int, levels: int, max_gap: float) -> None:
+        self._columns = columns
+        self._levels = levels
+        self._max_gap = max_gap
+        self._done = [0] * (levels + 1)  # whole blocks of each level; level 0: summarized rows
+        self._blocks = [np.empty((5, columns, 0)) for _ in range(levels + 1)]
+
+    def resize(self, rows: int) -> None:
+        """Make room for the blocks of that many rows; what is there stays."""
+        for level in range(1, self._levels + 1):
+            grown = np.empty((5, self._columns, rows // FACTOR**level))
+            done = self._done[level]
+            grown[:, :, :done] = self._blocks[level][:, :, :done]
+            self._blocks[level] = grown
+
+    def grow(self, times: Floats, values: Floats, size: int) -> None:
+        """Summarize the rows up to `size` in batches; none is read twice."""
+        if size - self._done[0] < _BATCH:
+            return
+        self._done[0] = size
+        for level in range(1, self._levels + 1):
+            first, done = self._done[level], self._done[level - 1] // FACTOR
+            if done == first:
+                return
+            begin, end = first * FACTOR, done * FACTOR
+            if level == 1:
+                rows = values[:, begin:end]
+                below = [rows, rows, *self._intervals(times, values, begin, end)]
+            else:
+                below = list(self._blocks[level - 1][:, :, begin:end])
+            for reduce, summary, part in zip(self._REDUCE, self._blocks[level], below, strict=True):
+                shaped = part.reshape(self._columns, done - first, FACTOR)
+                reduce.reduce(shaped, axis=2, out=summary[:, first:done])
+            self._done[level] = done
+
+    def drop(self, rows: int) -> None:
+        """Forget the first rows, a multiple of the largest block."""
+        for level in range(self._levels + 1):
+            gone, done = rows // FACTOR**level, self._done[level]
+            if level and done > gone:
+                blocks = self._blocks[level]
+                blocks[:, :, : done - gone] = blocks[:, :, gone:done].copy()
+            self._done[level] = max(0, done - gone)
+
+    def extremes(
+        self, values: Floats, column: int, first: int, stop: int, least: int
+    ) -> tuple[NDArray[np.intp], Floats, Floats]:
+        """Return where the blocks that cover rows `first` to `stop` begin, and their extremes.
+
+        They are as large as possible while there are at least `least` of them, and smaller at
+        the ends, so that they cover exactly these rows.
+        """
+        top = 0
+        while top < self._levels and (stop - first) // FACTOR ** (top + 1) >= least:
+            top += 1
+        if first >= stop:
+            return np.empty(0, np.intp), np.empty(0), np.empty(0)
+        starts, lows, highs = [], [], []
+        for level, begin, end in self._cover(first, stop, top):
+            size = FACTOR**level
+            span = slice(begin // size, end // size)
+            blocks = self._blocks[level] if level else (values, values)
+            starts.append(np.arange(begin, end, size))
+            lows.append(blocks[0][column, span])
+            highs.append(blocks[1][column, span])
+        return np.concatenate(starts), np.concatenate(lows), np.concatenate(highs)
+
+    def integrals(
+        self, times: Floats, values: Floats, column: int, first: int, stop: int
+    ) -> tuple[float, float, float]:
+        """Return seconds, integral and integral of squares between rows `first` and `stop` - 1."""
+        total = np.zeros(3)
+        for level, begin, end in self._cover(first + 1, stop, self._levels):
+            size = FACTOR**level
+            if level:
+                total += self._blocks[level][2:, column, begin // size : end // size].sum(axis=1)
+            else:
+                one = values[column : column + 1]
+                total += self._intervals(times, one, begin, end).sum(axis=2)[:, 0]
+        seconds, integral, squares = total.tolist()
+        return seconds, integral, squares
+
+    def _cover(self, first: int, stop: int, top: int) -> list[tuple[int, int, int]]:
+        """Return (level, from, to) of whole blocks, none above `top`, that cover these rows."""
+        done = max(first, min(stop, self._done[0]))
+        blocks = _whole_blocks(first, done, top)
+        return [*blocks, (0, done, stop)] if done < stop else blocks
+
+    def _intervals(self, times: Floats, values: Floats, first: int, stop: int) -> Floats:
+        """Return what the interval before each row adds: (integrals, columns, rows)."""
+        added = np.zeros((3, len(values), stop - first))
+        begin = max(first, 1)  # there is no interval before row 0
+        after, before = values[:, begin:stop], values[:, begin - 1 : stop - 1]
+        width = times[begin:stop] - times[begin - 1 : stop - 1]
+        counts = np.isfinite(after) & np.isfinite(before) & (width <= self._max_gap)
+        part = added[:, :, begin - first :]
+        np.copyto(part[0], width, where=counts)
+        np.copyto(part[1], (before + after) / 2 * width, where=counts)
+        np.copyto(part[2], (before * before + after * after) / 2 * width, where=counts)
+        return added
+
+
+def _whole_blocks(first: int, stop: int, top: int) -> list[tuple[int, int, int]]:
+    if first >= stop:
+        return []
+    if top == 0:
+        return [(0, first, stop)]
+    size = FACTOR**top
+    begin, end = -(-first // size) * size, stop // size * size
+    if begin >= end:
+        return _whole_blocks(first, stop, top - 1)
+    return [
+        *_whole_blocks(first, begin, top - 1),
+        (top, begin, end),
+        *_whole_blocks(end, stop, top - 1),
+    ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,11 +179,6 @@ class Statistics:
     rms: float = math.nan  # over time
     low: float = math.nan
     high: float = math.nan
-
-    @property
-    def per_hour(self) -> float:
-        """The integral in unit x hours: a current's charge in Ah."""
-        return self.integral / 3600
 
 
 class SampleHistory:
@@ -64,7 +202,6 @@ class SampleHistory:
         self.clear()
 
     def clear(self) -> None:
-        """Delete all rows and free the memory."""
         self._pyramid = Pyramid(self.columns, self._levels, self._max_gap)
         self._times = np.empty(0)
         self._values = np.empty((self.columns, 0))
@@ -76,19 +213,17 @@ class SampleHistory:
 
     @property
     def times(self) -> Floats:
-        """The times, oldest first: a view, valid until the next row."""
+        """A view, oldest first; valid until the next row."""
         return self._times[self._begin : self._size]
 
     def values(self, column: int) -> Floats:
-        """One column's values, oldest first: a view, valid until the next row."""
+        """Return a view, oldest first; valid until the next row."""
         return self._values[column, self._begin : self._size]
 
     @property
     def span(self) -> tuple[float, float] | None:
         """The oldest and the newest time."""
-        if not self._size:
-            return None
-        return float(self._times[self._begin]), float(self._times[self._size - 1])
+        return (float(self.times[0]), float(self.times[-1])) if self._size else None
 
     # --- Adding -------------------------------------------------------------------------
 
@@ -174,18 +309,18 @@ class SampleHistory:
         return float(self._values[column, stop - 1])
 
     def statistics(self, column: int, start: float, end: float) -> Statistics:
-        """Summarize a column's samples from `start` to `end`."""
         first, stop = self._rows(start, end)
         _, lows, highs = self._pyramid.extremes(self._values, column, first, stop, 1)
         if not np.isfinite(lows).any():
             return Statistics()
         low, high = float(np.fmin.reduce(lows)), float(np.fmax.reduce(highs))
-        sums = self._pyramid.integrals(self._times, self._values, column, first, stop)
-        if sums.seconds <= 0:
+        seconds, integral, squares = self._pyramid.integrals(
+            self._times, self._values, column, first, stop
+        )
+        if seconds <= 0:
             return Statistics(low=low, high=high)
-        mean = sums.integral / sums.seconds
-        rms = math.sqrt(max(0.0, sums.squares / sums.seconds))
-        return Statistics(sums.seconds, sums.integral, mean, rms, low, high)
+        rms = math.sqrt(max(0.0, squares / seconds))
+        return Statistics(seconds, integral, integral / seconds, rms, low, high)
 
     def points(self, column: int, start: float, end: float, bins: int) -> Points:
         """Return the samples, or two for each of `bins` where they are many more.
@@ -223,7 +358,6 @@ class SampleHistory:
         return [(a, b) for a, b in itertools.pairwise(edges) if a < b]
 
     def _piece(self, column: int, first: int, stop: int, width: float) -> Points:
-        """Return the points of rows without a gap between them; see `points`."""
         seconds = float(self._times[stop - 1] - self._times[first])
         bins = max(1, math.ceil(seconds / width))
         if stop - first <= 2 * bins + 2:

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from operator import attrgetter
 
 from trex_gui.ui.event_log import Event
-from trex_gui.ui.plotting.data.history import Points, SampleHistory, Statistics
-from trex_gui.ui.plotting.data.pyramid import Floats
+from trex_gui.ui.plotting.history import Floats, Points, SampleHistory, Statistics
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,9 +22,9 @@ class TraceInfo:
 
 
 class Traces:
-    """One curve for each column of a history, and events; it may grow while it is shown.
+    """One curve for each column of a history, and events; both may grow while they are shown.
 
-    Nothing is copied. `limits` are in the curves' units; `events` are in the order of time.
+    `limits` are in the curves' units; `events` are in the order of time.
 
     Raises:
         ValueError: the number of names is not that of the columns.
@@ -53,20 +52,18 @@ class Traces:
 
     @property
     def left_unit(self) -> str:
-        """The unit of the left axis."""
         return self.traces[0].unit
 
     @property
     def right_unit(self) -> str:
-        """The unit of the right axis; empty for plain counts, or where there is none."""
+        """Empty for plain counts, or without a right axis."""
         return next((t.unit for t in self.traces if t.unit != self.left_unit), "")
 
     def points(self, name: str, start: float, end: float, bins: int) -> Points:
-        """Return what to draw of a curve; see `SampleHistory.points`."""
+        """See `SampleHistory.points`."""
         return self._history.points(self._columns[name], start, end, bins)
 
     def statistics(self, name: str, start: float, end: float) -> Statistics:
-        """Summarize a curve's samples from `start` to `end`."""
         return self._history.statistics(self._columns[name], start, end)
 
     def value_at(self, name: str, time: float) -> float:
@@ -80,7 +77,6 @@ class Traces:
         return self._history.times[rows], columns
 
     def events_between(self, start: float, end: float) -> Sequence[Event]:
-        """Return the events from `start` to `end`, oldest first."""
         time = attrgetter("time")
         first = bisect_left(self._events, start, key=time)
         return self._events[first : bisect_right(self._events, end, key=time)]

@@ -1,27 +1,38 @@
-"""The legend as a table: which curves are drawn, their values and their statistics."""
+"""Below a plot: the table of its curves, which is its legend, and the list of its events."""
 
 import math
 from enum import IntEnum, auto
 
 from PySide6.QtCore import (
     QAbstractTableModel,
+    QEvent,
     QModelIndex,
     QObject,
     QPersistentModelIndex,
     QSize,
     Qt,
+    Signal,
     Slot,
 )
-from PySide6.QtGui import QColor, QPixmap
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+from PySide6.QtGui import QColor, QIcon, QPaintEvent, QPixmap, QResizeEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QListWidget,
+    QListWidgetItem,
+    QSplitter,
+    QTableView,
+    QWidget,
+)
 
-from trex_gui.ui.plotting.data.history import Statistics
-from trex_gui.ui.plotting.data.traces import TraceInfo
-from trex_gui.ui.plotting.marks import charge_text, mean_text, value_text
+from trex_gui.ui.event_log import Event
+from trex_gui.ui.plotting.history import Statistics
+from trex_gui.ui.plotting.marks import EVENT_COLORS, charge_text, mean_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot
+from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import MINUS
-from trex_gui.ui.widgets.behaviour import name_headers
+from trex_gui.ui.widgets.behaviour import name_headers, paint_placeholder
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -30,10 +41,14 @@ _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 _PADDING = 8
 """Pixels around the text of a cell, as the style paints it."""
 
+_MAX_EVENTS = 1000
+"""Events listed: the newest."""
+
+_MIN_EVENT_WIDTH = 12
+"""Characters of an event that are visible at least."""
+
 
 class TraceColumn(IntEnum):
-    """The columns, in order."""
-
     CURVE = 0
     NOW = auto()
     PEAK = auto()
@@ -48,50 +63,33 @@ class TraceColumn(IntEnum):
 
 
 class TraceTable(QAbstractTableModel):
-    """A row for each curve of a plot; checking a row draws the curve.
-
-    Low, peak, mean, RMS and charge are those of the span that the plot shows.
-    """
+    """A row for each curve of a plot; checking a row draws the curve."""
 
     def __init__(self, plot: TracePlot, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._plot = plot
         self._traces: tuple[TraceInfo, ...] = ()
         self._statistics: dict[str, Statistics] = {}
-        span = self.tr("of what the plot shows")
-        self._heads = {
-            TraceColumn.CURVE: (self.tr("Curve"), self.tr("Check what is to be drawn")),
-            TraceColumn.NOW: (self.tr("Now"), self.tr("The newest value")),
-            TraceColumn.PEAK: (self.tr("Peak"), self.tr("The highest value {0}").format(span)),
-            TraceColumn.MEAN: (self.tr("Mean"), self.tr("The mean over time {0}").format(span)),
-            TraceColumn.RMS: (
-                self.tr("RMS"),
-                self.tr("The root mean square {0}: what heats wires").format(span),
-            ),
-            TraceColumn.CHARGE: (
-                self.tr("Charge"),
-                self.tr("Ampere times time {0}; gaps count nothing").format(span),
-            ),
-            TraceColumn.LIMIT: (
-                self.tr("Limit"),
-                self.tr("The current limit that the board stores"),
-            ),
-            TraceColumn.CURSOR: (self.tr("Cursor"), self.tr("The value under the cursor")),
-            TraceColumn.DIFFERENCE: (
+        self._heads = (  # as in `TraceColumn`
+            (self.tr("Curve"), self.tr("Select the curves to draw")),
+            (self.tr("Now"), self.tr("Newest value")),
+            (self.tr("Peak"), self.tr("Highest value in the visible span")),
+            (self.tr("Mean"), self.tr("Mean over time in the visible span")),
+            (self.tr("RMS"), self.tr("Root mean square in the visible span: what heats wires")),
+            (self.tr("Charge"), self.tr("Current times time in the visible span, without gaps")),
+            (self.tr("Limit"), self.tr("Current limit that the board stores")),
+            (self.tr("Cursor"), self.tr("Value at the cursor")),
+            (
                 self.tr("To mark"),
                 self.tr("From the mark to the cursor; click into the plot or press M to set it"),
             ),
-            TraceColumn.HELD: (
-                self.tr("Held"),
-                self.tr("The highest value since Hold peaks was switched on"),
-            ),
-            TraceColumn.LOW: (self.tr("Low"), self.tr("The lowest value {0}").format(span)),
-        }
+            (self.tr("Held"), self.tr("Highest value since Hold peaks was switched on")),
+            (self.tr("Low"), self.tr("Lowest value in the visible span")),
+        )
         theme().changed.connect(self._on_theme_changed)
         self.show_source()
 
     def show_source(self) -> None:
-        """Take the curves of the plot's source."""
         self.beginResetModel()
         self._traces = self._plot.source.traces if self._plot.source is not None else ()
         self._statistics = {}
@@ -99,7 +97,6 @@ class TraceTable(QAbstractTableModel):
         self.refresh()
 
     def refresh(self) -> None:
-        """Show the values of now, for the curves that are drawn."""
         source, span = self._plot.source, self._plot.span
         if source is None or not self._traces:
             return
@@ -120,7 +117,7 @@ class TraceTable(QAbstractTableModel):
         self._emit_changed(TraceColumn.CURVE, Qt.ItemDataRole.DecorationRole)
 
     def is_needed(self, column: TraceColumn) -> bool:
-        """Return whether a column has values: some depend on what the user has set."""
+        """Return whether a column has values; some depend on what the user has set."""
         match column:
             case TraceColumn.DIFFERENCE:
                 return self._plot.mark_time is not None
@@ -177,7 +174,7 @@ class TraceTable(QAbstractTableModel):
                 shown = trace.name in self._plot.shown
                 return Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked
             case Qt.ItemDataRole.DecorationRole:
-                return _swatch(theme().color(trace.color))
+                return _swatch(theme().color(trace.color), QSize(14, 4))
         return None
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
@@ -190,39 +187,48 @@ class TraceTable(QAbstractTableModel):
         return True
 
     def _text(self, trace: TraceInfo, column: TraceColumn) -> str:
-        plot, name, unit = self._plot, trace.name, trace.unit
-        source = plot.source
-        if source is None or (name not in plot.shown and column is not TraceColumn.LIMIT):
+        source, unit = self._plot.source, trace.unit
+        shown = trace.name in self._plot.shown or column is TraceColumn.LIMIT
+        if source is None or not shown:
             return ""
-        found = self._statistics.get(name, Statistics())
+        found = self._statistics.get(trace.name, Statistics())
+        match column:
+            case TraceColumn.LOW:
+                return value_text(found.low, unit)
+            case TraceColumn.PEAK:
+                return value_text(found.high, unit)
+            case TraceColumn.MEAN:
+                return mean_text(found.mean, unit)
+            case TraceColumn.RMS:
+                return mean_text(found.rms, unit)
+            case TraceColumn.CHARGE:
+                return charge_text(found) if unit == "A" else ""
+        value = self._value(source, trace.name, column)
+        return "" if value is None else value_text(value, unit)
+
+    def _value(self, source: Traces, name: str, column: TraceColumn) -> float | None:
+        plot = self._plot
         cursor = math.nan
         if plot.cursor_time is not None:
             cursor = source.value_at(name, plot.cursor_time)
-        value: float | None = math.nan
         match column:
             case TraceColumn.NOW if source.span is not None:
-                value = source.value_at(name, source.span[1])
+                return source.value_at(name, source.span[1])
             case TraceColumn.CURSOR:
-                value = cursor
+                return cursor
             case TraceColumn.DIFFERENCE:
-                value = None
-                if plot.mark_time is not None and plot.cursor_time is not None:
-                    value = cursor - source.value_at(name, plot.mark_time)
-            case TraceColumn.LOW | TraceColumn.PEAK:
-                value = found.low if column is TraceColumn.LOW else found.high
-            case TraceColumn.MEAN | TraceColumn.RMS:
-                return mean_text(found.mean if column is TraceColumn.MEAN else found.rms, unit)
-            case TraceColumn.CHARGE:
-                return charge_text(found) if unit == "A" else ""
+                if plot.mark_time is None or plot.cursor_time is None:
+                    return None
+                return cursor - source.value_at(name, plot.mark_time)
             case TraceColumn.HELD:
-                value = plot.peak_of(name)
+                return plot.peak_of(name)
             case TraceColumn.LIMIT:
-                value = source.limits.get(name)
-        return "" if value is None else value_text(value, unit)
+                return source.limits.get(name)
+        return math.nan
 
 
-def _swatch(color: QColor) -> QPixmap:
-    picture = QPixmap(14, 4)
+def _swatch(color: QColor, size: QSize) -> QPixmap:
+    picture = QPixmap(size)
     picture.fill(color)
     return picture
 
@@ -258,13 +264,11 @@ class TraceTableView(QTableView):
         self.show_needed_columns()
 
     def show_needed_columns(self) -> None:
-        """Hide the columns without values, so that the others have room."""
         for column in TraceColumn:
             if self.isColumnHidden(column) == self._table.is_needed(column):
                 self.setColumnHidden(column, not self._table.is_needed(column))
 
     def full_width(self) -> int:
-        """Return the width that shows every column."""
         bar = self.verticalScrollBar()
         beside = bar.sizeHint().width() if bar.isVisibleTo(self) else 0
         return self.horizontalHeader().length() + beside + 2 * self.frameWidth() + 2
@@ -278,3 +282,120 @@ class TraceTableView(QTableView):
 
     def minimumSizeHint(self) -> QSize:
         return QSize(self._row * 8, self._height_of(2.5))
+
+
+class EventList(QListWidget):
+    """A line for each event of a plot: its time since the origin of the plot, and its text.
+
+    Signals:
+        chosen: the `Event` to show.
+    """
+
+    chosen = Signal(object)
+
+    def __init__(self, plot: TracePlot, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._plot = plot
+        self._events: tuple[Event, ...] = ()
+        self._origin: float | None = None
+        self._placeholder = ""
+        self.setObjectName("eventList")
+        self.setAccessibleName(self.tr("Events"))
+        self.setUniformItemSizes(True)
+        self.setTextElideMode(Qt.TextElideMode.ElideRight)
+        self.itemActivated.connect(self._on_chosen)
+        self.itemClicked.connect(self._on_chosen)
+        theme().changed.connect(self._fill)
+        self.set_placeholder(
+            self.tr("No events yet. Stops, Apply, faults and limits will be listed here.")
+        )
+
+    def sizeHint(self) -> QSize:
+        metrics = self.fontMetrics()
+        return QSize(metrics.averageCharWidth() * 34, metrics.height() * 5)
+
+    def refresh(self) -> None:
+        """Take the events so far."""
+        events: tuple[Event, ...] = ()
+        if self._plot.source is not None:
+            found = self._plot.source.events_between(float("-inf"), float("inf"))
+            events = tuple(found[-_MAX_EVENTS:])
+        if (events, self._plot.origin) != (self._events, self._origin):
+            self._events, self._origin = events, self._plot.origin
+            self._fill()
+            self.scrollToBottom()
+            self._describe()
+
+    @Slot()
+    def _fill(self) -> None:
+        self.clear()
+        for event in self._events:
+            dot = _swatch(theme().color(EVENT_COLORS[event.kind]), QSize(8, 8))
+            text = f"{self._plot.text_of_time(event.time)}  {event.text}"
+            item = QListWidgetItem(QIcon(dot), text, self)
+            item.setToolTip(event.text)
+
+    def set_placeholder(self, text: str) -> None:
+        """Show a text while there are no events."""
+        self._placeholder = text
+        self._describe()
+        self.viewport().update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self._events:
+            paint_placeholder(self, self._placeholder, short=self.tr("No events"))
+
+    def _describe(self) -> None:
+        """Set the description that a screen reader reads."""
+        shown = self.tr("Choosing one shows its place in the plot.")
+        self.setAccessibleDescription(shown if self._events else self._placeholder)
+
+    def choose(self, event: Event) -> None:
+        if event in self._events:
+            self.setCurrentRow(self._events.index(event))
+
+    @Slot(QListWidgetItem)
+    def _on_chosen(self, item: QListWidgetItem) -> None:
+        self.chosen.emit(self._events[self.row(item)])
+
+
+class FiguresAndEvents(QSplitter):
+    """Gives the figures the width that they need, until the user has moved the handle."""
+
+    def __init__(self, figures: TraceTableView, events: EventList, parent: QWidget) -> None:
+        super().__init__(Qt.Orientation.Horizontal, parent)
+        self._figures = figures
+        self._is_moved = False
+        events.setMinimumWidth(events.fontMetrics().averageCharWidth() * _MIN_EVENT_WIDTH)
+        self._min_events = events.minimumWidth()
+        self.addWidget(figures)
+        self.addWidget(events)
+        self.setChildrenCollapsible(False)
+        figures.horizontalHeader().geometriesChanged.connect(self._share)
+        figures.horizontalHeader().sectionResized.connect(self._share)
+        figures.verticalScrollBar().installEventFilter(self)
+        self.splitterMoved.connect(self._on_moved)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._share()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Share the width again when the scroll bar appears or disappears."""
+        if event.type() in {QEvent.Type.Show, QEvent.Type.Hide}:
+            self._share()
+        return super().eventFilter(watched, event)
+
+    @Slot()
+    def _share(self) -> None:
+        room = self.width() - self.handleWidth()
+        if self._is_moved or room <= 0:
+            return
+        figures = min(self._figures.full_width(), room - self._min_events)
+        if self.sizes()[0] != figures:
+            self.setSizes([figures, room - figures])
+
+    @Slot()
+    def _on_moved(self) -> None:
+        self._is_moved = True

@@ -1,1 +1,0 @@
-"""Samples in bounded memory, reduced to what a plot can show."""
