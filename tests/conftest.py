@@ -290,7 +290,7 @@ def program(qtbot: QtBot, qapp: QApplication) -> Iterator[Program]:
     program = build()
     program.window.show()
     yield program
-    trex(program).device.discard_edits()
+    trex(program).device.draft.discard_edits()
     program.window.close()
     # Windows that live on would all be painted anew with each change of theme.
     program.window.deleteLater()

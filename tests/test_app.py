@@ -108,4 +108,4 @@ def test_settings_file_is_opened_when_board_connects(
     window.device.connect_to(ConnectionSettings(simulator.url))
     window.wait(lambda: window.has("takeChangesButton"))
     window.click("takeChangesButton")
-    assert window.device.pending == 1
+    assert window.device.draft.pending == 1

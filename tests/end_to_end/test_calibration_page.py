@@ -35,7 +35,7 @@ def test_calibration_is_dragged_undone_and_written(
     assert not page.has("calibrationEmpty")
     assert page.text("learnedLabel") == "not learned: has factory defaults"
 
-    undo = window.device.undo
+    undo = window.device.draft.undo
     for handle, count in (
         (Handle.MINIMUM, 2300),
         (Handle.MAXIMUM, 5200),
@@ -62,7 +62,7 @@ def test_calibration_is_dragged_undone_and_written(
     window.click("writeButton")
     window.wait(lambda: not window.device.applying)
     assert window.device.calibrations.stored(1) == edited
-    assert window.device.pending == 0
+    assert window.device.draft.pending == 0
     assert "edited" not in page.row(1)
     assert page.text("learnedLabel").startswith("learned")
 

@@ -84,7 +84,7 @@ def test_parameters_are_edited_applied_and_activated(
     assert "off to 12.7 s" in page.text("parametersNotice")
     QTest.keyClick(editor, Qt.Key.Key_Escape)
     page.wait_for_no_editor("serial_timeout")
-    assert device.pending == 0
+    assert device.draft.pending == 0
     assert not window.has("unappliedLabel")
 
     page.edit("serial_timeout", "1.5 s")
@@ -101,7 +101,7 @@ def test_parameters_are_edited_applied_and_activated(
     device.parameters.edit("motor1_current_limit", 10)
     device.parameters.edit("motor_mode", 1)
     apply(window)
-    window.wait(lambda: device.pending == 0 and not device.applying)
+    window.wait(lambda: device.draft.pending == 0 and not device.applying)
     assert device.state is not None
     assert device.state.calibrations[1] == wanted
     assert device.draft.stored is not None

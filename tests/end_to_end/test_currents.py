@@ -82,7 +82,7 @@ def test_stop_apply_fault_and_timeout_become_events(
     quick_simulator.do("line mute on")
     page.wait_for_event(EventKind.LINK, "stopped responding")
     quick_simulator.do("line mute off")
-    page.wait_for_event(EventKind.LINK, "answers again")
+    page.wait_for_event(EventKind.LINK, "responds again")
     before = len(history)
     page.wait(lambda: len(history) > before + 20)
     start, end = history.span or (0.0, 0.0)

@@ -48,7 +48,7 @@ def test_snapshots_are_restored_partly_and_completely(
     assert len(pending(window)) == 3
     dialog.wait_for_text("comparisonSummary", "is set like this snapshot")
     assert not dialog.is_enabled("restoreButton")
-    window.device.undo.undo()
+    window.device.draft.undo.undo()
     assert not pending(window), "restoring is one step"
     dialog.wait(lambda: dialog.is_enabled("restoreButton"))
 

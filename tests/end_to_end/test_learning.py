@@ -59,7 +59,7 @@ def test_all_channels_are_learned_and_tested(
     connected_window.click("writeButton")
     # The test follows by itself.
     learning.wait_for_head("Push every stick")
-    assert learning.device.pending == 0
+    assert learning.device.draft.pending == 0
     for channel in CHANNELS:
         learning.assert_learned(channel)
     assert learning.stored()["parameters"]["reversed_channels"] == 0b10010

@@ -74,7 +74,7 @@ class AskingWindow(WindowDriver):
         stored = self.device.parameters.all_stored
         for key in [key for key in stored if key.startswith("motor")][:12]:
             self.device.parameters.edit(key, 1 - min(1, stored[key]))
-        count = self.device.pending
+        count = self.device.draft.pending
         self.device.apply()
         assert self.device.applying
         return count
@@ -152,10 +152,10 @@ def test_reload_and_close_with_edits_show_a_prompt(asking: AskingWindow) -> None
     asking.check_that_stop_works()
     asking.click("questionCancel")
     assert not asking.has_question()
-    assert asking.device.pending == 1
+    assert asking.device.draft.pending == 1
     asking.trigger("reload")
     asking.click("reloadYes")
-    assert asking.device.pending == 0
+    assert asking.device.draft.pending == 0
 
     asking.edit()
     asking.trigger("reload")
@@ -209,7 +209,7 @@ def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) 
     asking.click("disconnectYes")
     asking.may_store = True
     asking.wait(lambda: asking.link() is ConnectionState.DISCONNECTED)
-    assert 0 < asking.device.pending <= count
+    assert 0 < asking.device.draft.pending <= count
 
 
 def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
@@ -218,7 +218,7 @@ def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
     asking.click("questionCancel")
     asking.may_store = True
     asking.wait(lambda: not asking.device.applying)
-    assert asking.device.pending == 0
+    assert asking.device.draft.pending == 0
     assert asking.link() is ConnectionState.CONNECTED
 
     asking.begin_to_write()

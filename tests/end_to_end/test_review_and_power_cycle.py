@@ -62,7 +62,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
 
     review.close()
     assert stored(simulator, "serial_timeout") == 0
-    assert device.pending == 2
+    assert device.draft.pending == 2
     assert device.history.snapshots() == ()
 
     review.open()
@@ -70,7 +70,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     edit(connected_window, motor2_acceleration=7)
     assert len(review.rows()) == 3
     assert review.button("writeButton").text() == "Write 2 settings"
-    device.discard_edits()
+    device.draft.discard_edits()
     assert review.rows() == []
     assert not review.is_enabled("writeButton")
     assert "nothing to write" in review.head
@@ -118,7 +118,7 @@ def test_review_reports_stored_and_failed_settings(
     untried, refused = sorted((row[-1] for row in review.rows()), key=len)
     assert "not in serial mode" in refused
     assert untried == "not tried after that"
-    assert device.pending == 2
+    assert device.draft.pending == 2
 
 
 def test_interrupted_write_keeps_unwritten_settings_pending(
@@ -134,18 +134,18 @@ def test_interrupted_write_keeps_unwritten_settings_pending(
     assert "the default" in review.head
     simulator.do("line mute off")
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
-    device.discard_edits()
+    device.draft.discard_edits()
 
     keys = [key for key in device.parameters.all_stored if key.startswith("motor")][:12]
     edit(window, **{key: 1 - min(1, device.parameters.all_stored[key]) for key in keys})
-    count = device.pending
+    count = device.draft.pending
     review.open()
     before_storing(simulator, 3, lambda: simulator.do("line unplug"))
     review.click("writeButton")
     window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     review.wait(lambda: review.button("reviewCloseButton").text() == "Close")
     assert "could not be verified" in review.head
-    assert count > device.pending > 0
+    assert count > device.draft.pending > 0
     assert review.rows()[0][-1] == "stored"
     assert any("gone" in row[-1] for row in review.rows())
     assert review.rows()[-1][-1] == "not tried after that"
@@ -336,7 +336,7 @@ def test_pending_edits_survive_a_disconnect(
     junior = start_simulator("--unpaced", "--model", "trexjr")
     device.connect_to(ConnectionSettings(junior.url))
     window.wait(lambda: "TReX Jr" in device.status and device.link is ConnectionState.CONNECTED)
-    assert device.pending == 0
+    assert device.draft.pending == 0
     (snapshot,) = device.history.snapshots()
     assert device.history.load(snapshot).parameters["device_number"] == 9
     assert "not applied" in snapshot.reason
@@ -358,7 +358,7 @@ def test_calibration_of_inactive_input_source_stays_pending(
     review.wait_for_text("reviewHead", "written and verified")
     power.cycle()
     assert list(device.calibrations.pending) == []
-    assert device.pending == 1
+    assert device.draft.pending == 1
     review.close()
 
     review.open()

@@ -28,7 +28,7 @@ def files(connected_window: WindowDriver) -> SettingsFiles:
 
 def apply(window: WindowDriver) -> None:
     window.device.apply()
-    window.wait(lambda: window.device.pending == 0)
+    window.wait(lambda: window.device.draft.pending == 0)
 
 
 def test_load_dialog_compares_the_file_with_the_board(
@@ -50,7 +50,7 @@ def test_load_dialog_compares_the_file_with_the_board(
     assert "stay as they are" in dialog.text("loadFoot")
     assert "Make 3 changes edits" in dialog.button_text()
     assert any("24 of 27 parameters are missing" in text for _, text in dialog.findings())
-    assert device.pending == 0
+    assert device.draft.pending == 0
 
     dialog.click("tickNoneButton")
     assert not dialog.is_enabled("takeChangesButton")
@@ -78,7 +78,7 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
     assert window.window.pages.currentWidget().objectName() == "parametersPageArea"
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
     window.trigger("undo")
-    assert device.pending == 0, "loading is one step"
+    assert device.draft.pending == 0, "loading is one step"
     window.trigger("redo")
     apply(window)
     parameters = quick_simulator.show()["parameters"]
@@ -106,11 +106,11 @@ def test_edits_of_every_page_are_undone_from_the_menu(connected_window: WindowDr
     window.trigger("undo")
     assert undo.text().endswith("Serial Timeout")
     window.trigger("undo")
-    assert device.pending == 0
+    assert device.draft.pending == 0
     assert not undo.isEnabled()
     window.trigger("redo")
     window.trigger("redo")
-    assert device.pending == 2
+    assert device.draft.pending == 2
 
 
 def test_invalid_files_change_nothing_and_findings_name_lines(
@@ -133,7 +133,7 @@ def test_invalid_files_change_nothing_and_findings_name_lines(
             assert files.load_dialogs() == [], bad.name
             assert "bad.txt was not opened" in connected_window.text("bannerText"), bad.name
             assert bad.words in connected_window.text("bannerText"), bad.name
-        assert connected_window.device.pending == 0, bad.name
+        assert connected_window.device.draft.pending == 0, bad.name
 
     files.files.open_file(tmp_path / "nowhere.txt")
     assert "nowhere.txt was not opened" in connected_window.text("bannerText")
@@ -160,7 +160,7 @@ def test_load_dialog_explains_mismatches_with_the_board(
     assert not dialog.is_enabled("takeChangesButton")
     dialog.click("editFileButton")
     assert files.editor().document.name == "junior.txt"
-    assert device.pending == 0
+    assert device.draft.pending == 0
     files.files.close_all()
 
 
@@ -192,7 +192,7 @@ def test_editor_compares_with_the_board_and_sends_to_it(
     assert "1 match" in comparison.text("comparisonSummary")
     window.device.parameters.edit("serial_timeout", 5)
     comparison.wait_for_text("comparisonSummary", "0 match")
-    window.device.discard_edits()
+    window.device.draft.discard_edits()
 
     editor.edit("serial_timeout", 9)
     editor.action("Send").trigger()

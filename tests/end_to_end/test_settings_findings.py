@@ -25,11 +25,11 @@ def test_settings_check_warns_while_settings_are_edited(
     window.click("acceptAdvice0")
     assert device.parameters.value_of("required_channels") == 0
     window.wait(lambda: not window.has("adviceList"))
-    assert device.pending == 2
-    device.undo.undo()
-    assert device.pending == 1
+    assert device.draft.pending == 2
+    device.draft.undo.undo()
+    assert device.draft.pending == 1
     assert len(findings(window)) == 1
-    device.discard_edits()
+    device.draft.discard_edits()
 
     edit("uart_settings", LineSettings(76800).to_wire())
     assert "does not support 76800 baud" in "\n".join(findings(window)), "the port of this computer"

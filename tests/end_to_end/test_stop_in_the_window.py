@@ -163,14 +163,14 @@ def test_disabled_serial_timeout_is_set_with_a_click(driving: DrivingWindow) -> 
     assert driving.has("timeoutNotice")
     assert device.serial_timeout_s == 0
     device.parameters.edit("motor1_acceleration", 9)
-    pending = device.pending
+    pending = device.draft.pending
     assert driving.button("timeoutButton").accessibleName()
     with driving.qtbot.waitSignal(device.applied):
         driving.click("timeoutButton")
     assert driving.simulator.show()["parameters"]["serial_timeout"] == 5
     assert device.serial_timeout_s == pytest.approx(0.5)
     assert not driving.has("timeoutNotice")
-    assert device.pending == pending == 1, "other edits stay pending"
+    assert device.draft.pending == pending == 1, "other edits stay pending"
     assert len(device.history.snapshots()) == 1
 
 

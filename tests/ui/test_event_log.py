@@ -4,14 +4,12 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import NoReply
-from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.event_watch import EventWatch
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.event_log import MOST_EVENTS, EventKind, EventLog
 
 
@@ -26,9 +24,7 @@ class EventSetup:
         self.watch = EventWatch(self.events, self.motors, self.connection)
 
     def see(self, time: float, status: Status, uart: int = 0) -> None:
-        self.connection.sampled.emit(
-            Batch((LatchedStatus(time, status, UartError(uart)),), Counters())
-        )
+        self.watch.note_status(LatchedStatus(time, status, UartError(uart)))
 
     @property
     def logged(self) -> list[tuple[float, str, str]]:

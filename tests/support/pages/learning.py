@@ -68,7 +68,7 @@ class LearningDialog(WidgetDriver):
 
     def assert_nothing_changed(self) -> None:
         assert self.stored() == self.stored_before
-        assert self.device.pending == 0
+        assert self.device.draft.pending == 0
 
     def assert_learned(self, channel: int) -> None:
         """The ends within 1 % of the travel and 5 deviations, the rest within 1.5 of the truth."""
@@ -188,7 +188,7 @@ class LearningDialog(WidgetDriver):
 
     def apply(self) -> None:
         self.device.apply()
-        self.wait(lambda: self.device.pending == 0 and not self.device.applying)
+        self.wait(lambda: self.device.draft.pending == 0 and not self.device.applying)
 
 
 @contextmanager

@@ -34,13 +34,13 @@ def test_undo_order_spans_parameters_and_calibrations(device: Device) -> None:
     device.parameters.edit("serial_timeout", 5)
     device.calibrations.edit(CalibrationKey.RC_CHANNEL_2, NEW)
     device.parameters.edit("motor_mode", 1)
-    assert device.undo.undoText() == "Motor Mode"
-    device.undo.undo()
-    assert device.undo.undoText() == "Calibration of channel 2"
-    device.undo.undo()
+    assert device.draft.undo.undoText() == "Motor Mode"
+    device.draft.undo.undo()
+    assert device.draft.undo.undoText() == "Calibration of channel 2"
+    device.draft.undo.undo()
     assert not device.calibrations.pending
     assert device.parameters.pending == (("serial_timeout", 5),)
-    device.undo.redo()
+    device.draft.undo.redo()
     assert device.calibrations.pending == ((CalibrationKey.RC_CHANNEL_2, NEW),)
 
 
@@ -50,10 +50,10 @@ def test_edits_of_one_run_are_one_step(device: Device) -> None:
         device.calibrations.edit(
             CalibrationKey.RC_CHANNEL_1, replace(OLD, minimum=minimum), run=run
         )
-    assert device.undo.count() == 1
-    device.undo.undo()
+    assert device.draft.undo.count() == 1
+    device.draft.undo.undo()
     assert not device.calibrations.pending
-    device.undo.redo()
+    device.draft.undo.redo()
     assert device.calibrations.pending == (
         (CalibrationKey.RC_CHANNEL_1, replace(OLD, minimum=2503)),
     )
@@ -72,9 +72,9 @@ def test_intervening_edit_splits_a_run(device: Device, between: str) -> None:
             device.parameters.edit("serial_timeout", 5)
         case _:
             device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, replace(NEW, deadband=61))
-    steps = device.undo.count()
+    steps = device.draft.undo.count()
     device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, replace(NEW, deadband=62), run=run)
-    assert device.undo.count() == steps + 1
+    assert device.draft.undo.count() == steps + 1
 
 
 def test_run_back_to_the_old_value_leaves_no_step(device: Device) -> None:
@@ -83,37 +83,37 @@ def test_run_back_to_the_old_value_leaves_no_step(device: Device) -> None:
     device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW, run=run)
     device.calibrations.edit(1, OLD, run=run)
     assert not device.calibrations.pending
-    assert device.undo.undoText() == "Serial Timeout"
-    assert device.undo.count() == 1
+    assert device.draft.undo.undoText() == "Serial Timeout"
+    assert device.draft.undo.count() == 1
 
 
 def test_discarded_edits_are_restored_by_one_undo(device: Device) -> None:
     device.parameters.edit("serial_timeout", 5)
     device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW)
-    device.discard_edits()
-    assert device.pending == 0
-    device.undo.undo()
-    assert device.pending == 2
+    device.draft.discard_edits()
+    assert device.draft.pending == 0
+    device.draft.undo.undo()
+    assert device.draft.pending == 2
 
 
 def test_discard_without_edits_leaves_no_step(device: Device) -> None:
-    device.discard_edits()
-    assert not device.undo.canUndo()
+    device.draft.discard_edits()
+    assert not device.draft.undo.canUndo()
 
 
 def test_step_without_change_is_dropped(device: Device) -> None:
     device.parameters.edit("motor_mode", 1)
     with device.draft.one_edit("Open settings file"):
         device.parameters.edit("serial_timeout", FACTORY["serial_timeout"])
-    assert device.undo.undoText() == "Motor Mode"
-    assert device.undo.count() == 1
+    assert device.draft.undo.undoText() == "Motor Mode"
+    assert device.draft.undo.count() == 1
     assert device.parameters.pending == (("motor_mode", 1),)
 
 
 def test_edit_to_the_same_value_leaves_no_step(device: Device) -> None:
     device.parameters.edit("serial_timeout", FACTORY["serial_timeout"])
     device.calibrations.edit(1, OLD)
-    assert not device.undo.canUndo()
+    assert not device.draft.undo.canUndo()
 
 
 def test_rejected_value_leaves_no_step(device: Device) -> None:
@@ -121,27 +121,27 @@ def test_rejected_value_leaves_no_step(device: Device) -> None:
         device.parameters.edit("serial_timeout", 128)
     with pytest.raises(BadRequest):
         device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, Calibration(5000, 3750, 2500, 0))
-    assert not device.undo.canUndo()
+    assert not device.draft.undo.canUndo()
 
 
 def test_undo_after_apply_makes_the_old_value_pending(device: Device) -> None:
     device.parameters.edit("serial_timeout", 5)
     device.parameters.note_stored({"serial_timeout": 5})
-    assert device.pending == 0
-    device.undo.undo()
+    assert device.draft.pending == 0
+    device.draft.undo.undo()
     assert device.parameters.pending == (("serial_timeout", FACTORY["serial_timeout"]),)
 
 
 def test_reloaded_value_leaves_no_step(device: Device) -> None:
     device.parameters.load(SPECS, {**FACTORY, "serial_timeout": 9}, {}, power_cycled=True)
-    assert not device.undo.canUndo()
+    assert not device.draft.undo.canUndo()
 
 
 def test_undo_does_not_change_the_other_input_source(device: Device) -> None:
     device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW)
     analog = Calibration(0, 512, 1023, 20)
     device.calibrations.load("trex", InputSource.ANALOG, dict.fromkeys(range(1, 6), analog))
-    device.undo.undo()
+    device.draft.undo.undo()
     assert device.calibrations.pending == ()
     assert device.calibrations.stored(1) == analog
 
@@ -151,8 +151,8 @@ def test_undo_ignores_a_parameter_missing_in_firmware(device: Device) -> None:
     older = parameters_of("trex", "1.0")
     stored = {spec.key: spec.default for spec in older.readable}
     device.parameters.load(older, stored, {}, power_cycled=True)
-    device.undo.undo()
-    assert device.pending == 0
+    device.draft.undo.undo()
+    assert device.draft.pending == 0
 
 
 def test_models_without_a_shared_undo_stack_can_be_edited(qtbot: QtBot) -> None:

@@ -130,7 +130,7 @@ def test_lockout_after_stop_is_named_as_blocker(armed: BenchSetup) -> None:
 def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
     connected.device.parameters.edit("motor_mode", 1)
     connected.device.apply()
-    connected.until(lambda: not connected.device.applying and connected.device.pending == 0)
+    connected.until(lambda: not connected.device.applying and connected.device.draft.pending == 0)
     connected.device.note_power_cycled()
     connected.arm()
     assert "joint mode" in connected.bench.blocker
@@ -247,7 +247,7 @@ def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> Non
     hard = figures(armed.run())
     armed.device.parameters.edit("motor1_acceleration", 20)  # 120 takes 0.6 s
     armed.device.apply()
-    armed.until(lambda: not armed.device.applying and armed.device.pending == 0)
+    armed.until(lambda: not armed.device.applying and armed.device.draft.pending == 0)
     soft_run = armed.run()
     soft = figures(soft_run)
     assert hard.peak is not None
@@ -329,7 +329,7 @@ def test_motor_fault_aborts_and_disarms(driving: BenchSetup) -> None:
 def test_board_current_limit_aborts_only_when_enabled(armed: BenchSetup, *, wanted: bool) -> None:
     armed.device.parameters.edit("motor1_current_limit", 20)  # 6 A
     armed.device.apply()
-    armed.until(lambda: not armed.device.applying and armed.device.pending == 0)
+    armed.until(lambda: not armed.device.applying and armed.device.draft.pending == 0)
     armed.simulator.do("current 1 7")
     duration = 15.0 if wanted else 1.0
     armed.plan(speed=60, duration=duration, abort_current=20.0, abort_at_limit=wanted)

@@ -58,7 +58,7 @@ def test_line_settings_are_saved(
     connector: TrexController, device: Device, ports: Ports, qtbot: QtBot, number: int | None
 ) -> None:
     line = LineSettings(57600, Detection.CRC7, 2)
-    with qtbot.waitSignal(connector.settings_changed):
+    with qtbot.waitSignal(connector.changed):
         connector.set_settings(ConnectionSettings("ignored", line, number, 0x91, name="ignored"))
     expected = ConnectionSettings("", line, number, 0x91)
     assert connector.settings == expected

@@ -31,7 +31,7 @@ class DeviceRecorder:
         self.device.link_changed.connect(self._on_link_changed)
         self.device.notifier.error.connect(self.failures.append)
         self.device.applied.connect(self.results.append)
-        self.device.progressed.connect(self._on_progressed)
+        self.device.connection.progressed.connect(self._on_progressed)
         self.qtbot = qtbot
 
     def _on_link_changed(self) -> None:
@@ -170,13 +170,13 @@ def test_edits_are_applied_and_verified(
 ) -> None:
     connected.edit("serial_timeout", 15)
     connected.device.calibrations.edit(2, LEARNED)
-    assert connected.device.pending == 2
+    assert connected.device.draft.pending == 2
     results = connected.apply()
     assert set(results) == {
         WriteResult(CalibrationKey.RC_CHANNEL_2, LEARNED),
         WriteResult("serial_timeout", 15),
     }
-    assert connected.device.pending == 0
+    assert connected.device.draft.pending == 0
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
     assert connected.device.calibrations.stored(2) == LEARNED
 
@@ -203,7 +203,7 @@ def test_apply_without_a_snapshot_writes_nothing(
     connected.edit("serial_timeout", 15)
     connected.device.apply()
     assert "Nothing was written" in connected.failures[-1]
-    assert connected.device.pending == 1
+    assert connected.device.draft.pending == 1
     assert not connected.device.applying
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
 
@@ -225,7 +225,7 @@ def test_refused_write_stays_pending_with_a_reason(
     recorder.edit("serial_timeout", 15)
     (result,) = recorder.apply()
     assert "remove the mode jumper" in str(result.error)
-    assert recorder.device.pending == 1
+    assert recorder.device.draft.pending == 1
 
 
 def test_reload_shows_stored_values(
@@ -249,10 +249,10 @@ def test_discard_drops_all_edits(connected: DeviceRecorder) -> None:
     connected.edit("serial_timeout", 15)
     connected.device.calibrations.edit(2, LEARNED)
     counts: list[int] = []
-    connected.device.pending_changed.connect(counts.append)
-    connected.device.discard_edits()
+    connected.device.draft.pending_changed.connect(counts.append)
+    connected.device.draft.discard_edits()
     assert counts[-1] == 0
-    assert connected.device.pending == 0
+    assert connected.device.draft.pending == 0
 
 
 # --- Power ------------------------------------------------------------------------------
@@ -444,7 +444,7 @@ def test_cable_unplugged_during_a_write_keeps_the_edits(
     connected.device.apply()
     connected.until_link(ConnectionState.DISCONNECTED)
     assert any("Plug it in, then connect again" in failure for failure in connected.failures)
-    assert connected.device.pending == 3
+    assert connected.device.draft.pending == 3
     assert not connected.device.applying
 
 

@@ -49,7 +49,7 @@ def store(device: Device, until: Until, **wires: int) -> None:
     for key, wire in wires.items():
         device.parameters.edit(key, wire)
     device.apply()
-    until(lambda: not device.applying and device.pending == 0)
+    until(lambda: not device.applying and device.draft.pending == 0)
 
 
 def restart(device: Device, until: Until, act: Callable[[], None]) -> None:

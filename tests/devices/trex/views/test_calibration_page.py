@@ -55,7 +55,7 @@ def test_values_can_be_typed_in_any_unit(page: CalibrationPage) -> None:
         page.type_into("neutralEdit", typed)
         assert page.shown().neutral == count, typed
         assert page.text("neutralCounts") == f"= {count} counts", typed
-        page.device.undo.undo()
+        page.device.draft.undo.undo()
         assert page.shown().neutral == 3750
     page.type_into("deadbandEdit", "1 count")
     assert page.text("deadbandCounts") == "= 1 count"
@@ -63,7 +63,7 @@ def test_values_can_be_typed_in_any_unit(page: CalibrationPage) -> None:
 
 def test_steps_in_one_field_are_undone_together(page: CalibrationPage) -> None:
     page.widget.activateWindow()
-    undo = page.device.undo
+    undo = page.device.draft.undo
     deadband, maximum = (page.find(QSpinBox, f"{name}Edit") for name in ("deadband", "maximum"))
     deadband.setFocus()
     for key in (Qt.Key.Key_Up, Qt.Key.Key_Up, Qt.Key.Key_Down):
@@ -117,7 +117,7 @@ def test_impossible_values_are_rejected_with_a_note(page: CalibrationPage) -> No
     page.select_channel(2)
     assert page.marked_handle == ""
     page.select_channel(1)
-    assert page.device.pending == 0
+    assert page.device.draft.pending == 0
 
     page.drag_handle(Handle.MINIMUM, 4200)
     assert page.shown().minimum == page.shown().neutral
@@ -261,9 +261,9 @@ def test_check_boxes_edit_parameter_bits(
         assert not box.isChecked()
         box.click()
         assert page.device.parameters.value_of(f"{name}_channels") in {4, 5}
-        page.device.undo.undo()
+        page.device.draft.undo.undo()
         assert not box.isChecked()
-        page.device.undo.redo()
+        page.device.draft.undo.redo()
         assert box.isChecked()
     assert "edited" in page.row(3)
     assert "ignored" in page.text("channelDoes")
@@ -287,7 +287,7 @@ def test_switching_point_follows_the_calibration(page: CalibrationPage) -> None:
 
 
 def test_calibration_is_copied_made_symmetric_and_reset(page: CalibrationPage) -> None:
-    undo = page.device.undo
+    undo = page.device.draft.undo
     page.type_into("minimumEdit", "1100")
     edited = page.shown()
     steps = undo.count()
@@ -333,7 +333,7 @@ def test_calibrations_are_saved_to_a_file_and_loaded(page: CalibrationPage, tmp_
     page.type_into("minimumEdit", "1100")
     edited = page.shown()
     files.save_file(path)
-    page.device.discard_edits()
+    page.device.draft.discard_edits()
     with page.qtbot.waitSignal(page.device.notifier.info) as notice:
         files.load_file(path)
     assert notice.args[0].startswith("1 calibration of mine.txt is an edit now.")
@@ -342,7 +342,7 @@ def test_calibrations_are_saved_to_a_file_and_loaded(page: CalibrationPage, tmp_
     page.type_into("minimumEdit", "1150")
     page.action("copyToAll").trigger()
     files.save_file(path)
-    page.device.discard_edits()
+    page.device.draft.discard_edits()
     with page.qtbot.waitSignal(page.device.notifier.info) as notice:
         files.load_file(path)
     assert notice.args[0].startswith("5 calibrations of mine.txt are edits now.")
@@ -398,7 +398,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
     assert "were read earlier" in page.text("otherSourceWords")
     assert page.find(QSpinBox, "neutralEdit").text() == "1500 µs"
     assert not page.is_enabled("neutralEdit")
-    assert page.device.pending == 1
+    assert page.device.draft.pending == 1
 
 
 def test_rc_mode_explains_why_nothing_can_be_stored(
@@ -429,7 +429,7 @@ def test_value_that_the_board_rejects_is_explained(page: CalibrationPage) -> Non
     page.select_channel(2)
     assert "code 2" in page.note
     assert "minimum is not above neutral" in page.note
-    page.device.undo.undo()
+    page.device.draft.undo.undo()
     assert "problem" not in page.row(2)
 
 

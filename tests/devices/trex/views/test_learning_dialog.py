@@ -404,7 +404,7 @@ def test_unchanged_values_go_straight_to_the_test(learning: LearningDialog) -> N
     stored = learning.stored()
     learning.click("learnTakeButton")
     learning.wait_for_head("These values are stored already. Push every stick")
-    assert learning.device.pending == 0
+    assert learning.device.draft.pending == 0
     assert learning.stored() == stored
 
 

@@ -42,8 +42,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         device_read: the board was read, or read again: the `Connected`.
         ready: `device_read` was handled, and `link` is `CONNECTED`.
         closing: the line is about to be closed on request.
-        not_responding: the board does not respond any more.
-        motors_stopped: the session stopped the motors on its own: the `MotorsStopped`.
+        motors_stopped: the session stopped the motors automatically: the `MotorsStopped`.
         sampled: a `Batch`.
         progressed: steps done, steps in all, the next step.
     """
@@ -79,17 +78,13 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.closing.emit()
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every motor, and close the port if the program is `ending`.
+        """Stop every motor, and close the port if the program is `ending`; from any thread.
 
-        For emergencies, from any thread: does not wait and reports nothing by itself. Setpoints
-        that are queued behind it are dropped until motors are armed again.
+        Does not wait and reports nothing; `Motors.stop` has to follow in the window's thread.
+        Setpoints that are queued behind it are dropped until motors are armed again.
         """
         stop = Stop(NO_HANDLER, lockout=math.inf)
         self.submit_now(*((stop, Close()) if ending else (stop,)))
-
-    def follow(self, settings: ConnectionSettings) -> None:
-        """Take how the board is addressed after a write, as the session does."""
-        self.settings = settings
 
     def take(self, report: object) -> None:
         match report:
@@ -101,7 +96,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
             case Progress(done=done, total=total, what=what):
                 self.progressed.emit(done, total, what)
             case Connected() | NotResponding() if self.link is ConnectionState.DISCONNECTING:
-                pass  # it was on its way when the line was closed
+                pass  # it was queued when the line was closed
             case Connected():
                 self._take_state(report)
             case NotResponding(reason=reason, counters=counters):

@@ -1,14 +1,15 @@
-"""Controller of a TReX."""
+"""Controller of a TReX: its line settings, and stops that something else than the user caused."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
-from PySide6.QtCore import QSettings, Signal, Slot
+from PySide6.QtCore import QObject, QSettings, Slot
 
-from trex_gui.core.errors import BadRequest
+from trex_gui.core.errors import BadRequest, NoReply, StudioError, sentence
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.trex.model.automatic_stop import AutomaticStop
+from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -26,15 +27,9 @@ _POLYNOMIAL = "line/polynomial"
 
 
 class TrexController(DeviceController[ConnectionSettings]):
-    """Remembers the line settings of boards, and reports what became of a stop.
-
-    Signals:
-        settings_changed: `settings`.
-    """
+    """Remembers the line settings of boards, and reports the outcome of automatic stops."""
 
     has_line_settings = True
-
-    settings_changed = Signal()
 
     def __init__(
         self,
@@ -50,14 +45,12 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._store = QSettings(self)
         self.settings = self._read_settings()
         self.demo_board = DemoBoard(self.simulator, self)
-        self._automatic_stop = AutomaticStop(device, self)
+        self._automatic_stop = AutomaticStop(device, self.stop_reported.emit, self)
 
-        self._automatic_stop.reported.connect(self.stop_reported)
-        self.settings_changed.connect(self.changed)
         self.simulator.ended.connect(self._on_simulator_ended)
         self.demo_board.factory_reset.connect(self._on_demo_factory_reset)
         device.link_changed.connect(self._note_settings)
-        device.progressed.connect(self.progressed)
+        device.connection.progressed.connect(self.progressed)
 
     # --- Line settings ------------------------------------------------------------------
 
@@ -73,7 +66,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         number = settings.device_number
         self._store.setValue(_NUMBER, -1 if number is None else number)
         self._store.setValue(_POLYNOMIAL, settings.polynomial)
-        self.settings_changed.emit()
+        self.changed.emit()
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         found = ConnectionSettings.on(settings)
@@ -145,7 +138,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         return self._automatic_stop.stop(reason)
 
     def stop_now(self, *, ending: bool = False) -> None:
-        self.device.stop_now(ending=ending)
+        self.device.connection.stop_now(ending=ending)
 
 
 def make_controller(
@@ -157,3 +150,89 @@ def make_controller(
 ) -> TrexController:
     """Make the model of a device and its controller."""
     return TrexController(plugin, Device(notifier), ports, scanner, timeouts)
+
+
+class AutomaticStop(QObject):
+    """Stops the motors because of an event, and reports what is known of the stop.
+
+    Of several stops only the newest is reported. `report` gets the outcome, in sentences that
+    begin with the reason.
+    """
+
+    def __init__(
+        self, device: Device, report: Callable[[str], None], parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._report = report
+        self._newest = 0
+        self._awaited = ""  # the reason of a stop that nothing is known of yet
+        self._unconfirmed = ""  # the reason of a stop that may still be confirmed
+        device.link_changed.connect(self._on_link_changed)
+        device.motors.arming_changed.connect(self._on_arming_changed)
+
+    def stop(self, reason: str) -> str:
+        """Stop and disarm, because of `reason`, a clause without a full stop.
+
+        Return what is known of it at once; empty where no board is connected and none was left
+        with motors that may turn.
+        """
+        self._unconfirmed = ""
+        self._newest += 1
+        if self._device.link is ConnectionState.DISCONNECTED:
+            return self._out_of_reach(reason) if self._device.may_move else ""
+        number, self._awaited = self._newest, reason
+        self._device.driving.stop(
+            lambda error: self._on_stopped(number, reason, error), reason=f"{reason}."
+        )
+        return self.tr("{0}. The stop was sent, and is not confirmed yet.").format(reason)
+
+    def _on_stopped(self, number: int, reason: str, error: StudioError | None) -> None:
+        if number != self._newest:
+            return
+        self._awaited = ""
+        if error is None:
+            self._report(self._confirmed(reason))
+            return
+        if self._device.may_move:
+            self._unconfirmed = reason
+        text = self.tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
+        if isinstance(error, NoReply):  # its text says what was sent, and what to do
+            text = "{0}. {1}"
+        self._report(text.format(reason, sentence(error)))
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        """Report a late confirmation, or that the line was closed before the outcome came."""
+        link, may_move = self._device.link, self._device.may_move
+        if link is ConnectionState.DISCONNECTED:
+            reason, self._awaited, self._unconfirmed = self._awaited, "", ""
+            if reason and may_move:
+                self._report(self._out_of_reach(reason))
+            elif reason:
+                self._report(self.tr("{0}. The line is closed.").format(reason))
+        elif self._unconfirmed and link is ConnectionState.CONNECTED and not may_move:
+            reason, self._unconfirmed = self._unconfirmed, ""
+            self._report(self._confirmed(reason))
+
+    @Slot()
+    def _on_arming_changed(self) -> None:
+        """Forget the stop once the motors are armed; the next confirmation is of another one."""
+        if self._device.motors.armed:
+            self._unconfirmed = ""
+
+    def _confirmed(self, reason: str) -> str:
+        """Say what the confirmation means: usually, but not always, motors at standstill."""
+        by_serial = self._device.telemetry.serial_controls
+        if by_serial is None:  # not read yet, or not responding
+            return self.tr("{0}. The board has confirmed the stop.").format(reason)
+        if not by_serial:
+            return f"{reason}. {BEYOND_A_STOP}"
+        return self.tr("{0}, so the motors were stopped.").format(reason)
+
+    def _out_of_reach(self, reason: str) -> str:
+        text = self.tr(
+            "{0}. No board is connected that could be stopped, and motors may still turn: cut "
+            "their power."
+        )
+        return text.format(reason)

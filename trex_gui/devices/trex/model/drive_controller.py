@@ -1,4 +1,4 @@
-"""When the motors may be driven, setpoints on their way to the line, and confirmed stops."""
+"""Setpoints and stops on their way to the line, and their confirmation."""
 
 from collections.abc import Callable
 
@@ -18,9 +18,9 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier
@@ -33,6 +33,9 @@ AfterStop = Callable[[StudioError | None], None]
 class DriveController(QObject):
     """Connects the motors' setpoints to the connection with the board.
 
+    Attributes:
+        may_move: whether motors were driven and no stop was confirmed since, connected or not.
+
     Signals:
         confirmed: a stop was; `may_move` is true if a setpoint was sent meanwhile.
     """
@@ -42,55 +45,44 @@ class DriveController(QObject):
     def __init__(
         self,
         motors: Motors,
+        telemetry: Telemetry,
         connection: Connection,
         notifier: Notifier,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
+        self.may_move = False
         self._notifier = notifier
         self._motors = motors
+        self._telemetry = telemetry
         self._connection = connection
-        self._may_move = False
-        self._was_armed = False
-        self._by_serial = True
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
         self._after_stop: list[AfterStop] = []
-        self._pulse = runtime().timer(self)
-        self._pulse.setInterval(round(HEARTBEAT_INTERVAL * 1000))
+        self._heartbeat = runtime().timer(self)
+        self._heartbeat.setInterval(round(HEARTBEAT_INTERVAL * 1000))
 
-        self._pulse.timeout.connect(self._on_pulse_due)
+        self._heartbeat.timeout.connect(self._on_heartbeat_due)
         motors.arming_changed.connect(self._on_arming_changed)
         motors.requested.connect(self._on_drive_requested)
         motors.stop_requested.connect(self._on_stop_requested)
-        connection.device_read.connect(self._on_answered)
+        connection.device_read.connect(self._on_read)
         connection.closing.connect(self._on_out_of_reach)
         connection.not_responding.connect(self._on_out_of_reach)
-        connection.line_closed.connect(self._on_left)
+        connection.line_closed.connect(self._on_closed)
         connection.ready.connect(self._report_lost)
-        connection.motors_stopped.connect(self._on_halted)
+        connection.motors_stopped.connect(self._on_motors_stopped)
 
-    @property
-    def may_move(self) -> bool:
-        """Whether motors were driven and no stop was confirmed since, connected or not."""
-        return self._may_move
-
-    def follow(self, *, by_serial: bool) -> None:
+    def follow_control(self) -> None:
         """Let the motors be armed only while this program's commands reach them.
 
         Where channels are in control the board keeps a command until channel 5 hands over:
         what was meant for now would start later.
         """
-        self._by_serial = by_serial
-        is_up = self._connection.link is ConnectionState.CONNECTED
-        allowed = is_up and by_serial
+        allowed = self._is_connected and bool(self._telemetry.serial_controls)
         if allowed != self._motors.is_available:
-            if not allowed and self._motors.armed and is_up:
+            if self._motors.armed and self._is_connected and not allowed:
                 self._motors.stop(self.tr("Serial commands do not reach the motors any more."))
             self._motors.set_available(allowed)
-
-    def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every motor, from any thread; `Motors.stop` has to follow in that of the window."""
-        self._connection.stop_now(ending=ending)
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
         """Stop everything and disarm; `then` is called once with the confirmation or its error.
@@ -100,25 +92,27 @@ class DriveController(QObject):
         self._after_stop.append(then)
         self._motors.stop(reason)
 
-    # --- Wishes and stops ---------------------------------------------------------------
+    @property
+    def _is_connected(self) -> bool:
+        return self._connection.link is ConnectionState.CONNECTED
+
+    # --- Setpoints and stops ------------------------------------------------------------
 
     @Slot(object)
     def _on_drive_requested(self, request: SetpointRequest) -> None:
         if self._connection.submit(request):
-            self._may_move = True
+            self.may_move = True
 
     @Slot()
     def _on_arming_changed(self) -> None:
-        armed, was_armed = self._motors.armed, self._was_armed
-        self._was_armed = armed
-        if armed and not was_armed:
+        if not self._motors.armed:
+            self._heartbeat.stop()
+        elif not self._heartbeat.isActive():
             self._connection.submit(Arm())
-            self._pulse.start()
-        elif not armed:
-            self._pulse.stop()
+            self._heartbeat.start()
 
     @Slot()
-    def _on_pulse_due(self) -> None:
+    def _on_heartbeat_due(self) -> None:
         self._connection.submit(Heartbeat(now()))
 
     @Slot()
@@ -137,17 +131,14 @@ class DriveController(QObject):
 
     def _on_stopped(self, outcome: Outcome) -> None:
         if outcome.error is None:
-            # A setpoint that was sent meanwhile moves a motor again.
-            self._may_move = self._motors.armed
-            self.confirmed.emit()
-            self._report_lost()
-            if self._connection.link is ConnectionState.CONNECTED and not self._by_serial:
+            self._on_confirmed()
+            if self._is_connected and not self._telemetry.serial_controls:
                 self._notifier.error.emit(BEYOND_A_STOP)
         elif self._connection.link is not ConnectionState.DISCONNECTING:
             self._notifier.error.emit(str(outcome.error))
 
     @Slot(object)
-    def _on_halted(self, report: MotorsStopped) -> None:
+    def _on_motors_stopped(self, report: MotorsStopped) -> None:
         if report.reason is not None:
             reason = describe(report.reason)
             if report.confirmed:
@@ -157,20 +148,22 @@ class DriveController(QObject):
             self._notifier.error.emit(text.format(reason))
             self._motors.stop(reason)
         if report.confirmed:
-            self._may_move = self._motors.armed
-            self.confirmed.emit()
-            self._report_lost()
+            self._on_confirmed()
+
+    def _on_confirmed(self) -> None:
+        self.may_move = self._motors.armed  # a setpoint that was sent meanwhile moves a motor again
+        self.confirmed.emit()
+        self._report_lost()
 
     # --- The board comes and goes -------------------------------------------------------
 
     @Slot(object)
-    def _on_answered(self, report: Connected) -> None:
+    def _on_read(self, report: Connected) -> None:
         if report.occasion is not ReadReason.RELOADED:
-            if report.may_move or self._motors.armed:
-                # While armed, setpoints may still be queued.
+            if report.may_move or self._motors.armed:  # while armed, setpoints may be queued
                 restarted = self.tr("The board was restarted, so the motors were stopped.")
                 self._motors.stop(restarted if report.occasion.power_cycled else "")
-            self._may_move = report.may_move
+            self.may_move = report.may_move
             self._motors.set_available(False)
 
     @Slot()
@@ -178,21 +171,21 @@ class DriveController(QObject):
         self._motors.set_available(False)
 
     @Slot(object)
-    def _on_left(self, last: Closed | None) -> None:
+    def _on_closed(self, last: Closed | None) -> None:
         if last is not None:
-            self._may_move = last.may_move
+            self.may_move = last.may_move
             if last.may_move and self._lost_with is None:
                 self._lost_with = self._connection.settings
         self._motors.set_available(False)
 
     @Slot()
     def _report_lost(self) -> None:
-        """The board stopped now need not be the one whose line was lost with turning motors."""
-        lost, now = self._lost_with, self._connection.settings
-        if lost is None or self._may_move or self._connection.link is not ConnectionState.CONNECTED:
+        """Warn that the stopped board may not be the one that was lost with turning motors."""
+        lost, settings = self._lost_with, self._connection.settings
+        if lost is None or self.may_move or not self._is_connected:
             return
         self._lost_with = None
-        if now is not None and now.url != lost.url:
+        if settings is not None and settings.url != lost.url:
             text = self.tr(
                 "The line to {0} was lost before a stop was confirmed. The board at this port has "
                 "confirmed one; if it is another board, cut the power of the first."
@@ -200,23 +193,19 @@ class DriveController(QObject):
             self._notifier.error.emit(text.format(lost.name or lost.url))
 
 
-SHUTDOWN = ParameterKey.UART_ERROR_SHUTDOWN
-"""The parameter that lets any serial error stop the motors (0x08)."""
-
-
-def why_the_board_stopped(news: LatchedStatus, *, errors_stop: bool) -> str:
+def why_the_board_stopped(latched: LatchedStatus, *, errors_stop: bool) -> str:
     """Return why the motors are at rest after these bits; empty if they are not.
 
-    A serial timeout stops them always, every other serial error where 0x08 says so
+    A serial timeout always stops them, other serial errors if UART-Error Shutdown (0x08) is set
     (`errors_stop`). The next motor command would start them again: only the user may give it.
     """
-    if news.uart & UartError.TIMEOUT:
+    if latched.uart & UartError.TIMEOUT:
         return QCoreApplication.translate(
             "board_stop",
             "The board received nothing for the Serial Timeout and stopped its motors.",
         )
-    if news.uart and errors_stop:
-        names = ", ".join(name for bit, (name, _) in UART_MEANING.items() if news.uart & bit)
+    if latched.uart and errors_stop:
+        names = ", ".join(name for bit, (name, _) in UART_MEANING.items() if latched.uart & bit)
         text = QCoreApplication.translate(
             "board_stop",
             "The board stopped its motors because of an error on the line ({0}): UART-Error "

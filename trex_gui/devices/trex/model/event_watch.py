@@ -1,4 +1,4 @@
-"""Notes what happens to a board: stops, Apply, faults, a line that is lost and comes back."""
+"""Logs what happens to a board: stops, Apply, faults, lost and restored connections."""
 
 from PySide6.QtCore import QObject, Slot
 
@@ -8,13 +8,13 @@ from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
-from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason
+from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.ui.event_log import EventKind, EventLog
 
 GOES_ON = 1.0
-"""Seconds within which a bit that is seen again is the same event going on.
+"""Seconds within which a repeated bit is the same event.
 
-A fault that lasts latches its bit anew right after each reading, ten times a second.
+A fault that lasts latches its bit again right after each reading, ten times a second.
 """
 
 _KINDS: dict[Status, EventKind] = {
@@ -28,7 +28,7 @@ _NAMED = 3
 
 
 class EventWatch(QObject):
-    """Stands beside the models of one board and adds to its list of events."""
+    """Adds to the event log of one board."""
 
     def __init__(
         self,
@@ -42,13 +42,12 @@ class EventWatch(QObject):
         self._motors = motors
         self._seen: dict[str, float] = {}
         motors.stop_requested.connect(self._on_stop_requested)
-        connection.device_read.connect(self._on_answered)
-        connection.not_responding.connect(self._on_silenced)
-        connection.line_closed.connect(self._on_left)
-        connection.sampled.connect(self._on_sampled)
+        connection.device_read.connect(self._on_read)
+        connection.not_responding.connect(self._on_not_responding)
+        connection.line_closed.connect(self._on_closed)
 
     def note_applied(self, results: tuple[WriteResult, ...], names: tuple[str, ...]) -> None:
-        """Note what Apply has written; `names` are those of `results`."""
+        """Log what Apply has written; `names` are those of `results`."""
         done = [name for name, one in zip(names, results, strict=True) if one.error is None]
         failed = len(results) - len(done)
         text = ", ".join(done[:_NAMED])
@@ -65,38 +64,32 @@ class EventWatch(QObject):
         self._events.add(EventKind.STOP, text)
 
     @Slot(object)
-    def _on_answered(self, report: Connected) -> None:
+    def _on_read(self, report: Connected) -> None:
         match report.occasion:
             case ReadReason.OPENED:
                 self._events.clear()
                 self._seen.clear()
             case ReadReason.RETURNED:
-                self._events.add(EventKind.LINK, self.tr("The board answers again"))
+                self._events.add(EventKind.LINK, self.tr("The board responds again"))
             case ReadReason.MODE_CHANGED:
                 self._events.add(EventKind.LINK, self.tr("The board was switched off and on"))
             case ReadReason.RELOADED:
                 pass
 
     @Slot()
-    def _on_silenced(self) -> None:
+    def _on_not_responding(self) -> None:
         self._events.add(EventKind.LINK, self.tr("The board stopped responding"))
 
     @Slot(object)
-    def _on_left(self, _last: Closed | None) -> None:
+    def _on_closed(self, _last: Closed | None) -> None:
         self._events.add(EventKind.LINK, self.tr("Disconnected"))
 
-    @Slot(object)
-    def _on_sampled(self, batch: Batch) -> None:
-        for sample in batch.samples:
-            if isinstance(sample, LatchedStatus):
-                self._note_bits(sample)
-
-    def _note_bits(self, news: LatchedStatus) -> None:
+    def note_status(self, latched: LatchedStatus) -> None:
         for bit, kind in _KINDS.items():
-            if news.status & bit:
-                self._note_bit(kind, STATUS_MEANING[bit][0], news.time)
-        if news.uart & UartError.TIMEOUT:
-            self._note_bit(EventKind.TIMEOUT, UART_MEANING[UartError.TIMEOUT][0], news.time)
+            if latched.status & bit:
+                self._note_bit(kind, STATUS_MEANING[bit][0], latched.time)
+        if latched.uart & UartError.TIMEOUT:
+            self._note_bit(EventKind.TIMEOUT, UART_MEANING[UartError.TIMEOUT][0], latched.time)
 
     def _note_bit(self, kind: EventKind, name: str, time: float) -> None:
         before = self._seen.get(name)

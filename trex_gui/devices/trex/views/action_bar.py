@@ -147,14 +147,14 @@ class ActionBar(QWidget):
             motors.lockout_changed,
         ):
             signal.connect(self._on_changed)
-        device.pending_changed.connect(self._on_changed)
+        device.draft.pending_changed.connect(self._on_changed)
         theme().changed.connect(self._on_theme_changed)
         self._on_changed()
         self._on_theme_changed()
 
     @Slot()
     def _on_changed(self) -> None:
-        motors, pending = self._device.motors, self._device.pending > 0
+        motors, pending = self._device.motors, self._device.draft.pending > 0
         is_connected = self._device.link is ConnectionState.CONNECTED
         is_beyond_reach = is_connected and not motors.is_available and motors.locked_for > 0
         self._run.setEnabled(motors.can_arm)

@@ -122,10 +122,10 @@ class TrexWorkspace(Workspace):
         motors = device.motors
         for signal in (motors.arming_changed, motors.availability_changed, motors.lockout_changed):
             signal.connect(self._on_actions_changed)
-        device.pending_changed.connect(self._on_actions_changed)
+        device.draft.pending_changed.connect(self._on_actions_changed)
         self._slots: dict[str, Callable[[], object]] = {}
         self._menus = self._make_menus()
-        self._undo_watch = device.undo.indexChanged.connect(self._on_undo_changed)
+        self._undo_watch = device.draft.undo.indexChanged.connect(self._on_undo_changed)
 
     @property
     def help_url(self) -> str:
@@ -178,10 +178,10 @@ class TrexWorkspace(Workspace):
                 ),
             ),
             Menu.EDIT: (
-                entry("undo", tr("&Undo"), device.undo.undo, keys.Undo, "undo"),
-                entry("redo", tr("&Redo"), device.undo.redo, keys.Redo, "redo"),
+                entry("undo", tr("&Undo"), device.draft.undo.undo, keys.Undo, "undo"),
+                entry("redo", tr("&Redo"), device.draft.undo.redo, keys.Redo, "redo"),
                 SEPARATOR,
-                entry("discard", tr("&Discard all edits"), device.discard_edits, "", "clear"),
+                entry("discard", tr("&Discard all edits"), device.draft.discard_edits, "", "clear"),
             ),
             Menu.DEVICE: (
                 entry("run", tr("&Run motor"), device.motors.arm, "Ctrl+R", "run"),
@@ -252,15 +252,15 @@ class TrexWorkspace(Workspace):
             "export": shown,
             "record": recorder.recording or recorder.can_record,
             "run": device.motors.can_arm,
-            "apply": writable and device.pending > 0,
+            "apply": writable and device.draft.pending > 0,
             "power": connected and to_activate,
             "defaults": writable,
             "serial_defaults": writable,
             "learn": writable,
             "test_sticks": writable,
-            "discard": shown and device.pending > 0,
-            "undo": shown and device.undo.canUndo(),
-            "redo": shown and device.undo.canRedo(),
+            "discard": shown and device.draft.pending > 0,
+            "undo": shown and device.draft.undo.canUndo(),
+            "redo": shown and device.draft.undo.canRedo(),
             "demo": self._controller.demo_in_use,
         }
 
@@ -290,7 +290,7 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _on_undo_changed(self) -> None:
-        undo = self._device.undo
+        undo = self._device.draft.undo
         self._actions["undo"].setText(self.tr("&Undo {0}").format(undo.undoText()).strip())
         self._actions["redo"].setText(self.tr("&Redo {0}").format(undo.redoText()).strip())
         self._on_actions_changed()
@@ -325,27 +325,27 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _on_reload_requested(self) -> None:
-        if not self._device.pending:
+        if not self._device.draft.pending:
             self._device.reload()
             return
         self._question.ask(
             self.tr("Read the settings from the board and discard the edits made here?"),
             PromptAnswer("reloadYes", self.tr("Discard and reload"), self._forget_and_reload),
             still=lambda: (
-                self._device.pending > 0
+                self._device.draft.pending > 0
                 and self._device.link is ConnectionState.CONNECTED
                 and not self._device.applying
             ),
         )
 
     def _forget_and_reload(self) -> None:
-        self._device.discard_edits()
+        self._device.draft.discard_edits()
         self._device.reload()
 
     # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        if self._may_leave or not (self._device.applying or self._device.pending):
+        if self._may_leave or not (self._device.applying or self._device.draft.pending):
             self._may_leave = False
             return self.files.may_close()
 
@@ -372,7 +372,7 @@ class TrexWorkspace(Workspace):
                 self.tr("There are unapplied changes."),
                 PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
                 PromptAnswer("closeYes", self.tr("Discard and close"), leave_anyway),
-                still=lambda: self._device.pending > 0 and not self._device.applying,
+                still=lambda: self._device.draft.pending > 0 and not self._device.applying,
             )
         return False
 

@@ -17,6 +17,7 @@ from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_controller import DriveController
 from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -76,7 +77,7 @@ def is_braked(simulator: SimulatedDevice) -> bool:
 def test_stop_from_another_thread_drops_later_setpoints(
     driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    thread = threading.Thread(target=driven.stop_now)
+    thread = threading.Thread(target=driven.connection.stop_now)
     thread.start()
     thread.join()
     # The window has not heard of it yet, and goes on wishing.
@@ -120,7 +121,7 @@ def test_frozen_window_reports_the_confirmed_stop(
 def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
     connection, motors = Connection(), Motors()
     notifier = Notifier()
-    driving = DriveController(motors, connection, notifier)
+    driving = DriveController(motors, Telemetry(motors), connection, notifier)
     with qtbot.waitSignal(notifier.error) as said:
         connection.motors_stopped.emit(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed=False))
     assert said.args == [f"{STOOD_STILL} A stop was sent but is not confirmed yet."]
@@ -133,7 +134,7 @@ def test_armed_motors_send_heartbeats_at_a_steady_rate(
 ) -> None:
     connection, motors = RecordingConnection(), Motors()
     notifier = Notifier()
-    driving = DriveController(motors, connection, notifier)
+    driving = DriveController(motors, Telemetry(motors), connection, notifier)
     assert not driving.may_move
     motors.set_available(True)
     motors.arm()
@@ -158,9 +159,9 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
     device.notifier.error.connect(failures.append)
     device.connect_to(ConnectionSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: device.motors.is_available)
-    device.stop_motors(outcomes.append)
+    device.driving.stop(outcomes.append)
     qtbot.waitUntil(lambda: outcomes == [None])
-    device.stop_motors(lambda _error: None)
+    device.driving.stop(lambda _error: None)
     virtual_time.advance(1.0)
     assert outcomes == [None]
     assert failures == []

@@ -109,17 +109,17 @@ def test_learning_two_channels_is_one_undo_step(setup: LearningSetup) -> None:
     setup.learning.next()
     assert setup.learning.step is LearningStep.REVIEW
     assert setup.learning.can_take
-    assert setup.device.pending == 0
+    assert setup.device.draft.pending == 0
     setup.learning.take()
     assert taken == [True]
     second = setup.device.calibrations.shown(2)
     assert second is not None
     assert abs(second.neutral - 3800) <= 2
     assert setup.device.parameters.value_of("reversed_channels") == 0b10
-    assert setup.device.pending == 3
-    assert "Learn channels" in setup.device.undo.undoText()
-    setup.device.undo.undo()
-    assert setup.device.pending == 0
+    assert setup.device.draft.pending == 3
+    assert "Learn channels" in setup.device.draft.undo.undoText()
+    setup.device.draft.undo.undo()
+    assert setup.device.draft.pending == 0
 
 
 def test_running_motors_are_stopped_first(setup: LearningSetup) -> None:
@@ -363,14 +363,14 @@ def test_gap_in_telemetry_stalls_the_neutral_step(setup: LearningSetup) -> None:
 
 def test_stop_outcome_is_reported_once_per_request(setup: LearningSetup) -> None:
     told: list[StudioError | None] = []
-    setup.device.stop_motors(told.append)
+    setup.device.driving.stop(told.append)
     setup.until(lambda: bool(told))
     assert told == [None]
     setup.device.motors.stop()
     setup.until(lambda: not setup.device.may_move)
     setup.device.disconnect_line()
     setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
-    setup.device.stop_motors(told.append)
+    setup.device.driving.stop(told.append)
     assert len(told) == 2
     assert "No board is connected" in str(told[1])
 
@@ -391,7 +391,7 @@ def test_undone_values_do_not_request_a_test(
 ) -> None:
     setup.to_review(1)
     setup.learning.take()
-    setup.device.undo.undo()
+    setup.device.draft.undo.undo()
     setup.device.parameters.edit("serial_timeout", 9)
     setup.write()
     assert setup.device.parameters.stored_of("serial_timeout") == 9
@@ -403,7 +403,7 @@ def test_discarded_values_do_not_request_a_test(
 ) -> None:
     setup.to_review(1)
     setup.learning.take()
-    setup.device.discard_edits()
+    setup.device.draft.discard_edits()
     setup.device.parameters.edit("serial_timeout", 9)
     setup.write()
     assert requested_tests == []
@@ -431,9 +431,9 @@ def test_reconnecting_forgets_the_pending_test(
     setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
     setup.device.connect_to(ConnectionSettings(setup.simulator.url))
     setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
-    assert setup.device.pending
+    assert setup.device.draft.pending
     setup.write()
-    assert setup.device.pending == 0
+    assert setup.device.draft.pending == 0
     assert requested_tests == []
 
 

@@ -65,10 +65,10 @@ class InterruptedApply:
                 done.append(now)
                 act()
 
-        self.device.progressed.connect(on_progressed)
+        self.device.connection.progressed.connect(on_progressed)
         self.device.apply()
         self.recorder.until(lambda: bool(done) and not self.device.applying)
-        self.device.progressed.disconnect(on_progressed)
+        self.device.connection.progressed.disconnect(on_progressed)
 
     @property
     def results(self) -> tuple[WriteResult, ...]:
@@ -105,10 +105,10 @@ class InterruptedApply:
 
     def finish(self) -> None:
         """Apply again; everything is as it was wanted, and nothing else has changed."""
-        if self.device.pending:
+        if self.device.draft.pending:
             results = self.recorder.apply()
             assert [result.error for result in results] == [None] * len(results)
-        assert self.device.pending == 0
+        assert self.device.draft.pending == 0
         assert self.stored == self.after
         assert self.device.calibrations.stored(CHANNEL) == LEARNED
 

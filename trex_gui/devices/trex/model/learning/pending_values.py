@@ -42,7 +42,7 @@ def other_edits(device: Device, numbers: Sequence[int]) -> int:
     turned = _turned(device)
     if turned and turned <= set(numbers):
         own += 1
-    return device.pending - own
+    return device.draft.pending - own
 
 
 def _has_calibration(device: Device, number: int) -> bool:
@@ -85,7 +85,7 @@ class PendingLearnedValues(QObject):
 
         device.applied.connect(self._on_applied)
         device.link_changed.connect(self._on_link_changed)
-        device.pending_changed.connect(self._on_pending_changed)
+        device.draft.pending_changed.connect(self._on_pending_changed)
 
     def wait_for(self, channels: Sequence[LearnedChannel]) -> None:
         """Wait for what is chosen for these channels, which are edits now."""

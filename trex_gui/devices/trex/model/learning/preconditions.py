@@ -152,7 +152,7 @@ class StandstillCheck(QObject):
         """Stop the motors and look; what was looked for before is given up."""
         self.give_up()
         run = self._run
-        self._device.stop_motors(lambda error: self._on_stopped(run, error))
+        self._device.driving.stop(lambda error: self._on_stopped(run, error))
 
     def give_up(self) -> None:
         """Tell nothing more."""

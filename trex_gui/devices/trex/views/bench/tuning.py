@@ -56,7 +56,7 @@ class Tuning(QGroupBox):
 
         bench.changed.connect(self._on_changed)
         device.state_changed.connect(self._on_changed)
-        device.pending_changed.connect(self._on_changed)
+        device.draft.pending_changed.connect(self._on_changed)
         device.link_changed.connect(self._on_changed)
         theme().changed.connect(self._show_values)
         self._on_changed()
@@ -80,7 +80,7 @@ class Tuning(QGroupBox):
         )
         for editor in self._editors.values():
             editor.setEnabled(can)
-        self._apply.setEnabled(can and device.pending > 0)
+        self._apply.setEnabled(can and device.draft.pending > 0)
 
     def _make_editors(self, keys: tuple[str, ...]) -> None:
         for widgets in (self._editors, self._names):

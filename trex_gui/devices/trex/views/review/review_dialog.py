@@ -79,7 +79,7 @@ class ReviewDialog(QDialog):
         device.draft.pending_changed.connect(self._on_draft_changed)
         device.draft.loaded.connect(self._on_draft_changed)
         device.link_changed.connect(self._on_link_changed)
-        device.progressed.connect(self._on_progressed)
+        device.connection.progressed.connect(self._on_progressed)
         device.applied.connect(self._on_applied)
         device.request_failed.connect(self._on_failed)
         self._enter(_Phase.REVIEW)

@@ -51,7 +51,7 @@ class ParametersPage(QWidget):
             "discardButton",
             self.tr("Discard edits"),
             icon="undo",
-            on_click=device.discard_edits,
+            on_click=device.draft.discard_edits,
         )
         self.table = ParameterTable(device.draft, BoardLinter(device, self), self)
 
@@ -60,7 +60,7 @@ class ParametersPage(QWidget):
 
         self.table.rejected.connect(self._notice.setText)
         self._model.modelReset.connect(self._on_changed)
-        device.pending_changed.connect(self._on_changed)
+        device.draft.pending_changed.connect(self._on_changed)
         device.applied.connect(self._on_applied)
         device.link_changed.connect(self._on_changed)
         self._on_changed()
@@ -71,7 +71,7 @@ class ParametersPage(QWidget):
         waiting = bool(self._model.waiting_for_power) or self._device.reset_ordered
         self._reload.setEnabled(connected)
         self._activate.setVisible(connected and waiting)
-        self._discard.setEnabled(connected and self._device.pending > 0)
+        self._discard.setEnabled(connected and self._device.draft.pending > 0)
         self.table.set_rows_enabled(connected)
         self._notice.setText(self._state_text(connected=connected))
 
@@ -84,9 +84,9 @@ class ParametersPage(QWidget):
             )
         if self._device.reset_ordered:
             return self.tr("Factory defaults take effect after the next power cycle.")
-        if self._device.pending:
+        if self._device.draft.pending:
             text = self.tr("Pending changes: {0}. Click Apply to write them to the board.")
-            return text.format(self._device.pending)
+            return text.format(self._device.draft.pending)
         if waiting := self._model.waiting_for_power:
             text = self.tr("Stored, but not active before the board is switched off and on: {0}.")
             return text.format(", ".join(waiting))
