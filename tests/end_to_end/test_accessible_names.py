@@ -9,7 +9,7 @@ from tests.support.accessible_names import assert_named, is_part, takes_part
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
+from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.ui.frame.find_dialog import FindDialog
 
 

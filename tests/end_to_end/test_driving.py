@@ -76,7 +76,7 @@ def test_slider_entry_and_brake_button_drive_their_motor(armed: MotorsPage) -> N
     armed.let_nothing_happen(0.1)
     assert armed.target(1) == ("forward", 60)
     assert armed.slider_value("motor1Slider") == 60
-    assert "forward 60 (47 %)" in armed.text("motor1Asked")
+    assert "forward 60 (47 %)" in armed.text("motor1Setpoint")
 
     armed.type_into("motor2Entry", "-45")
     armed.wait_for_targets(None, ("reverse", 45))
@@ -93,7 +93,7 @@ def test_slider_entry_and_brake_button_drive_their_motor(armed: MotorsPage) -> N
     armed.type_into("brakeEntry", "0")
     armed.click("motor1Brake")
     armed.wait_for_targets(("brake", 0), None)
-    assert armed.text("motor1Asked") == "Setpoint: coast"
+    assert armed.text("motor1Setpoint") == "Setpoint: coast"
 
 
 def test_number_typed_without_enter_is_discarded(armed: MotorsPage) -> None:
@@ -578,7 +578,7 @@ def test_page_shows_channel_commands_in_rc_mode(page: MotorsPage) -> None:
     page.wait(lambda: "may be holding" not in page.text("motorsReason"))
 
     page.simulator.do("channel 2 1800us")
-    page.wait_for_text("motor2Asked", "Channel 2: forward")
+    page.wait_for_text("motor2Setpoint", "Channel 2: forward")
     page.let_nothing_happen(0.1)
     assert "may be holding" not in page.text("motorsReason")
     assert not page.has("motor2Slider")

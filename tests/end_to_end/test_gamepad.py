@@ -9,7 +9,7 @@ from tests.support.pages.gamepad_panel import GamepadPanelPage, Y
 from tests.support.pages.motors import MotorsPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
+from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 
 HOLD, STOP = 9, 1  # of SDL's virtual gamepads: left shoulder, B
 

@@ -10,7 +10,7 @@ from tests.gamepad.virtual_pad import VirtualPad
 from tests.support.pads import HeldPads
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
+from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.gamepad.profile import GamepadProfile
 
 Y = 1

@@ -92,7 +92,7 @@ class MotorsPage(WindowDriver):
         def check() -> None:
             for motor, wanted in enumerate((first, second), 1):
                 if wanted is not None:
-                    said = self.text(f"motor{motor}Asked"), self.text("motorsReason")
+                    said = self.text(f"motor{motor}Setpoint"), self.text("motorsReason")
                     assert self.target(motor) == wanted, (case, *said)
 
         self.qtbot.waitUntil(check, timeout=20_000)

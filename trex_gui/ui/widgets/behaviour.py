@@ -1,14 +1,23 @@
-"""Behaviour that widgets share: focus frame, header names, no work while hidden."""
+"""Behaviour that widgets share: focus frame, header names, held controls, no work while hidden."""
 
 from collections.abc import Callable
 from functools import wraps
 from typing import TypeVar
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QFocusEvent, QPainter, QPaintEvent
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QWidget
 
+from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.theme import theme
+
+_POLL_MS = 50
+_LOSSES = {
+    QEvent.Type.FocusOut,
+    QEvent.Type.Hide,
+    QEvent.Type.UngrabMouse,
+    QEvent.Type.WindowDeactivate,
+}
 
 
 class FocusFramed(QWidget):
@@ -50,6 +59,56 @@ def name_headers(view: QAbstractItemView) -> None:
 
 def _tr(text: str) -> str:
     return QCoreApplication.translate("header_names", text)
+
+
+class PressMonitor(QObject):
+    """Detects that a held control loses the input which would end the hold.
+
+    A menu or a dialog that opens swallows the release of a mouse button or a key without any
+    event, so the control is also polled while it is held.
+
+    Signals:
+        lost: the widget lost focus or mouse, was hidden or disabled, or is covered by a menu, a
+            dialog or another window.
+    """
+
+    lost = Signal()
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._widget = widget
+        self._was_active = False
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_POLL_MS)
+        self._timer.timeout.connect(self._on_poll)
+        widget.installEventFilter(self)
+
+    def begin(self) -> None:
+        """Watch from now on; beginning again is fine."""
+        if not self._timer.isActive():
+            self._was_active = self._widget.isActiveWindow()
+            self._timer.start()
+
+    def end(self) -> None:
+        self._timer.stop()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        is_disabled = event.type() == QEvent.Type.EnabledChange and not self._widget.isEnabled()
+        if watched is self._widget and (event.type() in _LOSSES or is_disabled):
+            self._lose()
+        return False
+
+    @Slot()
+    def _on_poll(self) -> None:
+        is_covered = QApplication.activePopupWidget() or QApplication.activeModalWidget()
+        is_left = self._was_active and not self._widget.isActiveWindow()
+        if is_covered or is_left or not self._widget.isVisible():
+            self._lose()
+
+    def _lose(self) -> None:
+        if self._timer.isActive():
+            self.end()
+            self.lost.emit()
 
 
 WidgetT = TypeVar("WidgetT", bound=QWidget)

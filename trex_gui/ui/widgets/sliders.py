@@ -1,9 +1,7 @@
 """Sliders: a painted groove, one that reports being held, one with a rest position."""
 
-from PySide6.QtCore import QEvent, QRect, QSignalBlocker, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QRect, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import (
-    QFocusEvent,
-    QHideEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -13,6 +11,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
 
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.behaviour import PressMonitor
 
 
 class PaintedSlider(QSlider):
@@ -62,12 +61,12 @@ class PaintedSlider(QSlider):
 
 
 class PressSlider(PaintedSlider):
-    """Pressed with the left button only, and released when a hold can no longer be detected.
+    """Pressed with the left button only; released, too, when `PressMonitor` reports a loss.
+
+    `held` is whether the user presses it.
 
     Signals:
-        grabbed: a hand is on it.
-        released: that is over, or unknown: the focus is gone, or it is hidden,
-            disabled, or another window is in front.
+        grabbed, released: the hold has begun or ended.
     """
 
     grabbed = Signal()
@@ -76,20 +75,23 @@ class PressSlider(PaintedSlider):
     def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
         super().__init__(lowest, highest, parent)
         self.held = False
+        self._monitor = PressMonitor(self)
+        self._monitor.lost.connect(self.let_go)
 
     @Slot()
     def let_go(self) -> None:
-        """End a hold, whatever the hand does; it has to press anew."""
+        """End a hold; the user has to press again."""
         if self.held:
             self.held = False
+            self._monitor.end()
             self.setSliderDown(False)
             self.setRepeatAction(QSlider.SliderAction.SliderNoAction)
             self.released.emit()
 
     def grab_handle(self) -> None:
-        """Take note of a hand."""
         if not self.held:
             self.held = True
+            self._monitor.begin()
             self.grabbed.emit()
 
     # --- Hands --------------------------------------------------------------------------
@@ -112,24 +114,6 @@ class PressSlider(PaintedSlider):
             return
         super().mouseReleaseEvent(event)
         self.let_go()
-
-    def event(self, event: QEvent) -> bool:
-        if event.type() in {QEvent.Type.UngrabMouse, QEvent.Type.WindowDeactivate}:
-            self.let_go()
-        return super().event(event)
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        self.let_go()
-        super().focusOutEvent(event)
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        self.let_go()
-        super().hideEvent(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        if event.type() == QEvent.Type.EnabledChange and not self.isEnabled():
-            self.let_go()
-        super().changeEvent(event)
 
 
 class StickSlider(PaintedSlider):

@@ -17,8 +17,8 @@ from tests.support.pads import PAD, HeldPads
 from tests.support.pages.gamepad_panel import GamepadPanelPage, Y
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
-from trex_gui.devices.trex.views.driving.gamepad_parts import PartBar
+from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import PartBar
+from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.gamepad.profile import Axis, Style
 from trex_gui.gamepad.sdl import HOW_TO_INSTALL, SdlPads
 from trex_gui.ui.widgets.leds import Lamp
@@ -148,7 +148,7 @@ def test_every_control_has_an_object_and_accessible_name(set_up: Panel) -> None:
 
 def test_axis_is_detected_by_moving_the_stick(set_up: Panel) -> None:
     set_up.click("gamepadFirstDetect")
-    assert "Move the stick that shall drive forward" in set_up.text("gamepadSetUpNote")
+    assert "Push the stick that drives fully forward" in set_up.text("gamepadSetUpNote")
     set_up.pads.move(OTHER_Y, -1.0)
     set_up.wait(lambda: set_up.profile.first == Axis(OTHER_Y, inverted=True))
     set_up.click("gamepadSecondDetect")

@@ -4,7 +4,7 @@ import math
 
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QCursor
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import Weakness, weakness_of_timeout
@@ -96,6 +96,30 @@ class StopButton(RedButton):
         self.setEnabled(self._device.link not in inactive)
 
 
+class RunButton(QPushButton):
+    """Arms the motors."""
+
+    def __init__(self, device: Device, name: str, tip: str, parent: QWidget) -> None:
+        super().__init__(self.tr("Run motor"), parent)
+        self._motors = device.motors
+        ui.named(self, name, tip=tip)
+        ui.set_bold(self)
+        tint(self, "run")
+        set_icon(self, "run", "run_text")
+        self.clicked.connect(self._motors.arm)
+        for signal in (
+            self._motors.arming_changed,
+            self._motors.availability_changed,
+            self._motors.lockout_changed,
+        ):
+            signal.connect(self._on_changed)
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        self.setEnabled(self._motors.can_arm)
+
+
 class ActionBar(QWidget):
     """Stop motors in red, Run motor in green, the state of the motors, Apply settings.
 
@@ -110,16 +134,9 @@ class ActionBar(QWidget):
         self._device = device
 
         stop = StopButton(device, "stopButton", self)
-        self._run = ui.button(
-            self,
-            "runButton",
-            self.tr("Run motor"),
-            tip=self.tr("Let the sliders of the Motors page move the motors"),
-            on_click=device.motors.arm,
+        run = RunButton(
+            device, "runButton", self.tr("Let the sliders of the Motors page move the motors"), self
         )
-        ui.set_bold(self._run)
-        tint(self._run, "run")
-        set_icon(self._run, "run", "run_text")
         self._state = ui.named(Note(1, self), "motorStateLabel")
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         self._unapplied = ui.label(self, "unappliedLabel", self.tr("There are unapplied changes."))
@@ -132,10 +149,10 @@ class ActionBar(QWidget):
             on_click=self.apply_requested,
         )
         height = 2 * self.fontMetrics().height() + 4
-        for button in (stop, self._run, self._apply):
+        for button in (stop, run, self._apply):
             button.setMinimumSize(4 * height, height)
 
-        buttons = ui.row(stop, self._run, (self._state, 1), self._unapplied, self._apply)
+        buttons = ui.row(stop, run, (self._state, 1), self._unapplied, self._apply)
         ui.column(TimeoutNotice(device, self), buttons, into=self, margins=0)
 
         device.link_changed.connect(self._on_changed)
@@ -157,7 +174,6 @@ class ActionBar(QWidget):
         motors, pending = self._device.motors, self._device.draft.pending > 0
         is_connected = self._device.link is ConnectionState.CONNECTED
         is_beyond_reach = is_connected and not motors.is_available and motors.locked_for > 0
-        self._run.setEnabled(motors.can_arm)
         self._state.show_note(
             self._state_text(),
             alarming=motors.armed or self._device.may_move or is_beyond_reach,

@@ -1,23 +1,14 @@
-"""A field to steer in: up is forward, to the side turns, letting go springs back."""
+"""Pad to steer in: up is forward, to the side turns, letting go springs back."""
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
-from PySide6.QtGui import (
-    QEventPoint,
-    QFocusEvent,
-    QHideEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QTouchEvent,
-)
+from PySide6.QtGui import QEventPoint, QMouseEvent, QPainter, QPaintEvent, QPen, QTouchEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.devices.trex.views.driving.press_monitor import PressMonitor
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.behaviour import PressMonitor
 
 _STRAIGHT = 0.06
-"""Share of the way within which a direction counts as not meant: hands are not rulers."""
+"""Share of the travel within which a direction counts as zero."""
 
 _KNOB = 13
 
@@ -25,12 +16,12 @@ _KNOB = 13
 class DrivePad(QWidget):
     """Steers while a mouse button or a finger is down in it.
 
-    It is over when the button or finger goes up, anywhere, and when the pad loses the focus, is
-    disabled, hidden, or covered by a menu or a dialog. Keys belong to `KeyDriver`.
+    The hold ends when the button or finger goes up, anywhere, and when `PressMonitor` reports a
+    loss. Keys belong to `KeyDriver`. `held` is whether a button or finger is down in it.
 
     Signals:
         steered: forward and turn, -1 to 1 each; forward and right are positive.
-        released: it is over.
+        released: the hold has ended.
     """
 
     steered = Signal(float, float)
@@ -38,7 +29,7 @@ class DrivePad(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._held = False
+        self.held = False
         self._finger = 0
         self._can_turn = True
         self._forward = self._turn = 0.0
@@ -53,13 +44,8 @@ class DrivePad(QWidget):
         self._watch.lost.connect(self.let_go)
         theme().changed.connect(self.update)
 
-    @property
-    def held(self) -> bool:
-        """Whether a button or finger is down in it."""
-        return self._held
-
     def set_can_turn(self, can_turn: bool) -> None:
-        """Have a turn axis, or only forward and back: motors that are linked or one."""
+        """Have a turn axis, or only forward and back."""
         if can_turn != self._can_turn:
             self._can_turn = can_turn
             self.let_go()
@@ -69,14 +55,14 @@ class DrivePad(QWidget):
     @Slot(float, float)
     def show_position(self, forward: float, turn: float) -> None:
         """Show the position of the keys, unless the pad is held."""
-        if not self._held:
+        if not self.held:
             self._put(forward, turn)
 
     @Slot()
     def let_go(self) -> None:
-        """Spring back, whatever the hand does; it has to press anew."""
-        if self._held:
-            self._held = False
+        """Return to the centre; the user has to press again."""
+        if self.held:
+            self.held = False
             self._watch.end()
             self._put(0.0, 0.0)
             self.released.emit()
@@ -86,7 +72,7 @@ class DrivePad(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton:
             self._grab(event.position())
-        elif self._held:
+        elif self.held:
             self.let_go()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -99,14 +85,10 @@ class DrivePad(QWidget):
             self.let_go()
 
     def event(self, event: QEvent) -> bool:
-        if isinstance(event, QTouchEvent):
-            return self._on_touch(event)
-        if event.type() in {QEvent.Type.UngrabMouse, QEvent.Type.WindowDeactivate}:
-            self.let_go()
-        return super().event(event)
+        return self._on_touch(event) if isinstance(event, QTouchEvent) else super().event(event)
 
     def _on_touch(self, event: QTouchEvent) -> bool:
-        """The first finger steers, until it goes up; others are not looked at."""
+        """Let the first finger steer until it goes up; ignore others."""
         event.accept()
         if event.type() == QEvent.Type.TouchBegin:
             self._finger = event.points()[0].id()
@@ -124,39 +106,21 @@ class DrivePad(QWidget):
         self.let_go()
         return True
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        self.let_go()
-        super().focusOutEvent(event)
-        self.update()
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.update()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        self.let_go()
-        super().hideEvent(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        if event.type() == QEvent.Type.EnabledChange and not self.isEnabled():
-            self.let_go()
-        super().changeEvent(event)
-
     def _grab(self, place: QPointF) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        self._held = True
+        self.held = True
         self._watch.begin()
         self._follow(place)
 
     def _follow(self, place: QPointF) -> None:
-        if self._held:
+        if self.held:
             self._put(*self._setpoint_at(place))
             self.steered.emit(self._forward, self._turn)
 
     # --- Geometry and looks -------------------------------------------------------------
 
     def _field(self) -> QRectF:
-        """The square in which the knob's centre moves."""
+        """Return the square in which the knob's centre moves."""
         side = min(self.width(), self.height()) - 2 * _KNOB - 2
         middle = QRectF(self.rect()).center()
         return QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side)
@@ -175,17 +139,17 @@ class DrivePad(QWidget):
 
     def _describe(self) -> None:
         """Describe use and position for screen readers."""
-        how = self.tr("Arrow keys drive while they are held and this has the focus.")
+        use = self.tr("Hold an arrow key to drive while the pad has the focus.")
         if not self._can_turn:
-            how = self.tr("Up and Down drive while they are held; there is no turning.")
-        where = self.tr("At rest.")
+            use = self.tr("Hold Up or Down to drive; the motors cannot turn separately.")
+        position = self.tr("At rest.")
         if self._forward or self._turn:
             ahead = self.tr("forward") if self._forward >= 0 else self.tr("back")
             side = self.tr("right") if self._turn >= 0 else self.tr("left")
-            where = self.tr("{0} {1:.0%}, {2} {3:.0%}.").format(
+            position = self.tr("{0} {1:.0%}, {2} {3:.0%}.").format(
                 ahead, abs(self._forward), side, abs(self._turn)
             )
-        self.setAccessibleDescription(f"{where} {how}")
+        self.setAccessibleDescription(f"{position} {use}")
 
     def sizeHint(self) -> QSize:
         return QSize(210, 210)
@@ -248,6 +212,6 @@ class DrivePad(QWidget):
 
 
 def _straightened(share: float) -> float:
-    """Keep within -1 to 1, and let what is hardly off the middle be the middle."""
+    """Limit to -1 to 1, with a dead zone around the middle."""
     share = max(-1.0, min(1.0, share))
     return 0.0 if abs(share) < _STRAIGHT else share

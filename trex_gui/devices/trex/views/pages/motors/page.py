@@ -1,13 +1,14 @@
-"""Driving both motors and the auxiliary by hand."""
+"""Page to drive both motors and the auxiliary by hand."""
 
 from functools import partial
+from html import escape
 
-from PySide6.QtCore import QEvent, Signal, Slot
+from PySide6.QtCore import QEvent, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QGridLayout, QGroupBox, QWidget
+from PySide6.QtWidgets import QGroupBox, QLabel, QWidget
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs
+from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs, drive_status
 from trex_gui.devices.trex.model.drive_texts import (
     auxiliary_report_text,
     channel_text,
@@ -15,24 +16,28 @@ from trex_gui.devices.trex.model.drive_texts import (
     setpoint_text,
 )
 from trex_gui.devices.trex.model.motors import MomentaryDrive
-from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
-from trex_gui.devices.trex.views.driving.key_driver import KeyDriver
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.views.action_bar import RunButton
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
+from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
+from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
 from trex_gui.devices.trex.views.pages.motors.options import Options
-from trex_gui.devices.trex.views.pages.motors.status_lines import Facts, Head
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.labels import Note, Sign
 
 _AUXILIARY = 3
-"""The auxiliary motor among the controls: it goes by the number of its channel."""
+"""Number of the auxiliary motor among the controls: that of its channel."""
 
 
 class MotorsPage(QWidget):
-    """Nothing moves before the motors were armed; leaving the page lets go of everything.
+    """Nothing moves before the motors are armed; leaving the page releases every control.
 
     Signals:
         parameter_wanted: the key of a parameter that the user wants to see or change.
@@ -47,7 +52,6 @@ class MotorsPage(QWidget):
         self._motors = device.motors
         self._pad_drive = MomentaryDrive(device.motors, "drive pad")
         self._key_drive = MomentaryDrive(device.motors, "keyboard")
-
         self._safe_start = SafeStartWatch(device, self)
 
         self._holder = ""
@@ -56,41 +60,41 @@ class MotorsPage(QWidget):
         self._forget_holder.setSingleShot(True)
         self._forget_holder.setInterval(0)
 
-        self._head = Head(self)
-        self._drive_box = QGroupBox(self.tr("Drive"), self)
-        self._pad = DrivePad(self._drive_box)
+        self._sign = Sign(self)
+        self._reason = ui.named(Note(2, self), "motorsReason")
+        self._reason.setTextFormat(Qt.TextFormat.RichText)
+        tip = self.tr("Let the controls of this page move the motors")
+        run = RunButton(device, "motorsRunButton", tip, self)
+        drive_box = QGroupBox(self.tr("Drive"), self)
+        self._pad = DrivePad(drive_box)
         self._controls = {
-            1: DriveControl(self.tr("Motor 1"), "motor1", parent=self._drive_box),
-            2: DriveControl(self.tr("Motor 2"), "motor2", parent=self._drive_box),
+            1: DriveControl(self.tr("Motor 1"), "motor1", parent=drive_box),
+            2: DriveControl(self.tr("Motor 2"), "motor2", parent=drive_box),
             _AUXILIARY: DriveControl(
-                self.tr("Auxiliary (one way)"), "aux", two_way=False, parent=self._drive_box
+                self.tr("Auxiliary (one way)"), "aux", two_way=False, parent=drive_box
             ),
         }
         self._options = Options(device.motors, self)
         self._facts = Facts(device.parameters, self)
         self._keys = KeyDriver(self._key_drive, device.motors, self, self._pad)
 
-        drive = ui.row(self._pad, into=self._drive_box, spacing=16)
-        column = ui.column(*self._controls.values(), 1, spacing=8)
-        drive.addLayout(column, 1)
-        self._docks = QGridLayout()
-        self.dock(GamepadPanel(device, self))
-        ui.column(
-            self._head, self._drive_box, self._options, self._facts, self._docks, 1, into=self
-        )
+        head = ui.row(self._sign, (self._reason, 1), run, spacing=10)
+        controls = ui.column(*self._controls.values(), 1, spacing=8)
+        ui.row(self._pad, (controls, 1), into=drive_box, spacing=16)
+        gamepad = GamepadPanel(device, self)
+        ui.column(head, drive_box, self._options, self._facts, gamepad, 1, into=self)
 
         self._forget_holder.timeout.connect(self._on_event_over)
-        self._head.run_wanted.connect(self._motors.arm)
         for number, control in self._controls.items():
             control.speed_wanted.connect(partial(self._on_speed_wanted, number))
             control.brake_wanted.connect(partial(self._on_brake_wanted, number))
-            control.grabbed.connect(partial(self._on_grabbed, number))
-            control.released.connect(partial(self._on_released, number))
+            control.slider.grabbed.connect(partial(self._on_grabbed, number))
+            control.slider.released.connect(partial(self._on_released, number))
         self._pad.steered.connect(self._on_pad_steered)
         self._pad.released.connect(self._pad_drive.let_go)
         self._keys.steered.connect(self._pad.show_position)
         self._options.keys_toggled.connect(self._keys.set_enabled)
-        self._facts.parameter_wanted.connect(self.parameter_wanted)
+        self._facts.linkActivated.connect(self.parameter_wanted)
         motors = self._motors
         motors.holder_changed.connect(self._on_holder_changed)
         motors.setpoints_changed.connect(self._show_setpoints)
@@ -102,16 +106,12 @@ class MotorsPage(QWidget):
             motors.lockout_changed,
         ):
             signal.connect(self._show_options)
-        self._motors.stop_requested.connect(self._on_stop_requested)
+        motors.stop_requested.connect(self._on_stop_requested)
         device.link_changed.connect(self._show_options)
         device.state_changed.connect(self._on_state_changed)
         theme().changed.connect(self._on_state_changed)
         device.telemetry.updated.connect(self._on_telemetry_updated)
         self._on_state_changed()
-
-    def dock(self, panel: QWidget) -> None:
-        """Take in another way to drive, below the options."""
-        self._docks.addWidget(panel)
 
     # --- User actions -------------------------------------------------------------------
 
@@ -119,13 +119,9 @@ class MotorsPage(QWidget):
         holder = _name(number) if self._motors.holder == _name(number) else ""
         if number == _AUXILIARY:
             self._motors.set_auxiliary(speed, holder)
-            taken = self._motors.auxiliary == speed
         else:
             self._motors.set_speed(number, speed, holder)
-            drive = self._motors.drive(number)
-            taken = drive is not None and drive.signed == speed
-        if not taken:  # it is not to stay on the slider
-            self._show_setpoints()
+        self._show_setpoints()  # a rejected speed must not stay on the slider
 
     def _on_brake_wanted(self, number: int) -> None:
         self._motors.set_brake(number, self._motors.release_brake)
@@ -172,13 +168,11 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _show_options(self) -> None:
-        """Let every control offer what can be done now."""
         motors = self._motors
         self._pad.setEnabled(motors.armed)
         self._pad.set_can_turn(self._pad_drive.can_turn)
-        brake = self.tr("Brake with {0:.0f} %: Brake strength, below").format(
-            100 * motors.release_brake / 127
-        )
+        share = 100 * motors.release_brake / FULL_SCALE
+        brake = self.tr("Brake with {0:.0f} % (see Brake strength below)").format(share)
         for number, control in self._controls.items():
             control.setEnabled(motors.armed and not self._is_unused(number))
             control.set_ceiling(motors.ceiling)
@@ -203,10 +197,8 @@ class MotorsPage(QWidget):
     @Slot()
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
-        device, motors = self._device, self._motors
-        inputs = drive_inputs(device, perhaps_held=self._safe_start.may_hold)
-        can_run = motors.is_available and not motors.armed and not motors.locked_for
-        self._head.show_status(inputs, can_run=can_run)
+        device = self._device
+        self._show_status()
         driven = self._channels_drive()
         self._pad.setVisible(not driven)
         for number, control in self._controls.items():
@@ -220,14 +212,24 @@ class MotorsPage(QWidget):
             else:
                 control.show_report(report_text(device, number))
 
+    def _show_status(self) -> None:
+        """Show whether the motors obey, why not, and what to do about it."""
+        status = drive_status(drive_inputs(self._device, perhaps_held=self._safe_start.may_hold))
+        alarming = status.blocker.is_alarming
+        if alarming:
+            self._sign.show_sign("warning", "warning")
+        elif status.blocker.is_obeyed:
+            self._sign.show_sign("ok", "good")
+        else:
+            self._sign.show_sign("info", "info")
+        text = f"<b>{escape(status.text)}</b> {escape(status.remedy)}".rstrip()
+        self._reason.show_note(text, alarming=alarming)
+        self._reason.setAccessibleName(f"{status.text} {status.remedy}".strip())
+
     def _channels_drive(self) -> bool:
-        """Whether channels have the motors, so that there is nothing to do here but look."""
         state = self._device.state
-        if (
-            state is None
-            or self._device.link is not ConnectionState.CONNECTED
-            or state.mode.is_serial
-        ):
+        is_connected = self._device.link is ConnectionState.CONNECTED
+        if state is None or not is_connected or state.mode.is_serial:
             return False
         return not self._device.telemetry.serial_controls
 
@@ -244,9 +246,9 @@ class MotorsPage(QWidget):
         self._show_options()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Stop what is held here: who cannot see the page does not see the motors' controls.
+        """Stop the motors if a control is held.
 
-        A slider under a hand counts as held, also where it stays when it is let go.
+        A pressed slider counts as held, even where it stays at its value when it is released.
         """
         is_dragged = self._dragged is not None and self._motors.armed
         self._dragged = None
@@ -255,9 +257,9 @@ class MotorsPage(QWidget):
         super().hideEvent(event)
 
     def _note_holder(self) -> None:
-        """Remember what is held here until the event is over that ended it.
+        """Remember a held control until the event that ends the hold is over.
 
-        A page that goes takes the focus from its controls first, and they let go by themselves.
+        A page that is hidden first takes the focus from its controls, which releases them.
         """
         own = {self._pad_drive.name, self._key_drive.name, *map(_name, self._controls)}
         if self._motors.holder in own:
@@ -272,16 +274,74 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_event_over(self) -> None:
-        """Forget who held; not while the window is inactive: it may be on its way to be minimised.
+        """Forget the control, unless the window is inactive.
 
         A window that is minimised is deactivated first, in an event of its own.
         """
-        if self.isActiveWindow() and not any(each.is_held for each in self._controls.values()):
+        sliders = [control.slider for control in self._controls.values()]
+        if self.isActiveWindow() and not any(slider.held for slider in sliders):
             self._dragged = None
         if self._motors.holder != self._holder:
             self._holder = ""
 
 
 def _name(number: int) -> str:
-    """What the motors know a slider by."""
     return "auxiliary slider" if number == _AUXILIARY else f"motor {number} slider"
+
+
+class Facts(QLabel):
+    """The stored limits of the motors; each is a link to the key of its parameter."""
+
+    def __init__(self, parameters: ParameterModel, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("motorsFacts")
+        self._parameters = parameters
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.RichText)
+        self.setTextInteractionFlags(
+            Qt.TextInteractionFlag.LinksAccessibleByMouse
+            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+        self.setToolTip(self.tr("Stored settings; click a value to open its parameter"))
+        self._name()
+
+    def refresh(self, *, joint: bool) -> None:
+        """Show the stored values that were read; equal ones of both motors once."""
+        names = {
+            "acceleration": self.tr("acceleration"),
+            "brake_duration": self.tr("brake duration"),
+            "current_limit": self.tr("current limit"),
+        }
+        stored = self._parameters.stored_of
+        same = all(stored(f"motor1_{key}") == stored(f"motor2_{key}") for key in names)
+        parts = []
+        for motor in (1,) if same or joint else (1, 2):
+            facts = [
+                f"{name}: {value}"
+                for key, name in names.items()
+                if (value := self._link(f"motor{motor}_{key}"))
+            ]
+            name = self.tr("Both motors") if same else self.tr("Motor {0}").format(motor)
+            if joint:
+                name = self.tr("Motor (joint)")
+            if facts:
+                parts.append(f"<b>{name}</b> \u2013 {', '.join(facts)}.")
+        if timeout := self._link(ParameterKey.SERIAL_TIMEOUT):
+            parts.append(f"<b>{self.tr('Serial timeout')}</b> \u2013 {timeout}.")
+        text = " ".join(parts)
+        if text != self.text():
+            self.setText(text)
+            self._name()
+
+    def _name(self) -> None:
+        """Give screen readers a name while there is no text."""
+        nothing = self.tr("Stored motor settings: not known")
+        self.setAccessibleName("" if self.text() else nothing)
+
+    def _link(self, key: str) -> str:
+        wire = self._parameters.stored_of(key)
+        if wire is None:
+            return ""
+        value = self._parameters.text.physical(self._parameters.spec_of(key), wire)
+        color = theme().color("link").name()
+        return f'<a href="{key}" style="color:{color}">{escape(value)}</a>'

@@ -1,17 +1,12 @@
-"""Driving with a gamepad: switching it on, which one, and what it waits for."""
+"""Panel of the gamepad: switching it on, choosing one, and its state."""
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QGridLayout,
-    QGroupBox,
-    QWidget,
-)
+from PySide6.QtWidgets import QGroupBox, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import Gamepad
-from trex_gui.devices.trex.views.driving.gamepad_dialog import GamepadDialog
-from trex_gui.devices.trex.views.driving.gamepad_parts import PartBar
+from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog, PartBar
 from trex_gui.gamepad.pads import PadSource
 from trex_gui.gamepad.sdl import SdlPads
 from trex_gui.ui.widgets import builders as ui
@@ -20,7 +15,7 @@ from trex_gui.ui.widgets.labels import Note
 
 
 class GamepadPanel(QGroupBox):
-    """Small while it is switched off; a gamepad drives only while this page is visible."""
+    """Lets a gamepad drive only while this panel is visible."""
 
     def __init__(
         self, device: Device, parent: QWidget | None = None, *, source: PadSource | None = None
@@ -29,7 +24,7 @@ class GamepadPanel(QGroupBox):
         self.setObjectName("gamepadPanel")
         self.setTitle(self.tr("Gamepad"))
         self._device = device
-        self._gamepad = Gamepad(device, source or SdlPads(), self)
+        self.gamepad = Gamepad(device, source or SdlPads(), self)
         self._dialog: GamepadDialog | None = None
 
         self._on = ui.check_box(
@@ -37,6 +32,7 @@ class GamepadPanel(QGroupBox):
             "gamepadBox",
             self.tr("Drive with a &gamepad"),
             accessible=self.tr("Drive with a gamepad"),
+            on_toggle=self._on_toggled,
         )
         self._pads = ui.combo_box(
             self, "gamepadCombo", self.tr("Gamepad"), on_activate=self._on_pad_activated
@@ -57,54 +53,46 @@ class GamepadPanel(QGroupBox):
             Qt.TextInteractionFlag.TextSelectableByMouse
             | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )
-        self._forward = ui.named(PartBar(self.tr("Forward"), self), "gamepadForward")
-        self._turn = ui.named(PartBar(self.tr("Turn"), self), "gamepadTurn")
+        self._forward = ui.named(PartBar(self, label=self.tr("Forward")), "gamepadForward")
+        self._turn = ui.named(PartBar(self, label=self.tr("Turn")), "gamepadTurn")
         self._unfocused = ui.check_box(
             self,
             "gamepadUnfocusedBox",
             self.tr("Stop when the window loses the focus"),
             accessible=self.tr("Stop what the gamepad drives when the window loses the focus"),
-            checked=self._gamepad.stops_unfocused,
+            checked=self.gamepad.stops_unfocused,
+            on_toggle=self.gamepad.set_stops_unfocused,
         )
 
         top = ui.row(self._on, (self._pads, 1), self._set_up, 0)
-        bars = QGridLayout()
-        bars.setHorizontalSpacing(16)
-        bars.addWidget(self._forward, 0, 0)
-        bars.addWidget(self._turn, 0, 1)
+        bars = ui.row((self._forward, 1), (self._turn, 1), spacing=16)
         ui.column(top, self._state, bars, self._unfocused, into=self)
 
-        self._on.toggled.connect(self._on_toggled)
-        self._unfocused.toggled.connect(self._gamepad.set_stops_unfocused)
-        self._gamepad.changed.connect(self._on_gamepad_changed)
-        self._gamepad.moved.connect(self._on_gamepad_moved)
+        self.gamepad.changed.connect(self._on_gamepad_changed)
+        self.gamepad.moved.connect(self._on_gamepad_moved)
         app = QGuiApplication.instance()
         if isinstance(app, QGuiApplication):
-            app.focusWindowChanged.connect(self._on_focus_changed)
-            app.applicationStateChanged.connect(self._on_focus_changed)
+            app.focusWindowChanged.connect(self._attend)
+            app.applicationStateChanged.connect(self._attend)
         self._on_gamepad_changed()
         self._attend()
-
-    @property
-    def gamepad(self) -> Gamepad:
-        return self._gamepad
 
     @Slot(bool)
     def _on_toggled(self, on: bool) -> None:
         if on:
-            self._gamepad.switch_on()
+            self.gamepad.switch_on()
         else:
-            self._gamepad.switch_off()
+            self.gamepad.switch_off()
 
     @Slot(int)
     def _on_pad_activated(self, index: int) -> None:
-        if 0 <= index < len(self._gamepad.pads):
-            self._gamepad.choose(self._gamepad.pads[index])
+        if 0 <= index < len(self.gamepad.pads):
+            self.gamepad.choose(self.gamepad.pads[index])
 
     @Slot()
     def _on_set_up_clicked(self) -> None:
         if self._dialog is None:
-            self._dialog = GamepadDialog(self._gamepad, self)
+            self._dialog = GamepadDialog(self.gamepad, self)
             self._dialog.installEventFilter(self)
         self._dialog.show()
         self._dialog.activateWindow()
@@ -112,7 +100,7 @@ class GamepadPanel(QGroupBox):
 
     @Slot()
     def _on_gamepad_changed(self) -> None:
-        gamepad = self._gamepad
+        gamepad = self.gamepad
         with QSignalBlocker(self._on):
             self._on.setChecked(gamepad.on)
         pads = gamepad.pads
@@ -122,13 +110,10 @@ class GamepadPanel(QGroupBox):
             self._pads.addItems(names)
         if gamepad.pad is not None:
             self._pads.setCurrentIndex(pads.index(gamepad.pad))
-        self._pads.setVisible(gamepad.on)
         self._pads.setEnabled(bool(pads))
-        self._set_up.setVisible(gamepad.on)
         self._set_up.setEnabled(gamepad.pad is not None)
-        for bar in (self._forward, self._turn):
-            bar.setVisible(gamepad.on)
-        self._unfocused.setVisible(gamepad.on)
+        for widget in (self._pads, self._set_up, self._forward, self._turn, self._unfocused):
+            widget.setVisible(gamepad.on)
         self._state.setVisible(bool(gamepad.text))
         self._state.show_note(gamepad.text, alarming=bool(gamepad.failure) or bool(gamepad.gone))
         self._state.setAccessibleName(gamepad.text)
@@ -138,13 +123,9 @@ class GamepadPanel(QGroupBox):
     @Slot()
     def _on_gamepad_moved(self) -> None:
         if self.isVisible():
-            there = self._gamepad.state is not None
-            self._forward.set_part(self._gamepad.ask.forward if there else None)
-            self._turn.set_part(self._gamepad.ask.turn if there else None)
-
-    @Slot()
-    def _on_focus_changed(self) -> None:
-        self._attend()
+            ask = self.gamepad.ask if self.gamepad.state is not None else None
+            self._forward.set_part(ask.forward if ask else None)
+            self._turn.set_part(ask.turn if ask else None)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -160,15 +141,16 @@ class GamepadPanel(QGroupBox):
             self._attend()
         return super().eventFilter(watched, event)
 
+    @Slot()
     def _attend(self) -> None:
         """Let the gamepad drive only while its effect is visible."""
-        self._gamepad.attend(self._reason())
+        self.gamepad.attend(self._reason())
 
     def _reason(self) -> str:
         if self._dialog is not None and self._dialog.isVisible():
-            return self.tr("The gamepad is being set up; it drives nothing until then.")
+            return self.tr("The gamepad is being set up and cannot drive.")
         if not self.isVisible():
             return self.tr("The gamepad drives only while the Motors page is open.")
-        if self._gamepad.stops_unfocused and not self.isActiveWindow():
-            return self.tr("Another window is in front, so the gamepad drives nothing.")
+        if self.gamepad.stops_unfocused and not self.isActiveWindow():
+            return self.tr("Another window is in front, so the gamepad cannot drive.")
         return ""

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.trex.model.motors import Heading, MomentaryDrive, Motors, keys_setpoint
-from trex_gui.devices.trex.views.driving.press_monitor import PressMonitor
+from trex_gui.ui.widgets.behaviour import PressMonitor
 
 _HEADINGS: dict[int, Heading] = {
     Qt.Key.Key_Up: Heading.FORWARD,
@@ -44,20 +44,19 @@ _CHANGING_KEYS: set[int] = {
     *(Qt.Key.Key_CapsLock, Qt.Key.Key_NumLock, Qt.Key.Key_ScrollLock, Qt.Key.Key_Mode_switch),
     *(Qt.Key.Key_Super_L, Qt.Key.Key_Super_R, Qt.Key.Key_Hyper_L, Qt.Key.Key_Hyper_R),
 }
-"""Keys that give others another meaning, with which they may go up."""
+"""Keys that change the names under which others are released."""
 
 
 class KeyDriver(QObject):
-    """Sees the keys of the page's window before any widget does.
+    """Receives the keys of the page's window before any widget does.
 
-    While it drives, sliders, buttons and tabs get no arrow keys, wherever the focus is: a robot
-    must not depend on which of them was clicked last. Fields for text and numbers, tables and
-    lists keep theirs. The pad's own arrow keys work without switching this on, until it loses
-    the focus.
+    While `enabled`, keys drive wherever the focus is, and sliders, buttons and tabs get no arrow
+    keys: a robot must not depend on which of them was clicked last. Fields for text and numbers,
+    tables and lists keep theirs. In the pad, arrow keys always drive.
 
-    A key is known by its place on the keyboard: it may go up under another name than it went
-    down, after a switch of the layout or with Num Lock. All are let go of when one that is not
-    known goes up, and when a key like Shift comes or goes.
+    A key is identified by its place on the keyboard: it may be released under another name than
+    it was pressed, after a switch of the layout or with Num Lock. All keys count as released when
+    an unknown one is released, and when a key like Shift changes.
 
     Signals:
         steered: forward and turn of the held keys, -1 to 1 each; 0, 0 at the end.
@@ -71,7 +70,7 @@ class KeyDriver(QObject):
         self._motors = motors
         self._page = page
         self._pad = pad
-        self._enabled = False
+        self.enabled = False
         self._keys: dict[int, Heading] = {}  # those that are down, by their place
         self._modifiers = Qt.KeyboardModifier.NoModifier
         self._watch = PressMonitor(page)
@@ -85,21 +84,15 @@ class KeyDriver(QObject):
         if isinstance(app, QApplication):
             app.focusChanged.connect(self._on_focus_changed)
 
-    @property
-    def enabled(self) -> bool:
-        """Whether keys drive wherever the focus is."""
-        return self._enabled
-
     @Slot(bool)
     def set_enabled(self, enabled: bool) -> None:
-        """Let keys drive wherever the focus is, or only in the pad."""
-        self._enabled = enabled
+        self.enabled = enabled
         if not enabled:
             self.let_go()
 
     @Slot()
     def let_go(self) -> None:
-        """Let go of every key, whatever the fingers do."""
+        """Treat every key as released."""
         self._forget()
         self._drive.let_go()
 
@@ -137,7 +130,7 @@ class KeyDriver(QObject):
         return is_known
 
     def _listens(self) -> bool:
-        """Whether a key that goes down is meant for the motors."""
+        """Whether a pressed key drives."""
         if not self._motors.armed or not self._page.isVisible():
             return False
         if QApplication.activePopupWidget() or QApplication.activeModalWidget():
@@ -146,9 +139,7 @@ class KeyDriver(QObject):
 
     def _is_at(self, focus: QWidget | None) -> bool:
         """Whether keys drive with the focus there."""
-        if focus is self._pad:
-            return True
-        return self._enabled and not isinstance(focus, _NEEDS_KEYS)
+        return focus is self._pad or (self.enabled and not isinstance(focus, _NEEDS_KEYS))
 
     def _steer(self) -> None:
         forward, turn = keys_setpoint(self._keys.values())
@@ -186,11 +177,10 @@ class KeyDriver(QObject):
 
 
 def _place(event: QKeyEvent) -> int:
-    """Tell a key from others by where it is; by its name where the system does not say."""
+    """Return the place of a key, or its name where the system does not report places."""
     place = event.nativeScanCode()
     return -place if place else event.key()
 
 
 def _modifiers(event: QKeyEvent) -> Qt.KeyboardModifier:
-    """Return what is held beside the key; that it is on the keypad is no such thing."""
     return event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier

@@ -1,1 +1,0 @@
-"""Controls that drive while they are held: keys, gamepads."""

@@ -1,0 +1,390 @@
+"""Set-up of a gamepad: the assignment of its axes and buttons, with its live state."""
+
+from functools import partial
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtGui import QHideEvent
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QGroupBox, QLabel, QWidget
+
+from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
+from trex_gui.devices.trex.model.motors import mix
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+from trex_gui.devices.trex.views.bars import OutputBar
+from trex_gui.gamepad.pads import Pad, PadState
+from trex_gui.gamepad.profile import (
+    WIDEST_DEAD_ZONE,
+    Axis,
+    GamepadProfile,
+    InputDetector,
+    Style,
+    default_profile,
+)
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.bar import with_sign
+from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.leds import Lamp
+
+_LAMPS_A_ROW = 6
+
+
+class PartBar(OutputBar):
+    """Shows -1 to 1 from the centre in percent; grey while nothing is read."""
+
+    def set_part(self, part: float | None) -> None:
+        self.set_connected(part is not None)
+        if part is not None:
+            self.set_value(round(part * FULL_SCALE))
+
+    def _value_text(self) -> str:
+        value = self.value
+        return "" if value is None else f"{with_sign(round(100 * value / FULL_SCALE))} %"
+
+    def _spoken_value(self) -> str:
+        return self._value_text()
+
+    def _widest_value(self) -> str:
+        return f"{with_sign(-100)} %"
+
+
+def _axis_names(pad: Pad | None) -> list[str]:
+    return [axis_text(pad, number) for number in range(pad.axes)] if pad else []
+
+
+def _button_names(pad: Pad | None) -> list[str]:
+    return [button_text(pad, number) for number in range(pad.buttons)] if pad else []
+
+
+class PadView(QWidget):
+    """A bar for each axis of one gamepad, and a lamp for each button."""
+
+    def __init__(self, pad: Pad | None, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.pad = pad
+        self._bars: list[PartBar] = []
+        self._lamps: list[Lamp] = []
+        axes = ui.grid(stretch=[(1, 1)])
+        for number, name in enumerate(_axis_names(pad)):
+            bar = ui.named(PartBar(self), f"gamepadAxisBar{number}", accessible=name)
+            bar.setMinimumWidth(18 * bar.fontMetrics().averageCharWidth())
+            axes.addWidget(QLabel(name, self), number, 0)
+            axes.addWidget(bar, number, 1)
+            self._bars.append(bar)
+        buttons = ui.grid(spacing=(12, -1))
+        buttons.setAlignment(Qt.AlignmentFlag.AlignLeft)
+        for number, name in enumerate(_button_names(pad)):
+            lamp = ui.named(Lamp("led_green", self), f"gamepadLamp{number}", accessible=name)
+            label = QLabel(str(number + 1), self)
+            for widget in (lamp, label):
+                widget.setToolTip(name)
+            cell = ui.row(lamp, (label, 1), spacing=4)
+            buttons.addLayout(cell, number // _LAMPS_A_ROW, number % _LAMPS_A_ROW)
+            self._lamps.append(lamp)
+        ui.column(axes, buttons, into=self, margins=0, spacing=14)
+
+    def show_state(self, state: PadState | None) -> None:
+        for number, bar in enumerate(self._bars):
+            bar.set_part(None if state is None else state.axis(number))
+        for number, lamp in enumerate(self._lamps):
+            lamp.set_lit(state is not None and state.pressed(number))
+            lamp.setAccessibleDescription(self.tr("pressed") if lamp.lit else "")
+
+
+class PartRow(QWidget):
+    """A list of axes or buttons, and a button to detect one by moving or pressing it.
+
+    Signals:
+        chosen: the user chose another axis or button, or its direction.
+        detect_toggled: whether to detect the one that is moved or pressed now.
+
+    Attributes:
+        label: the use of the axis or button.
+    """
+
+    chosen = Signal()
+    detect_toggled = Signal(bool)
+
+    def __init__(self, name: str, detect: str, parent: QWidget, *, inverts: bool = False) -> None:
+        super().__init__(parent)
+        self.label = QLabel(parent)
+        self._combo = ui.combo_box(self, f"gamepad{name}Combo", "", on_activate=self.chosen)
+        self._combo.setSizeAdjustPolicy(self._combo.SizeAdjustPolicy.AdjustToContents)
+        self._detect = ui.button(
+            self,
+            f"gamepad{name}Detect",
+            detect,
+            checkable=True,
+            default=False,
+            on_toggle=self.detect_toggled,
+        )
+        self._invert = ui.check_box(
+            self, f"gamepad{name}Invert", self.tr("Invert"), on_toggle=self.chosen
+        )
+        self._invert.setVisible(inverts)
+        self.setFocusProxy(self._combo)
+        ui.row((self._combo, 1), self._detect, self._invert, into=self, margins=0)
+
+    def set_use(self, use: str) -> None:
+        self.label.setText(f"{use}:")
+        self._combo.setAccessibleName(use)
+        self._detect.setAccessibleName(self.tr("{0}: detect").format(use))
+        self._invert.setAccessibleName(self.tr("{0}: inverted").format(use))
+
+    def set_parts(self, names: list[str], none: str = "") -> None:
+        """List axes or buttons by their names; `none` is an entry for none of them."""
+        texts = [none, *names] if none else names
+        if texts != [self._combo.itemText(row) for row in range(self._combo.count())]:
+            self._combo.clear()
+            if none:
+                self._combo.addItem(none)
+            for number, name in enumerate(names):
+                self._combo.addItem(name, number)
+
+    @property
+    def number(self) -> int | None:
+        number = self._combo.currentData()
+        return number if isinstance(number, int) else None
+
+    @property
+    def axis(self) -> Axis:
+        return Axis(self.number or 0, self._invert.isChecked())
+
+    def show_part(self, number: int | None, *, inverted: bool = False) -> None:
+        """Show a choice without reporting it."""
+        numbers = [self._combo.itemData(row) for row in range(self._combo.count())]
+        self._combo.setCurrentIndex(numbers.index(number) if number in numbers else -1)
+        with QSignalBlocker(self._invert):
+            self._invert.setChecked(inverted)
+
+    def show_detecting(self, detecting: bool) -> None:
+        """Show whether this one is being detected without reporting it."""
+        with QSignalBlocker(self._detect):
+            self._detect.setChecked(detecting)
+
+
+class GamepadDialog(QDialog):
+    """Applies choices at once and stores them for this kind of gamepad.
+
+    Not modal. Its owner has to keep the gamepad from driving while it is open.
+    """
+
+    def __init__(self, gamepad: Gamepad, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("gamepadDialog")
+        self.setWindowTitle(self.tr("Set up the gamepad"))
+        self._gamepad = gamepad
+        self._detector: InputDetector | None = None
+        self._detecting = ""  # key of a row
+
+        self._name = ui.label(self, "gamepadName")
+        live = ui.named(QGroupBox(self.tr("Live state"), self), "gamepadLive")
+        self._live = PadView(None, live)
+        self._live_layout = ui.column(self._live, 1, into=live)
+        uses = QGroupBox(self.tr("Assignment"), self)
+        self._style = ui.combo_box(
+            uses,
+            "gamepadStyleCombo",
+            self.tr("How two axes drive two motors"),
+            items=[
+                (self.tr("One axis drives, one turns"), Style.MIXED),
+                (self.tr("An axis for each motor"), Style.TANK),
+            ],
+            on_activate=self._on_edited,
+        )
+        move, press = self.tr("Move it…"), self.tr("Press it…")
+        self._rows = {
+            "first": PartRow("First", move, uses, inverts=True),
+            "second": PartRow("Second", move, uses, inverts=True),
+            "hold": PartRow("Hold", press, uses),
+            "stop": PartRow("Stop", press, uses),
+        }
+        self._rows["hold"].set_use(self.tr("Hold to drive"))
+        self._rows["stop"].set_use(self.tr("Stop everything"))
+        self._dead_zone = ui.spin_box(
+            uses,
+            "gamepadDeadZoneSpin",
+            self.tr("Dead zone in percent of the travel"),
+            0,
+            round(100 * WIDEST_DEAD_ZONE),
+            suffix=" %",
+            tip=self.tr("Travel around the centre that has no effect"),
+            on_change=self._on_edited,
+        )
+        self._expo = ui.spin_box(
+            uses,
+            "gamepadExpoSpin",
+            self.tr("Expo in percent"),
+            0,
+            100,
+            suffix=" %",
+            tip=self.tr("0 %: linear. 100 %: cubic, finest around the centre"),
+            on_change=self._on_edited,
+        )
+        self._motors = [
+            ui.named(PartBar(uses, label=text), f"gamepadMotor{number}Bar")
+            for number, text in enumerate((self.tr("Motor 1"), self.tr("Motor 2")), 1)
+        ]
+        self._note = ui.named(Note(2, self), "gamepadSetUpNote")
+        standard = QDialogButtonBox.StandardButton
+        buttons = QDialogButtonBox(standard.RestoreDefaults | standard.Close, self)
+        buttons.button(standard.Close).setObjectName("gamepadCloseButton")
+        self._defaults = buttons.button(standard.RestoreDefaults)
+        self._defaults.setObjectName("gamepadDefaultsButton")
+        self._defaults.setAutoDefault(False)
+
+        form = QFormLayout(uses)
+        form.addRow(self.tr("Sticks:"), self._style)
+        for key in ("first", "second"):
+            form.addRow(self._rows[key].label, self._rows[key])
+        form.addRow(self.tr("Dead zone:"), self._dead_zone)
+        form.addRow(self.tr("Expo:"), self._expo)
+        for key in ("hold", "stop"):
+            form.addRow(self._rows[key].label, self._rows[key])
+        form.addRow(self.tr("Setpoints:"), self._motors[0])
+        form.addRow("", self._motors[1])
+        halves = ui.row((live, 2), (uses, 3))
+        ui.column(self._name, (halves, 1), self._note, buttons, into=self)
+
+        for key, row in self._rows.items():
+            row.chosen.connect(self._on_edited)
+            row.detect_toggled.connect(partial(self._on_detect_toggled, key))
+        self._defaults.clicked.connect(self._on_defaults_clicked)
+        buttons.rejected.connect(self.reject)
+        gamepad.changed.connect(self._on_gamepad_changed)
+        gamepad.moved.connect(self._on_gamepad_moved)
+        self._on_gamepad_changed()
+        self._on_gamepad_moved()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._detect("")
+
+    # --- User actions -------------------------------------------------------------------
+
+    @Slot()
+    def _on_edited(self) -> None:
+        hold, stop = self._rows["hold"].number, self._rows["stop"].number
+        if hold is not None and hold == stop:  # one button has one use: the newly chosen one
+            hold, stop = (None, stop) if stop != self._gamepad.profile.stop else (hold, None)
+        self._detect("")
+        self._gamepad.set_profile(
+            GamepadProfile(
+                style=Style(self._style.currentData()),
+                first=self._rows["first"].axis,
+                second=self._rows["second"].axis,
+                dead_zone=self._dead_zone.value() / 100,
+                expo=self._expo.value() / 100,
+                hold=hold,
+                stop=stop,
+            )
+        )
+        self._on_gamepad_changed()
+
+    @Slot()
+    def _on_defaults_clicked(self) -> None:
+        self._detect("")
+        if self._gamepad.pad is not None:
+            self._gamepad.set_profile(default_profile(self._gamepad.pad))
+
+    def _on_detect_toggled(self, key: str, detecting: bool) -> None:
+        self._detect(key if detecting else "")
+
+    def _detect(self, key: str) -> None:
+        """Assign the next axis or button that is used to this row; empty: detect none."""
+        state = self._gamepad.state
+        self._detecting = key if state is not None else ""
+        self._detector = InputDetector(state) if key and state is not None else None
+        for each, row in self._rows.items():
+            row.show_detecting(each == self._detecting)
+        self._show_note()
+
+    def _on_detection_step(self, detector: InputDetector, state: PadState) -> None:
+        row = self._rows[self._detecting]
+        if self._detecting in {"first", "second"}:
+            if axis := detector.axis(state):
+                row.show_part(axis.number, inverted=axis.inverted)
+                self._on_edited()
+        elif (button := detector.button(state)) is not None:
+            row.show_part(button)
+            self._on_edited()
+
+    # --- What is shown ------------------------------------------------------------------
+
+    @Slot()
+    def _on_gamepad_changed(self) -> None:
+        pad, profile = self._gamepad.pad, self._gamepad.profile
+        if pad != self._live.pad:
+            old, self._live = self._live, PadView(pad, self._live.parentWidget())
+            self._live_layout.replaceWidget(old, self._live)
+            old.hide()
+            old.deleteLater()
+            self._live.show()
+        self._name.setText(pad.name if pad is not None else self.tr("No gamepad is connected."))
+        for widget in (*self._rows.values(), self._style, self._dead_zone, self._expo):
+            widget.setEnabled(pad is not None)
+        self._defaults.setEnabled(pad is not None and profile != default_profile(pad))
+        if pad is None:
+            self._detect("")
+        else:
+            self._show_profile(pad, profile)
+        self._show_note()
+
+    def _show_profile(self, pad: Pad, profile: GamepadProfile) -> None:
+        is_tank = profile.style is Style.TANK
+        for key, use, axis in (
+            ("first", self.tr("Left motor") if is_tank else self.tr("Forward"), profile.first),
+            ("second", self.tr("Right motor") if is_tank else self.tr("Turn"), profile.second),
+        ):
+            row = self._rows[key]
+            row.set_use(use)
+            row.set_parts(_axis_names(pad))
+            row.show_part(axis.number, inverted=axis.inverted)
+        for key, none, number in (
+            ("hold", self.tr("none: a moved stick drives"), profile.hold),
+            ("stop", self.tr("none"), profile.stop),
+        ):
+            self._rows[key].set_parts(_button_names(pad), none)
+            self._rows[key].show_part(number)
+        self._style.setCurrentIndex(self._style.findData(profile.style))
+        for spin, part in ((self._dead_zone, profile.dead_zone), (self._expo, profile.expo)):
+            with QSignalBlocker(spin):
+                spin.setValue(round(100 * part))
+
+    @Slot()
+    def _on_gamepad_moved(self) -> None:
+        state = self._gamepad.state
+        if self._detector is not None and state is not None:
+            self._on_detection_step(self._detector, state)
+        if self.isVisible():
+            ask = self._gamepad.ask
+            self._live.show_state(state)
+            for bar, speed in zip(self._motors, mix(ask.forward, ask.turn), strict=True):
+                bar.set_part(None if state is None else speed / FULL_SCALE)
+
+    def _show_note(self) -> None:
+        text = self._prompt()
+        self._note.show_note(text, alarming=bool(self._detecting))
+        self._note.setAccessibleName(text)
+
+    def _prompt(self) -> str:
+        is_tank = self._gamepad.profile.style is Style.TANK
+        match self._detecting:
+            case "first" if is_tank:
+                return self.tr("Push the stick for the left motor fully forward.")
+            case "second" if is_tank:
+                return self.tr("Push the stick for the right motor fully forward.")
+            case "first":
+                return self.tr("Push the stick that drives fully forward.")
+            case "second":
+                return self.tr("Push the stick that turns fully to the right.")
+            case "hold":
+                return self.tr("Press the button to hold while driving.")
+            case "stop":
+                return self.tr("Press the button that stops everything.")
+        if self._gamepad.profile.hold is None:
+            return self.tr(
+                "Without a button to hold, a bumped stick drives the motors. The gamepad cannot "
+                "drive while this window is open."
+            )
+        return self.tr(
+            "The gamepad cannot drive while this window is open, but its stop button works."
+        )
