@@ -112,12 +112,12 @@ def test_review_reports_stored_and_failed_settings(
     simulator.do("power cycle")
     window.wait(lambda: device.state is not None and not device.state.mode.is_serial)
     review.open()
-    assert "RC mode and takes no settings" in review.head
+    assert "RC mode and does not accept settings" in review.head
     review.click("writeButton")
     review.wait_for_text("reviewHead", "could not be verified")
     untried, refused = sorted((row[-1] for row in review.rows()), key=len)
     assert "not in serial mode" in refused
-    assert untried == "not tried after that"
+    assert untried == "not attempted"
     assert device.draft.pending == 2
 
 
@@ -130,7 +130,7 @@ def test_interrupted_write_keeps_unwritten_settings_pending(
     simulator.do("line mute on")
     review.click("writeButton")
     review.wait_for_text("reviewHead", "could not be verified")
-    assert "not tried after that" in [row[-1] for row in review.rows()]
+    assert "not attempted" in [row[-1] for row in review.rows()]
     assert "the default" in review.head
     simulator.do("line mute off")
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
@@ -148,7 +148,7 @@ def test_interrupted_write_keeps_unwritten_settings_pending(
     assert count > device.draft.pending > 0
     assert review.rows()[0][-1] == "stored"
     assert any("gone" in row[-1] for row in review.rows())
-    assert review.rows()[-1][-1] == "not tried after that"
+    assert review.rows()[-1][-1] == "not attempted"
 
 
 def test_stop_button_works_while_review_is_open(
@@ -176,14 +176,14 @@ def test_power_cycle_is_followed_until_settings_are_active(
     review.write()
     assert review.has("powerCyclePanel")
     assert "Motor Mode" in review.text("powerCycleTitle")
-    assert "Waiting for the board to fall silent" in review.text("powerCycleResult")
+    assert "Waiting for the board to stop responding" in review.text("powerCycleResult")
     window.trigger("power")
     window.click("powerCycleCloseButton")
-    assert "Waiting for the board to fall silent" in review.text("powerCycleResult"), "still"
+    assert "Waiting for the board to stop responding" in review.text("powerCycleResult"), "still"
     power.off()
-    review.wait_for_text("powerCycleResult", "Waiting for it to answer again")
+    review.wait_for_text("powerCycleResult", "Waiting for it to respond again")
     power.on()
-    review.wait_for_text("powerCycleResult", "everything that it stores is active")
+    review.wait_for_text("powerCycleResult", "all stored settings are active")
     assert device.parameters.active_of("motor_mode") == 1
 
     review.close()
@@ -195,7 +195,7 @@ def test_power_cycle_is_followed_until_settings_are_active(
     guide = window.dialog("powerCycleDialog")
     assert "Motor Mode" in guide.text("powerCycleTitle")
     power.off()
-    guide.wait_for_text("powerCycleResult", "Waiting for it to answer again")
+    guide.wait_for_text("powerCycleResult", "Waiting for it to respond again")
     power.on()
     guide.wait_for_text("powerCycleResult", "active")
     guide.click("powerCycleCloseButton")
@@ -213,7 +213,7 @@ def test_board_is_reconnected_at_its_new_line_settings(
         power.cycle()
         assert device.settings is not None
         assert device.settings.line == line
-        assert "everything that it stores is active" in review.text("powerCycleResult")
+        assert "all stored settings are active" in review.text("powerCycleResult")
         assert device.parameters.waiting_for_power == ()
         review.close()
 
@@ -227,10 +227,10 @@ def test_disconnect_does_not_count_as_power_cycle(
     window.disconnect()
     review.wait_for_text("powerCycleResult", "The line was closed")
     device.connect_to(ConnectionSettings(simulator.url))
-    review.wait_for_text("powerCycleResult", "cannot be seen")
+    review.wait_for_text("powerCycleResult", "cannot detect")
     assert list(device.parameters.waiting_for_power) == ["Motor Mode"]
     review.click("powerCycleDone")
-    assert "everything that it stores is active" in review.text("powerCycleResult")
+    assert "all stored settings are active" in review.text("powerCycleResult")
     assert list(device.parameters.waiting_for_power) == []
 
 
@@ -239,13 +239,13 @@ def test_slow_power_cycle_shows_hints(
 ) -> None:
     edit(connected_window, motor_mode=1)
     review.write()
-    review.wait_for_text("powerCycleResult", "A short break is not seen")
+    review.wait_for_text("powerCycleResult", "A short interruption is not detected")
     power.off()
-    review.wait_for_text("powerCycleResult", "has fallen silent")
-    review.wait_for_text("powerCycleResult", "Is its power on")
+    review.wait_for_text("powerCycleResult", "has stopped responding")
+    review.wait_for_text("powerCycleResult", "Check its power")
     power.on()
     review.wait_for_text("powerCycleResult", "active")
-    assert review.text("powerCycleTitle") == "The power cycle is over."
+    assert review.text("powerCycleTitle") == "Power cycle completed."
 
 
 # --- Defaults ---------------------------------------------------------------------------

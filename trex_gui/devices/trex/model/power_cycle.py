@@ -1,4 +1,4 @@
-"""Switching a board off and on so that what it stores becomes active, step by step."""
+"""Switching a board off and on so that its stored settings become active, step by step."""
 
 from enum import Enum, auto
 
@@ -11,15 +11,11 @@ from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 
-_LONG = 10_000
-"""Milliseconds without news after which there is something to say about it."""
+_LONG_MS = 10_000
 
 
 class PowerCycleStage(Enum):
-    """How far a power cycle is.
-
-    A silence is taken for a power cut: nothing that the board says tells them apart.
-    """
+    """A board that does not respond counts as switched off: nothing tells them apart."""
 
     NONE = auto()
     OFF_WANTED = auto()
@@ -30,10 +26,14 @@ class PowerCycleStage(Enum):
 
 
 class PowerCycle(QObject):
-    """Watches the link while a person switches the power; the switch itself is theirs.
+    """Watches the link while the user switches the board off and on.
 
     Signals:
-        changed: `stage`, `takes_long`, `expected` or `still_waiting`.
+        changed: an attribute or `still_waiting`.
+
+    Attributes:
+        takes_long: whether nothing has happened for 10 s, so that a hint is due.
+        expected: how the board will be reached when it is back, if that differs from now.
     """
 
     changed = Signal()
@@ -41,64 +41,48 @@ class PowerCycle(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
-        self._stage = PowerCycleStage.NONE
-        self._takes_long = False
-        self._expected: ConnectionSettings | None = None
+        self.stage = PowerCycleStage.NONE
+        self.takes_long = False
+        self.expected: ConnectionSettings | None = None
         self._timeout = runtime().timer(self)
         self._timeout.setSingleShot(True)
-        self._timeout.setInterval(_LONG)
+        self._timeout.setInterval(_LONG_MS)
 
         self._timeout.timeout.connect(self._on_timeout)
         device.link_changed.connect(self._on_link_changed)
 
     @property
-    def stage(self) -> PowerCycleStage:
-        """How far it is."""
-        return self._stage
-
-    @property
-    def takes_long(self) -> bool:
-        """Whether nothing has happened for so long that a word of help is due."""
-        return self._takes_long
-
-    @property
-    def expected(self) -> ConnectionSettings | None:
-        """How the board will be reached when it is back, where that is another way than now."""
-        return self._expected
-
-    @property
     def still_waiting(self) -> tuple[str, ...]:
-        """Names of what is stored and not active."""
+        """Names of the settings that are stored and not active."""
         return self._device.parameters.waiting_for_power
 
     def begin(self) -> None:
-        """Wait for the power to go off, and on again."""
+        """Wait until the board is switched off, and on again."""
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None or self._device.link is not ConnectionState.CONNECTED:
             return
-        signature = state.signature
-        values = state.parameters
+        signature, stored = state.signature, state.parameters
         if self._device.reset_ordered:
-            values = factory_settings(signature.model, signature.firmware).parameters
-        coming = after_power_cycle(settings, values, signature.firmware)
-        self._expected = None if coming == settings else coming
-        self._device.expect(() if self._expected is None else (self._expected,))
+            stored = factory_settings(signature.model, signature.firmware).parameters
+        expected = after_power_cycle(settings, stored, signature.firmware)
+        self.expected = None if expected == settings else expected
+        self._device.expect(() if self.expected is None else (self.expected,))
         self._go(PowerCycleStage.OFF_WANTED)
 
     def confirm(self) -> None:
-        """Take a person's word that the power was off and is on again."""
+        """Note that the user reports a power cycle."""
         if self._device.link is ConnectionState.CONNECTED:
             self._device.note_power_cycled()
             self._go(PowerCycleStage.BACK)
 
     def end(self) -> None:
-        """Wait for nothing any more."""
-        self._expected = None
+        """Stop waiting."""
+        self.expected = None
         self._go(PowerCycleStage.NONE)
 
     @Slot()
     def _on_link_changed(self) -> None:
-        match self._stage, self._device.link:
+        match self.stage, self._device.link:
             case (
                 PowerCycleStage.OFF_WANTED | PowerCycleStage.UNSURE,
                 ConnectionState.NOT_RESPONDING,
@@ -116,12 +100,12 @@ class PowerCycle(QObject):
 
     @Slot()
     def _on_timeout(self) -> None:
-        self._takes_long = True
+        self.takes_long = True
         self.changed.emit()
 
     def _go(self, stage: PowerCycleStage) -> None:
-        self._stage = stage
-        self._takes_long = False
+        self.stage = stage
+        self.takes_long = False
         if stage in {PowerCycleStage.OFF_WANTED, PowerCycleStage.ON_WANTED}:
             self._timeout.start()
         else:

@@ -11,7 +11,6 @@ from trex_gui.core.errors import sentence
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.learning.learning import Learning
-from trex_gui.devices.trex.model.power_cycle import PowerCycle
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchOpener
@@ -27,7 +26,7 @@ from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
 from trex_gui.devices.trex.views.pages.status import StatusPage
 from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
-from trex_gui.devices.trex.views.review.power_cycle_dialog import PowerCycleDialog
+from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -88,10 +87,9 @@ class TrexWorkspace(Workspace):
         ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = DemoPanel(controller, frame)
         self.files = SettingsFiles(device, frame)
-        self._guided = PowerCycle(device, self)
-        self._review = ReviewDialog(device, PowerCycle(device, self), frame)
+        self._review = ReviewDialog(device, frame)
         self._defaults = DefaultsDialog(device, frame)
-        self._power = PowerCycleDialog(self._guided, frame)
+        self._power = PowerCycleDialog(device, frame)
         self._history = HistoryDialog(device, frame)
         learning = Learning(device, self)
         self._learn = LearnDialog(learning, frame)
@@ -107,8 +105,8 @@ class TrexWorkspace(Workspace):
         self._history.restore_requested.connect(self._review.review)
         self._defaults.reset_requested.connect(device.reset_to_factory)
         parameters_page.reload_requested.connect(self._on_reload_requested)
-        parameters_page.power_cycle_requested.connect(self._on_power_cycle_wanted)
-        calibration_page.power_cycle_requested.connect(self._on_power_cycle_wanted)
+        parameters_page.power_cycle_requested.connect(self._power.guide)
+        calibration_page.power_cycle_requested.connect(self._power.guide)
         calibration_page.learn_requested.connect(self._learn.learn)
         learning.taken.connect(self._review.review)
         motors_page.parameter_wanted.connect(parameters_page.table.show_parameter)
@@ -197,7 +195,7 @@ class TrexWorkspace(Workspace):
                 entry(
                     "power",
                     tr("Make stored settings acti&ve…"),
-                    self._on_power_cycle_wanted,
+                    self._power.guide,
                     "",
                     "power",
                 ),
@@ -307,7 +305,7 @@ class TrexWorkspace(Workspace):
         if not failed:
             self.notifier.cleared.emit()
             if any(result.key == ParameterKey.FACTORY_RESET for result in results):
-                self._on_power_cycle_wanted()
+                self._power.guide()
             elif not self._review.isVisible():
                 self.notifier.info.emit(
                     self.tr("%n setting(s) written and verified.", "", len(results))
@@ -316,12 +314,6 @@ class TrexWorkspace(Workspace):
         names = ", ".join(self._device.name_of(result.key) for result in failed)
         reasons = " ".join(dict.fromkeys(sentence(result.error) for result in failed))
         self.notifier.error.emit(self.tr("Not stored: {0}. {1}").format(names, reasons))
-
-    @Slot()
-    def _on_power_cycle_wanted(self) -> None:
-        if self._device.link is ConnectionState.CONNECTED:  # not while the window closes
-            self._guided.begin()
-            self._power.guide()
 
     @Slot()
     def _on_reload_requested(self) -> None:

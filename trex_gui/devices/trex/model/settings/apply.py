@@ -76,10 +76,8 @@ class Apply(QObject):
             if only is None or key in only
         )
         count = len(parameters) + len(calibrations)
-        reason = self.tr("Apply of 1 setting")
-        if count != 1:
-            reason = self.tr("Apply of {0} settings").format(count)
         if count:
+            reason = self.tr("Apply of %n setting(s)", "", count)
             self._write(state, link, reason, parameters, calibrations)
 
     def store(

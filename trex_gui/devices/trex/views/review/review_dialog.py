@@ -1,29 +1,23 @@
-"""What Apply is about to write, how far it is, and what became of each value."""
+"""Review of what Apply writes: before, while writing, and the outcome of each value."""
 
 from collections.abc import Iterator
 from enum import Enum, auto
 
 from PySide6.QtCore import Slot
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import (
-    QDialog,
-    QProgressBar,
-    QPushButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
 
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.power_cycle import PowerCycle
+from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
-from trex_gui.devices.trex.views.review.power_cycle_panel import PowerCyclePanel
+from trex_gui.devices.trex.views.review.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets.builders import column, label, row
+from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Note
 
 
@@ -34,35 +28,28 @@ class _Phase(Enum):
 
 
 class ReviewDialog(QDialog):
-    """Beside the window, never in its way, and with a stop button of its own.
+    """Not modal, with a stop button of its own; follows the edits until they are written."""
 
-    What is shown follows the edits until they are written.
-    """
-
-    def __init__(self, device: Device, cycle: PowerCycle, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("reviewDialog")
         self.setWindowTitle(self.tr("Apply settings"))
         self.resize(920, 560)
         self._device = device
-        self._cycle = cycle
+        self._cycle = PowerCycle(device, self)
         self._phase = _Phase.REVIEW
         self._problem = ""
-        self._wanted: frozenset[str] = frozenset()
+        self._written: frozenset[str] = frozenset()
 
-        self._head = Note(1, self)
-        self._head.setObjectName("reviewHead")
+        self._head = named(Note(1, self), "reviewHead")
         self._rows = ComparisonView(self)
         self._foot = label(self, "reviewFoot", wrap=True)
-        self._progress = QProgressBar(self)
-        self._progress.setObjectName("reviewProgress")
-        self._progress.setAccessibleName(self.tr("Progress of writing"))
-        self._power = PowerCyclePanel(cycle, self)
-        self._write = QPushButton(self)
-        self._write.setObjectName("writeButton")
-        set_icon(self._write, "apply")
-        self._close = QPushButton(self)
-        self._close.setObjectName("reviewCloseButton")
+        self._progress = named(
+            QProgressBar(self), "reviewProgress", accessible=self.tr("Progress of writing")
+        )
+        self._power = PowerCyclePanel(self._cycle, self)
+        self._write = button(self, "writeButton", icon="apply", on_click=self._on_write_clicked)
+        self._close = button(self, "reviewCloseButton", on_click=self.close)
 
         buttons = row(
             StopButton(device, "reviewStopButton", self),
@@ -73,19 +60,17 @@ class ReviewDialog(QDialog):
         )
         column(self._head, (self._rows, 1), self._foot, self._power, buttons, into=self)
 
-        self._write.clicked.connect(self._on_write_clicked)
-        self._close.clicked.connect(self.close)
-        self._rows.ticked_changed.connect(self._on_ticked_changed)
+        self._rows.ticked_changed.connect(self._describe)
         device.draft.pending_changed.connect(self._on_draft_changed)
         device.draft.loaded.connect(self._on_draft_changed)
         device.link_changed.connect(self._on_link_changed)
         device.connection.progressed.connect(self._on_progressed)
         device.applied.connect(self._on_applied)
         device.request_failed.connect(self._on_failed)
-        self._enter(_Phase.REVIEW)
+        self._describe()
 
     def review(self) -> None:
-        """Show what would be written now; while it is being written, how far it is."""
+        """Show what Apply would write, or the progress while it writes."""
         if self._phase is not _Phase.WRITING:
             self._problem = ""
             self._cycle.end()
@@ -93,7 +78,7 @@ class ReviewDialog(QDialog):
                 self._changes(),
                 self.tr("In the board"),
                 self.tr("Will be written"),
-                summary=self.tr("Clear the check box of any setting you want to apply later."),
+                summary=self._summary(),
             )
             self._enter(_Phase.REVIEW)
         self.show()
@@ -103,12 +88,14 @@ class ReviewDialog(QDialog):
         stored, shown = self._device.draft.stored, self._device.draft.shown
         if stored is None or shown is None:
             return Comparison(())
-        differing = compare(stored, shown).differing
-        return Comparison(differing)
+        return Comparison(compare(stored, shown).differing)
+
+    def _summary(self) -> str:
+        return self.tr("Clear the check box of any setting you want to apply later.")
 
     @property
     def _can_write(self) -> bool:
-        """Whether the board takes settings now, and what it takes stays."""
+        """Whether the board accepts settings now and will keep them."""
         device = self._device
         return (
             device.link is ConnectionState.CONNECTED
@@ -116,11 +103,11 @@ class ReviewDialog(QDialog):
             and not device.reset_ordered
         )
 
-    # --- User actions -----------------------------------------------------------------
+    # --- User actions -------------------------------------------------------------------
 
     @Slot()
     def _on_write_clicked(self) -> None:
-        wanted = {row.key for row in self._rows.table.ticked}
+        wanted = frozenset(row.key for row in self._rows.table.ticked)
         if not wanted or self._phase is not _Phase.REVIEW or not self._can_write:
             return
         self._problem = ""
@@ -128,11 +115,11 @@ class ReviewDialog(QDialog):
         self._progress.setRange(0, len(wanted))
         self._progress.setValue(0)
         self._enter(_Phase.WRITING)
-        self._wanted = frozenset(wanted)
+        self._written = wanted
         self._device.apply(wanted)
 
     def reject(self) -> None:
-        """Esc and Close hide the dialog; what is being written goes on."""
+        """Hide the dialog; writing continues."""
         self._leave()
         super().reject()
 
@@ -144,28 +131,21 @@ class ReviewDialog(QDialog):
         if self._phase is _Phase.DONE:
             self._cycle.end()
 
-    # --- What has changed ---------------------------------------------------------------
+    # --- Reports of the device ----------------------------------------------------------
 
     @Slot()
     def _on_draft_changed(self) -> None:
         if self._phase is _Phase.REVIEW and self.isVisible():
-            self._rows.renew(
-                self._changes(),
-                self.tr("Clear the check box of any setting you want to apply later."),
-            )
+            self._rows.renew(self._changes(), self._summary())
             self._describe()
 
     @Slot()
     def _on_link_changed(self) -> None:
         if self._phase is _Phase.WRITING and self._device.link is ConnectionState.DISCONNECTED:
-            self._problem = self._problem or self.tr("The line was lost.")
+            self._problem = self._problem or self.tr("The connection was lost.")
             self._enter(_Phase.DONE)
         elif self.isVisible():
             self._describe()
-
-    @Slot(int)
-    def _on_ticked_changed(self, _count: int) -> None:
-        self._describe()
 
     @Slot(int, int, str)
     def _on_progressed(self, done: int, total: int, what: str) -> None:
@@ -178,11 +158,9 @@ class ReviewDialog(QDialog):
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
-        if self._phase is not _Phase.WRITING:
-            return
         keys = [result.key for result in results]
-        if not self._wanted.issuperset(keys):
-            return  # the result of something else, such as an order to reset
+        if self._phase is not _Phase.WRITING or not self._written.issuperset(keys):
+            return  # the result of another request, such as a reset
         self._rows.table.set_outcomes(dict(zip(keys, self._outcomes(results), strict=True)))
         self._problem = self._problem_text(results)
         if self._device.parameters.waiting_for_power:
@@ -190,15 +168,15 @@ class ReviewDialog(QDialog):
         self._enter(_Phase.DONE)
 
     def _outcomes(self, results: tuple[WriteResult, ...]) -> Iterator[str]:
-        """Yield why each is not stored, empty where it is; an error counts where it happened."""
-        met: StudioError | None = None
+        """Yield the reason of each failure, once for each error; empty for stored values."""
+        occurred: StudioError | None = None
         for result in results:
             if result.error is None:
                 yield ""
-            elif result.error is met:
-                yield self.tr("not tried after that")
+            elif result.error is occurred:
+                yield self.tr("not attempted")
             else:
-                met = result.error
+                occurred = result.error
                 yield sentence(result.error)
 
     def _problem_text(self, results: tuple[WriteResult, ...]) -> str:
@@ -209,8 +187,8 @@ class ReviewDialog(QDialog):
         text = text.format(len(errors), len(results))
         if any(isinstance(error, (NoReply, PortUnavailable)) for error in errors):
             text += " " + self.tr(
-                "What was being written when the board was lost may be the old value, the new "
-                "one or, after a power cut, the default; it is read again."
+                "The value that was being written when the connection was lost may be the old "
+                "one, the new one or, after a power cut, the default. It will be read again."
             )
         return text
 
@@ -220,20 +198,22 @@ class ReviewDialog(QDialog):
             self._problem = reason
             self._enter(_Phase.DONE)
 
+    # --- Texts and buttons --------------------------------------------------------------
+
     def _enter(self, phase: _Phase) -> None:
         self._phase = phase
         self._describe()
 
+    @Slot()
     def _describe(self) -> None:
-        """Let every word and button fit the phase."""
-        phase = self._phase
+        """Update texts and buttons to the phase."""
         count = len(self._rows.table.ticked)
-        reviewing, done = phase is _Phase.REVIEW, phase is _Phase.DONE
-        self._progress.setVisible(phase is _Phase.WRITING)
-        self._power.setVisible(done and bool(self._cycle.stage.value > 1))
+        reviewing, done = self._phase is _Phase.REVIEW, self._phase is _Phase.DONE
+        self._progress.setVisible(self._phase is _Phase.WRITING)
+        self._power.setVisible(done and self._cycle.stage is not PowerCycleStage.NONE)
         self._write.setVisible(reviewing)
         self._write.setEnabled(reviewing and self._can_write and count > 0)
-        self._write.setText(self._count_text(count, self.tr("Write {0}")))
+        self._write.setText(self.tr("Write %n setting(s)", "", count))
         self._write.setDefault(reviewing)
         self._close.setText(self.tr("Cancel") if reviewing else self.tr("Close"))
         self._close.setDefault(not reviewing)
@@ -243,9 +223,8 @@ class ReviewDialog(QDialog):
 
     def _is_alarming(self) -> bool:
         state = self._device.state
-        refuses = state is not None and not state.mode.is_serial
-        refuses = refuses or self._device.reset_ordered
-        return bool(self._problem) or (self._phase is _Phase.REVIEW and refuses)
+        rejects = self._device.reset_ordered or (state is not None and not state.mode.is_serial)
+        return bool(self._problem) or (self._phase is _Phase.REVIEW and rejects)
 
     def _head_text(self) -> str:
         count = len(self._rows.table.comparison.rows)
@@ -253,14 +232,13 @@ class ReviewDialog(QDialog):
         match self._phase:
             case _Phase.WRITING:
                 return self.tr("Writing. Each value is read back; leave the power on.")
-            case _Phase.DONE if self._problem:
-                return self._problem
             case _Phase.DONE:
-                return self._count_text(count, self.tr("{0} written and verified."))
+                written = self.tr("%n setting(s) written and verified.", "", count)
+                return self._problem or written
         if count == 0:
             return self.tr("There is nothing to write: no setting was changed.")
         if self._device.link is not ConnectionState.CONNECTED:
-            return self.tr("No board answers. The edits are kept.")
+            return self.tr("No board is responding. The edits are kept.")
         if self._device.reset_ordered:
             return self.tr(
                 "The board will reset itself at its next start and would lose what is "
@@ -268,13 +246,14 @@ class ReviewDialog(QDialog):
             )
         if state is not None and not state.mode.is_serial:
             return self.tr(
-                "The board is in {0} mode and takes no settings. Set its mode jumper to serial, "
-                "then switch it off and on."
+                "The board is in {0} mode and does not accept settings. Set its mode jumper to "
+                "serial, then switch it off and on."
             ).format(state.mode.source.value)
-        return self._count_text(count, self.tr("{0} of the {1} will change."), self._board_text())
+        text = self.tr("%n setting(s) of the {0} will change.", "", count)
+        return text.format(self._board_text())
 
     def _board_text(self) -> str:
-        """Which board it is: kind, number, port."""
+        """Return the kind, number and port of the board."""
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None:
             return ""
@@ -287,30 +266,19 @@ class ReviewDialog(QDialog):
     def _foot_text(self) -> str:
         parts = [
             self.tr(
-                "What the board stores now is saved first (File, History). The serial settings "
-                "are written last, and each value counts only when it was read back."
+                "The board's present settings are saved first (File, History). Each value is "
+                "read back to verify it; serial settings are written last."
             )
         ]
         if keys := self._device.calibrations.out_of_reach:
-            names = ", ".join(key.label for key in keys)
-            parts.append(
-                self.tr(
-                    "These calibrations wait until the board reads such inputs again: {0}."
-                ).format(names)
+            text = self.tr(
+                "These calibrations stay pending until the board uses their input source again: "
+                "{0}."
             )
-        later = [
-            self._device.parameters.spec_of(row.key).name
-            for row in self._rows.table.ticked
-            if not row.is_calibration and self._device.parameters.spec_of(row.key).needs_power_cycle
-        ]
-        if later:
-            parts.append(
-                self.tr("Active only after the board is switched off and on: {0}.").format(
-                    ", ".join(later)
-                )
-            )
+            parts.append(text.format(", ".join(key.label for key in keys)))
+        ticked = (row for row in self._rows.table.ticked if not row.is_calibration)
+        specs = [self._device.parameters.spec_of(row.key) for row in ticked]
+        if later := [spec.name for spec in specs if spec.needs_power_cycle]:
+            text = self.tr("Active only after the board is switched off and on: {0}.")
+            parts.append(text.format(", ".join(later)))
         return " ".join(parts)
-
-    def _count_text(self, count: int, text: str, *more: str) -> str:
-        words = self.tr("1 setting") if count == 1 else self.tr("{0} settings").format(count)
-        return text.format(words, *more)

@@ -84,9 +84,8 @@ class ParametersPage(QWidget):
             )
         if self._device.reset_ordered:
             return self.tr("Factory defaults take effect after the next power cycle.")
-        if self._device.draft.pending:
-            text = self.tr("Pending changes: {0}. Click Apply to write them to the board.")
-            return text.format(self._device.draft.pending)
+        if pending := self._device.draft.pending:
+            return self.tr("%n pending change(s): click Apply settings to write.", "", pending)
         if waiting := self._model.waiting_for_power:
             text = self.tr("Stored, but not active before the board is switched off and on: {0}.")
             return text.format(", ".join(waiting))
@@ -107,9 +106,7 @@ class ParametersPage(QWidget):
                 "{0} of {1} settings could not be verified; they are marked below."
             ).format(len(failed), len(results))
         else:
-            text = self.tr("1 setting written and verified.")
-            if len(results) != 1:
-                text = self.tr("{0} settings written and verified.").format(len(results))
+            text = self.tr("%n setting(s) written and verified.", "", len(results))
             if waiting := self._model.waiting_for_power:
                 text += " " + self.tr("Switch the board off and on to make active: {0}.").format(
                     ", ".join(waiting)
