@@ -23,8 +23,7 @@ from tests.support.pages.robot import RobotWindow
 from tests.support.program import aracna
 from tests.support.window import WidgetDriver
 from trex_gui.devices.aracna.model.demo import FirmwareState, RobotSnapshot
-from trex_gui.devices.aracna.views.demo.gauge import ServoGauge
-from trex_gui.devices.aracna.views.demo.panel import DemoRobotView
+from trex_gui.devices.aracna.views.demo import DemoRobotView, ServoGauge
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.leds import Lamp
 from trex_gui.ui.widgets.sliders import StickSlider

@@ -19,7 +19,7 @@ from trex_gui.devices.aracna.model.demo import (
 )
 from trex_gui.devices.aracna.plugin import ARACNA
 from trex_gui.devices.aracna.simulator.control import control
-from trex_gui.devices.aracna.views.demo.texts import power_text, servo_text, state_text
+from trex_gui.devices.aracna.views.demo import power_text, servo_text, state_text
 
 GOALS = b".c300,300,300,300,300,300,300,300\n"
 

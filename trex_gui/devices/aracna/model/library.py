@@ -120,11 +120,7 @@ class Library(QObject):
         self.changed.emit()
 
     def _load(
-        self,
-        project: Project,
-        path: Path | None,
-        data: bytes | None,
-        findings: tuple[Finding, ...],
+        self, project: Project, path: Path | None, data: bytes | None, findings: tuple[Finding, ...]
     ) -> None:
         self.undo.clear()
         self.project = self._saved = project

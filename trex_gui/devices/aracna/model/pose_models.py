@@ -32,11 +32,7 @@ class NameModel(QAbstractListModel):
     """Editable names: the poses of a library, or its sequences and the built-in gaits."""
 
     def __init__(
-        self,
-        library: Library,
-        kind: ItemKind,
-        notifier: Notifier,
-        parent: QObject | None = None,
+        self, library: Library, kind: ItemKind, notifier: Notifier, parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self._notifier = notifier

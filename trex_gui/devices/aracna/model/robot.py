@@ -9,12 +9,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Close, Outcome
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import Rate, RobotState
-from trex_gui.devices.aracna.model.setpoints import (
-    FIRST_SPEED,
-    JointLimits,
-    SpeedSettings,
-    Targets,
-)
+from trex_gui.devices.aracna.model.setpoints import FIRST_SPEED, JointLimits, SpeedSettings, Targets
 from trex_gui.devices.aracna.model.texts import cropped_goals_text, error_text, event_of
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS, travel_seconds
 from trex_gui.devices.aracna.session.errors import suggests_scan

@@ -42,10 +42,7 @@ class LateMotor:
 
 
 def steps_of(
-    played: Sequence | Gait,
-    poses: Iterable[Pose],
-    limits: Many[Limits],
-    time_scale: float = 1.0,
+    played: Sequence | Gait, poses: Iterable[Pose], limits: Many[Limits], time_scale: float = 1.0
 ) -> tuple[Step, ...]:
     """Return the steps of a sequence or gait for as many motors as `limits`, cropped to them.
 
@@ -80,10 +77,7 @@ def cropped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
 
 
 def blend_in(
-    played: Sequence | Gait,
-    poses: Iterable[Pose],
-    limits: Many[Limits],
-    present: Present = (),
+    played: Sequence | Gait, poses: Iterable[Pose], limits: Many[Limits], present: Present = ()
 ) -> tuple[Step, ...]:
     """Return the slow step to the start; none if it starts anywhere, or the robot is there.
 

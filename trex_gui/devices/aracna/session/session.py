@@ -34,11 +34,7 @@ from trex_gui.devices.aracna.session.errors import (
     rejected_speeds,
 )
 from trex_gui.devices.aracna.session.job_queue import Job, JobQueue
-from trex_gui.devices.aracna.session.liveness import (
-    QUERY_INTERVAL,
-    LivenessMonitor,
-    QueryReason,
-)
+from trex_gui.devices.aracna.session.liveness import QUERY_INTERVAL, LivenessMonitor, QueryReason
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     Drag,

@@ -7,7 +7,7 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Play, StepBegun
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.red_button import RedButton
 
@@ -45,7 +45,7 @@ class ActionBar(QWidget):
         stop = StopSequenceButton(robot, "aracnaStopButton", self)
         height = 2 * self.fontMetrics().height() + 4
         stop.setMinimumSize(4 * height, height)
-        self._end = builders.button(
+        self._end = ui.button(
             self,
             "aracnaEndButton",
             self.tr("End after this step"),
@@ -53,18 +53,18 @@ class ActionBar(QWidget):
             on_click=robot.end_play,
         )
         self._end.setMinimumHeight(height)
-        self._activity = builders.named(
+        self._activity = ui.named(
             Note(1, self), "aracnaMotionLabel", accessible=self.tr("Activity of the robot")
         )
         hint = self.tr(
             "This link has no stop: a running motion ends only by itself, or by cutting the servo "
             "power."
         )
-        layout = builders.grid(self, margins=0, stretch=[(1, 1)])
+        layout = ui.grid(self, margins=0, stretch=[(1, 1)])
         layout.setVerticalSpacing(2)
         layout.addWidget(stop, 0, 0, 2, 1)
         layout.addWidget(self._activity, 0, 1)
-        layout.addWidget(builders.label(self, "aracnaHonestLabel", hint, wrap=True), 1, 1)
+        layout.addWidget(ui.label(self, "aracnaHonestLabel", hint, wrap=True), 1, 1)
         layout.addWidget(self._end, 0, 2, 2, 1)
 
         self._timer.timeout.connect(self._update)

@@ -11,7 +11,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 
 _MAX_EVENTS = 500
@@ -22,18 +22,18 @@ class LogPage(QWidget):
         super().__init__(parent)
         self.setObjectName("aracnaLogPage")
         self._robot = robot
-        self._list = builders.named(QListWidget(self), "aracnaLog", accessible=self.tr("Events"))
+        self._list = ui.named(QListWidget(self), "aracnaLog", accessible=self.tr("Events"))
         self._list.setWordWrap(True)
         self._list.setAlternatingRowColors(True)
         line = QGroupBox(self.tr("Line"), self)
         self._traffic, self._failures = (
-            builders.label(line, name, wrap=True, expand=True, selectable=True)
+            ui.label(line, name, wrap=True, expand=True, selectable=True)
             for name in ("aracnaTrafficValue", "aracnaQualityValue")
         )
         form = QFormLayout(line)
         form.addRow(self.tr("Requests:"), self._traffic)
         form.addRow(self.tr("Failures:"), self._failures)
-        builders.column((self._list, 1), line, into=self)
+        ui.column((self._list, 1), line, into=self)
 
         robot.events.happened.connect(self._on_happened)
         robot.changed.connect(self._on_changed)

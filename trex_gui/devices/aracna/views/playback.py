@@ -7,12 +7,7 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QWidg
 from trex_gui.devices.aracna.model.recordings import COLORS, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
-from trex_gui.devices.aracna.protocol.replies import UNREADABLE
-from trex_gui.devices.aracna.protocol.units import CENTRE, MOTORS
-from trex_gui.devices.aracna.session.messages import StepBegun
-from trex_gui.devices.aracna.views.action_bar import StopSequenceButton
-from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
-from trex_gui.devices.aracna.views.robot.texts import (
+from trex_gui.devices.aracna.model.texts import (
     assumed_text,
     joint_text,
     position_text,
@@ -20,9 +15,14 @@ from trex_gui.devices.aracna.views.robot.texts import (
     speed_text,
     spoken_joint,
 )
+from trex_gui.devices.aracna.protocol.replies import UNREADABLE
+from trex_gui.devices.aracna.protocol.units import CENTRE, MOTORS
+from trex_gui.devices.aracna.session.messages import StepBegun
+from trex_gui.devices.aracna.views.action_bar import StopSequenceButton
+from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -44,11 +44,11 @@ class RobotPlaybackWindow(RecordingWindow):
         self.playback = playback
         state = playback.state()
 
-        self._activity = builders.named(
+        self._activity = ui.named(
             Note(3, self), "aracnaRecordedDoing", accessible=self.tr("Activity of the robot")
         )
         self._drawing = RobotDrawing(state, self)
-        caption = builders.label(
+        caption = ui.label(
             self,
             "aracnaRecordedCaption",
             self.tr("Full lines: as last reported; dashed: goal.") + f"\n* {assumed_text()}",
@@ -60,7 +60,7 @@ class RobotPlaybackWindow(RecordingWindow):
         self._joints = JointValues(state.motors, self)
         scrolls = playback.header.motors > MOTORS  # as many as the published robot fit
         beside = QWidget(self)
-        builders.column(self._activity, (self._drawing, 1), caption, into=beside, margins=0)
+        ui.column(self._activity, (self._drawing, 1), caption, into=beside, margins=0)
 
         playback.moved.connect(self._show_moment)
         playback.loaded.connect(self._show_moment)
@@ -130,7 +130,7 @@ class JointValues(QWidget):
             "Speed": (self.tr("Speed"), self.tr("speed"), "1023 = 684 °/s"),
         }
 
-        grid = builders.grid(self, margins=0, spacing=(12, 2), stretch=[(len(self._parts) + 1, 1)])
+        grid = ui.grid(self, margins=0, spacing=(12, 2), stretch=[(len(self._parts) + 1, 1)])
         headings = (self.tr("Curve"), *(heading for heading, _, _ in self._parts.values()))
         for column, text in enumerate(headings):
             label = QLabel(text, self)
@@ -143,7 +143,7 @@ class JointValues(QWidget):
         self._on_theme_changed()
 
     def _add_row(self, grid: QGridLayout, motor: int) -> None:
-        box = builders.check_box(
+        box = ui.check_box(
             self,
             f"aracnaCurveBox{motor}",
             joint_text(motor),
@@ -155,7 +155,7 @@ class JointValues(QWidget):
         grid.addWidget(box, motor + 1, 0)
         self._boxes.append(box)
         for column, (part, (_, _, widest)) in enumerate(self._parts.items(), 1):
-            cell = builders.label(self, f"aracnaRecorded{part}{motor}", _NONE)
+            cell = ui.label(self, f"aracnaRecorded{part}{motor}", _NONE)
             cell.setAlignment(_RIGHT)
             cell.setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))
             grid.addWidget(cell, motor + 1, column)
@@ -167,7 +167,7 @@ class JointValues(QWidget):
 
     def mark(self, motor: int | None) -> None:
         for number, box in enumerate(self._boxes):
-            builders.set_bold(box, number == motor)
+            ui.set_bold(box, number == motor)
 
     def show_state(self, known: RobotState) -> None:
         missed = {each.motor: each for each in known.missed_goals}
@@ -202,7 +202,7 @@ class JointValues(QWidget):
         if cell.text() != text:
             cell.setText(text)
             cell.setAccessibleName(f"{spoken_joint(motor)}, {self._parts[part][1]}: {text}")
-        builders.set_bold(cell, bold)
+        ui.set_bold(cell, bold)
 
     @Slot()
     def _on_theme_changed(self) -> None:

@@ -11,7 +11,7 @@ from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
 from trex_gui.devices.aracna.views.action_bar import ActionBar
-from trex_gui.devices.aracna.views.demo.panel import RobotPanel
+from trex_gui.devices.aracna.views.demo import RobotPanel
 from trex_gui.devices.aracna.views.help import help_text
 from trex_gui.devices.aracna.views.log_page import LogPage
 from trex_gui.devices.aracna.views.menu import menus

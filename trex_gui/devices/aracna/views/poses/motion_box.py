@@ -2,14 +2,7 @@
 
 from typing import Any
 
-from PySide6.QtCore import (
-    QAbstractItemModel,
-    QModelIndex,
-    QPersistentModelIndex,
-    Qt,
-    Signal,
-    Slot,
-)
+from PySide6.QtCore import QAbstractItemModel, QModelIndex, QPersistentModelIndex, Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -37,7 +30,7 @@ from trex_gui.devices.aracna.poses.project import (
 from trex_gui.devices.aracna.views.poses.name_list import NameList, paint_empty, small_button
 from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import name_headers
 
 _Index = QModelIndex | QPersistentModelIndex
@@ -63,7 +56,7 @@ class MotionBox(QGroupBox):
         self._next_pose = ""
         self.table = StepTable(library, self)
 
-        self._list = builders.named(
+        self._list = ui.named(
             NameList(library, ItemKind.SEQUENCE, notifier, "", self),
             "aracnaMotions",
             accessible=self.tr("Sequences and gaits"),
@@ -79,11 +72,11 @@ class MotionBox(QGroupBox):
         self._down = small_button(
             self, "aracnaStepDown", tr("Move this step down"), arrow=arrows.DownArrow
         )
-        builders.column(
+        ui.column(
             (self._list, 2),
-            builders.row(new, *self._list.buttons(self), 1),
+            ui.row(new, *self._list.buttons(self), 1),
             (self._steps, 3),
-            builders.row(self._add, self._remove, self._up, self._down, 1),
+            ui.row(self._add, self._remove, self._up, self._down, 1),
             into=self,
             margins=(8, 6, 8, 8),
             spacing=4,
@@ -168,7 +161,7 @@ class _Delegate(QStyledItemDelegate):
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: _Index) -> QWidget:
         del option
         if index.column() == StepColumn.POSE:
-            combo = builders.combo_box(
+            combo = ui.combo_box(
                 parent,
                 "aracnaStepPose",
                 self.tr("Pose of step {0}").format(index.row() + 1),
@@ -180,7 +173,7 @@ class _Delegate(QStyledItemDelegate):
             if combo.findText(str(index.data())) < 0:  # an undefined one stays possible
                 combo.insertItem(0, str(index.data()))
             return combo
-        return builders.spin_box(
+        return ui.spin_box(
             parent,
             "aracnaStepTime",
             self.tr("Milliseconds of step {0}").format(index.row() + 1),
@@ -218,7 +211,7 @@ class StepView(QTableView):
     def __init__(self, table: StepTable, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._table = table
-        builders.named(self, "aracnaSteps", accessible=self.tr("Steps"))
+        ui.named(self, "aracnaSteps", accessible=self.tr("Steps"))
         self.setModel(table)
         self.setItemDelegate(_Delegate(library, self))
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

@@ -9,7 +9,7 @@ from trex_gui.devices.aracna.model.pose_models import NameModel
 from trex_gui.devices.aracna.poses.gaits import Gait
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 
 _LINES = 4
 
@@ -60,9 +60,9 @@ class NameList(QListView):
         model.dataChanged.connect(self._on_data_changed)
         self._update_actions()
 
-    def _action(self, text: str, shortcut: str, slot: builders.Handler, icon: str = "") -> QAction:
+    def _action(self, text: str, shortcut: str, slot: ui.Handler, icon: str = "") -> QAction:
         context = Qt.ShortcutContext.WidgetShortcut
-        action = builders.action(
+        action = ui.action(
             self, "", text, icon=icon, shortcut=shortcut, context=context, on_trigger=slot
         )
         self.addAction(action)
@@ -189,10 +189,10 @@ def small_button(
     text: str = "",
     icon: str = "",
     arrow: Qt.ArrowType = Qt.ArrowType.NoArrow,
-    on_click: builders.Handler | None = None,
+    on_click: ui.Handler | None = None,
 ) -> QToolButton:
     """Create a tool button that takes the focus when it is clicked."""
-    button = builders.tool_button(
+    button = ui.tool_button(
         parent, name, text, icon=icon, tip=tip, accessible=tip, on_click=on_click
     )
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

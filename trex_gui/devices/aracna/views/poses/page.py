@@ -6,15 +6,15 @@ from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.model.texts import assumed_text
 from trex_gui.devices.aracna.views.poses.files import PoseFiles
 from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
 from trex_gui.devices.aracna.views.poses.name_list import small_button
 from trex_gui.devices.aracna.views.poses.play_bar import PlayBar
 from trex_gui.devices.aracna.views.poses.pose_box import PoseBox
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
-from trex_gui.devices.aracna.views.robot.texts import assumed_text
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import ElidedLabel
 
 
@@ -33,10 +33,10 @@ class PosesPage(QWidget):
         self._robot = robot
         self._library = library
         self.files = PoseFiles(library, robot.notifier, self)
-        self._drawing = builders.named(RobotDrawing(robot.state, self), "aracnaPosesDrawing")
-        footnote = builders.label(self, "aracnaPosesFootnote", f"* {assumed_text()}", wrap=True)
+        self._drawing = ui.named(RobotDrawing(robot.state, self), "aracnaPosesDrawing")
+        footnote = ui.label(self, "aracnaPosesFootnote", f"* {assumed_text()}", wrap=True)
         footnote.setForegroundRole(footnote.palette().ColorRole.PlaceholderText)
-        self._name = builders.named(ElidedLabel("poses.ppr", self), "aracnaPoseFile")
+        self._name = ui.named(ElidedLabel("poses.ppr", self), "aracnaPoseFile")
         undo = library.undo.createUndoAction(self, self.tr("Undo"))
         redo = library.undo.createRedoAction(self, self.tr("Redo"))
         poses = PoseBox(robot, library, self)
@@ -44,15 +44,15 @@ class PosesPage(QWidget):
         bar = PlayBar(robot, library, motions, self)
         self.capture = poses.capture
         self.play = bar.play
-        head = builders.row(
+        head = ui.row(
             self._file_button(),
             self._action_button("aracnaUndo", undo, "undo"),
             self._action_button("aracnaRedo", redo, "redo"),
             (self._name, 1),
         )
-        panel = builders.column(head, (builders.row((poses, 2), (motions, 3)), 1), bar)
-        left = builders.column((self._drawing, 1), footnote, 0)
-        builders.row((left, 1), (panel, 4), into=self, spacing=16)
+        panel = ui.column(head, (ui.row((poses, 2), (motions, 3)), 1), bar)
+        left = ui.column((self._drawing, 1), footnote, 0)
+        ui.row((left, 1), (panel, 4), into=self, spacing=16)
 
         self._drawing.pointed.connect(self._drawing.mark)
         poses.pose_chosen.connect(motions.show_pose)
@@ -65,14 +65,14 @@ class PosesPage(QWidget):
 
     def _file_button(self) -> QToolButton:
         title = self.tr("Pose file")
-        menu = builders.named(QMenu(self), "aracnaFileMenuEntries", accessible=title)
+        menu = ui.named(QMenu(self), "aracnaFileMenuEntries", accessible=title)
         for name, text, icon, slot in (
             ("aracnaNewFile", self.tr("&New"), "new", self.files.new),
             ("aracnaOpenFile", self.tr("&Open…"), "open", self.files.ask_and_open),
             ("aracnaSaveFile", self.tr("&Save"), "save", self.files.save),
             ("aracnaSaveFileAs", self.tr("Save &as…"), "", self.files.ask_and_save),
         ):
-            menu.addAction(builders.action(self, f"{name}Action", text, icon=icon, on_trigger=slot))
+            menu.addAction(ui.action(self, f"{name}Action", text, icon=icon, on_trigger=slot))
         button = small_button(self, "aracnaFileMenu", title, text=title, icon="folder")
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         button.setMenu(menu)

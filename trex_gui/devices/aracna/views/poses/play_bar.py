@@ -27,7 +27,7 @@ from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import Play
 from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
 from trex_gui.devices.aracna.views.typed import take_typed
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
 
 _MOST_ROUNDS = 999
@@ -51,25 +51,18 @@ class PlayBar(QWidget):
         self._present: Present = ()
         self._played: ItemKey | None = None
 
-        self._play = builders.button(
-            self, "aracnaPlay", self.tr("Pla&y"), icon="run", on_click=self.play
+        self._play = ui.button(self, "aracnaPlay", self.tr("Pla&y"), icon="run", on_click=self.play)
+        self._rounds = ui.spin_box(
+            self, "aracnaRounds", self.tr("Rounds"), 1, _MOST_ROUNDS, on_change=self._update_preview
         )
-        self._rounds = builders.spin_box(
-            self,
-            "aracnaRounds",
-            self.tr("Rounds"),
-            1,
-            _MOST_ROUNDS,
-            on_change=self._update_preview,
-        )
-        self._loop = builders.check_box(
+        self._loop = ui.check_box(
             self,
             "aracnaLoop",
             self.tr("&Loop"),
             tip=self.tr("Repeat until stopped."),
             on_toggle=self._on_loop_toggled,
         )
-        self._speed = builders.spin_box(
+        self._speed = ui.spin_box(
             self,
             "aracnaSpeedScale",
             self.tr("Speed in percent"),
@@ -81,7 +74,7 @@ class PlayBar(QWidget):
             tip=self.tr("Also while playing, from the next step on. 50 %: each step takes twice."),
             on_change=self._on_speed_changed,
         )
-        self._blend_in = builders.check_box(
+        self._blend_in = ui.check_box(
             self,
             "aracnaBlendIn",
             self.tr("Blend &in"),
@@ -89,7 +82,7 @@ class PlayBar(QWidget):
             checked=True,
             on_toggle=self._update_preview,
         )
-        self._blend_out = builders.check_box(
+        self._blend_out = ui.check_box(
             self,
             "aracnaBlendOut",
             self.tr("Blend o&ut to stand"),
@@ -98,21 +91,21 @@ class PlayBar(QWidget):
         )
         for box in (self._rounds, self._speed):
             box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self._summary = builders.named(Note(2, self), "aracnaPlaySummary")
+        self._summary = ui.named(Note(2, self), "aracnaPlaySummary")
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        builders.column(
-            builders.row(
-                builders.label(self, "", self.tr("&Rounds"), buddy=self._rounds),
+        ui.column(
+            ui.row(
+                ui.label(self, "", self.tr("&Rounds"), buddy=self._rounds),
                 self._rounds,
                 self._loop,
-                builders.label(self, "", self.tr("S&peed"), buddy=self._speed),
+                ui.label(self, "", self.tr("S&peed"), buddy=self._speed),
                 self._speed,
                 1,
                 spacing=8,
             ),
-            builders.row(self._blend_in, self._blend_out, 1),
+            ui.row(self._blend_in, self._blend_out, 1),
             self._summary,
-            builders.row(self._play, 1),
+            ui.row(self._play, 1),
             into=self,
             margins=0,
             spacing=4,

@@ -10,7 +10,7 @@ from trex_gui.devices.aracna.poses.project import Pose
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS, degrees
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
 from trex_gui.devices.aracna.views.typed import take_typed
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 
 _ACROSS = 4
 
@@ -31,19 +31,14 @@ class PoseBox(QGroupBox):
         self._library = library
 
         empty = self.tr("No poses. Capture the robot's position, or open a pose file.")
-        self._list = builders.named(
+        self._list = ui.named(
             NameList(library, ItemKind.POSE, robot.notifier, empty, self),
             "aracnaPoses",
             accessible=self.tr("Poses"),
         )
-        self._capture = builders.button(
-            self, "aracnaCapture", self.tr("&Capture"), on_click=self.capture
-        )
-        self._go_to = builders.button(
-            self,
-            "aracnaGoTo",
-            self.tr("&Go to"),
-            on_click=self._on_go_to_clicked,
+        self._capture = ui.button(self, "aracnaCapture", self.tr("&Capture"), on_click=self.capture)
+        self._go_to = ui.button(
+            self, "aracnaGoTo", self.tr("&Go to"), on_click=self._on_go_to_clicked
         )
         self._take = small_button(
             self,
@@ -54,18 +49,18 @@ class PoseBox(QGroupBox):
         )
         self._fields = [self._field(motor) for motor in range(MOTORS)]
         columns = [(2 * column + 1, 1) for column in range(_ACROSS)]
-        fields = builders.grid(margins=0, spacing=(3, 3), stretch=columns)
+        fields = ui.grid(margins=0, spacing=(3, 3), stretch=columns)
         for motor, field in enumerate(self._fields):
-            name = builders.label(self, "", str(motor), buddy=field)
+            name = ui.label(self, "", str(motor), buddy=field)
             name.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             line, column = divmod(motor, _ACROSS)
             fields.addWidget(name, line, 2 * column)
             fields.addWidget(field, line, 2 * column + 1)
-        builders.column(
+        ui.column(
             (self._list, 1),
-            builders.row(self._take, *self._list.buttons(self), 1),
+            ui.row(self._take, *self._list.buttons(self), 1),
             fields,
-            builders.row(self._capture, self._go_to),
+            ui.row(self._capture, self._go_to),
             into=self,
             margins=(8, 6, 8, 8),
             spacing=4,
@@ -79,7 +74,7 @@ class PoseBox(QGroupBox):
 
     def _field(self, motor: int) -> QSpinBox:
         accessible = self.tr("Position of motor {0} in this pose").format(motor)
-        box = builders.spin_box(self, f"aracnaPosition{motor}", accessible, 0, HIGHEST)
+        box = ui.spin_box(self, f"aracnaPosition{motor}", accessible, 0, HIGHEST)
         box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)  # it is narrow
         box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         box.valueChanged.connect(lambda value: self._on_position_edited(motor, value))

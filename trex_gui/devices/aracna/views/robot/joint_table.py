@@ -1,170 +1,213 @@
 """The joints in rows: goal, present position, difference, speed, limits."""
 
-from dataclasses import dataclass
-from functools import partial
-
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QSpinBox, QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.model.texts import missed_text
-from trex_gui.devices.aracna.protocol.joints import Limits
-from trex_gui.devices.aracna.protocol.units import degrees, position
-from trex_gui.devices.aracna.views.robot.joint_widgets import (
-    DegreesBox,
-    JointSlider,
-    SpeedBox,
-    UnitsBox,
-)
-from trex_gui.devices.aracna.views.robot.texts import (
+from trex_gui.devices.aracna.model.texts import (
     joint_of,
     joint_text,
+    missed_text,
     position_text,
     side_text,
     signed,
     speed_text,
     spoken_joint,
 )
+from trex_gui.devices.aracna.protocol.units import HIGHEST, degrees, position
+from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider, SpeedBox
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 
 _LEG, _NAME, _SLIDER, _UNITS, _DEGREES, _PRESENT, _STATE, _SPEED, _LOW, _HIGH = range(10)
 _ALTERNATING = (_SPEED, _LOW, _HIGH)
-
-
-@dataclass(frozen=True, slots=True)
-class JointState:
-    present: int | None
-    text: str = ""
-    alarming: bool = False
-    tip: str = ""
 
 
 class JointRow(QObject):
     """The widgets of one motor in the table's grid.
 
     Signals:
-        goal_changed: a goal in units.
-        speed_changed: a speed setting.
-        limits_changed: lowest and highest position.
-        pointed: whether the mouse or the focus is on it.
+        goal_edited: the user has changed the target.
+        pointed: the motor while mouse or focus is on it, then -1.
     """
 
-    goal_changed = Signal(int)
-    speed_changed = Signal(int)
-    limits_changed = Signal(int, int)
-    pointed = Signal(bool)
+    goal_edited = Signal()
+    pointed = Signal(int)
 
-    def __init__(self, motor: int, parent: QWidget) -> None:
+    def __init__(self, robot: Robot, motor: int, parent: QWidget) -> None:
         super().__init__(parent)
+        self._robot = robot
+        self._motor = motor
         spoken = spoken_joint(motor)
 
         def name(text: str) -> str:
             return f"{spoken}: {text}"
 
-        self.name = builders.label(parent, f"aracnaName{motor}", joint_text(motor))
-        self.slider = builders.named(
+        def position_box(kind: str, accessible: str) -> QSpinBox:
+            box = ui.spin_box(parent, f"aracna{kind}{motor}", name(accessible), 0, HIGHEST)
+            box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)  # the slider is beside it
+            return box
+
+        self.name = ui.label(parent, f"aracnaName{motor}", joint_text(motor))
+        self.slider = ui.named(
             JointSlider(parent), f"aracnaSlider{motor}", accessible=name(self.tr("goal"))
         )
-        self.units = UnitsBox(f"aracnaGoal{motor}", name(self.tr("goal in units")), parent)
-        self.degrees = DegreesBox(f"aracnaDegrees{motor}", name(self.tr("goal in degrees")), parent)
-        self.present = builders.label(parent, f"aracnaPresent{motor}")
-        self.present.setAccessibleName(name(self.tr("present position")))
-        widest = self.present.fontMetrics().horizontalAdvance(position_text(1023))
-        self.present.setMinimumWidth(widest + 4)
-        self.state = builders.label(parent, f"aracnaState{motor}")
-        self.state.setAccessibleName(name(self.tr("state")))
+        self._units = position_box("Goal", self.tr("goal in units"))
+        self._degrees = ui.double_spin_box(
+            parent,
+            f"aracnaDegrees{motor}",
+            name(self.tr("goal in degrees")),
+            0,
+            degrees(HIGHEST),
+            decimals=1,
+            suffix="°",
+        )
+        self._degrees.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
+        self._present = ui.label(parent, f"aracnaPresent{motor}")
+        self._present.setAccessibleName(name(self.tr("present position")))
+        widest = self._present.fontMetrics().horizontalAdvance(position_text(HIGHEST))
+        self._present.setMinimumWidth(widest + 4)
+        self._state = ui.label(parent, f"aracnaState{motor}", bold=True)
+        self._state.setAccessibleName(name(self.tr("state")))
+        widest = self._state.fontMetrics().horizontalAdvance(self.tr("no reply (−1)"))
+        self._state.setMinimumWidth(widest + 4)
         self.speed = SpeedBox(f"aracnaSpeed{motor}", name(self.tr("speed")), parent)
-        self.low = UnitsBox(f"aracnaLow{motor}", name(self.tr("lowest position")), parent)
-        self.high = UnitsBox(f"aracnaHigh{motor}", name(self.tr("highest position")), parent)
-        self._shown = JointState(None, "?")
-
-        self.slider.valueChanged.connect(self.goal_changed)
-        self.units.valueChanged.connect(self.goal_changed)
-        self.degrees.valueChanged.connect(lambda angle: self.goal_changed.emit(position(angle)))
-        self.speed.valueChanged.connect(self.speed_changed)
-        for box in (self.low, self.high):
-            box.valueChanged.connect(self._on_limit_changed)
-        for widget in self.widgets:
-            widget.installEventFilter(self)
-            widget.setAttribute(Qt.WidgetAttribute.WA_Hover)
-        self.show_state(JointState(None))
-
-    @property
-    def widgets(self) -> tuple[QWidget, ...]:
-        return (
-            *(self.name, self.slider, self.units, self.degrees, self.present, self.state),
+        self.low = position_box("Low", self.tr("lowest position"))
+        self.high = position_box("High", self.tr("highest position"))
+        self.widgets: tuple[QWidget, ...] = (
+            *(self.name, self.slider, self._units, self._degrees, self._present, self._state),
             *(self.speed, self.low, self.high),
         )
 
-    def show_goal(self, goal: int) -> None:
-        """Show a goal without a signal."""
-        with QSignalBlocker(self.units), QSignalBlocker(self.degrees):
-            if self.slider.value() != goal:
-                with QSignalBlocker(self.slider):
-                    self.slider.setValue(goal)
-            self.units.setValue(goal)
-            if position(self.degrees.value()) != goal:
-                self.degrees.setValue(degrees(goal))
+        self.slider.valueChanged.connect(self._on_goal_edited)
+        self._units.valueChanged.connect(self._on_goal_edited)
+        self._degrees.valueChanged.connect(lambda angle: self._on_goal_edited(position(angle)))
+        self.speed.valueChanged.connect(self._on_speed_edited)
+        for box in (self.low, self.high):
+            box.valueChanged.connect(self._on_limit_edited)
+        for widget in self.widgets:
+            widget.installEventFilter(self)
+            widget.setAttribute(Qt.WidgetAttribute.WA_Hover)
 
-    def show_limits(self, limits: Limits) -> None:
-        """Show limits without a signal."""
-        with QSignalBlocker(self.slider):
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        match event.type():
+            case QEvent.Type.HoverEnter | QEvent.Type.FocusIn:
+                self.pointed.emit(self._motor)
+            case QEvent.Type.HoverLeave:
+                self.pointed.emit(-1)
+            case QEvent.Type.Wheel if isinstance(watched, QWidget) and not watched.hasFocus():
+                event.ignore()  # scrolls the page
+                return True
+            case _:
+                pass
+        return super().eventFilter(watched, event)
+
+    # --- What the robot has -----------------------------------------------------------------
+
+    def show_goal(self) -> None:
+        """Show the target without a signal."""
+        goal = self._robot.targets.goals[self._motor]
+        with (
+            QSignalBlocker(self.slider),
+            QSignalBlocker(self._units),
+            QSignalBlocker(self._degrees),
+        ):
+            self.slider.setValue(goal)
+            self._units.setValue(goal)
+            if position(self._degrees.value()) != goal:
+                self._degrees.setValue(degrees(goal))
+
+    def show_limits(self) -> None:
+        """Show the limits without a signal."""
+        limits = self._robot.limits.of(self._motor)
+        with QSignalBlocker(self.slider), QSignalBlocker(self.low), QSignalBlocker(self.high):
             self.slider.set_limits(limits)
-        for box, value in ((self.low, limits.low), (self.high, limits.high)):
-            with QSignalBlocker(box):
-                box.setValue(value)
+            self.low.setValue(limits.low)
+            self.high.setValue(limits.high)
 
-    def show_state(self, state: JointState) -> None:
-        if state == self._shown:
-            return
-        self._shown = state
-        self.slider.set_present(state.present)
-        self.present.setText(position_text(state.present))
-        self.state.setText(state.text)
-        self.state.setToolTip(state.tip)
-        builders.set_bold(self.state, state.alarming)
-        self.update_colors()
-
-    def update_colors(self) -> None:
+    def show_state(self) -> None:
+        """Show the speed and the reported state."""
+        state = self._robot.state
+        if self.speed.value() != (speed := self._robot.speeds.values[self._motor]):
+            self.speed.setValue(speed)  # an equal one would replace what the user is typing
+        held = state.held_speed(self._motor)
+        text = "" if held is None else self.tr("the servo holds {0}").format(speed_text(held))
+        self.speed.setAccessibleDescription(text)
+        for widget in (self.slider, self._units, self._degrees):
+            widget.setEnabled(state.play is None)
+        present = state.present[self._motor]
+        self.slider.set_present(present)
+        self._present.setText(position_text(present))
+        text, alarming, tip = self._state_text(present)
+        self._state.setText(text)
+        self._state.setToolTip(tip)
+        ui.set_bold(self._state, alarming)
         palette = self.name.palette()
-        name = "danger" if self._shown.alarming else "window_text"
-        palette.setColor(self.state.foregroundRole(), theme().color(name))
-        self.state.setPalette(palette)
+        color = theme().color("danger" if alarming else "window_text")
+        palette.setColor(self._state.foregroundRole(), color)
+        self._state.setPalette(palette)
+
+    def _state_text(self, present: int | None) -> tuple[str, bool, str]:
+        """Return the difference from the goal or what is wrong, if it alarms, and the tool tip."""
+        state, motor = self._robot.state, self._motor
+        difference = ""
+        if present is not None and state.goals is not None:
+            difference = signed(present - state.goals[motor])
+        missed = next((each for each in state.missed_goals if each.motor == motor), None)
+        if state.stuck is not None and state.stuck.motor == motor:
+            return self.tr("stuck here"), True, ""
+        if state.moving is not None:
+            is_observed = self._robot.link is ConnectionState.CONNECTED
+            is_awaited = is_observed and state.awaited_motor <= motor
+            return self.tr("moving …") if is_awaited else difference, False, ""
+        if missed is not None and not missed.unreadable:
+            return self.tr("{0} missed").format(difference), True, missed_text(missed)
+        if missed is not None or (state.held_speed(motor) or 0) < 0:
+            return self.tr("no reply (−1)"), True, ""
+        return difference, False, ""
 
     def set_marked(self, marked: bool) -> None:
+        """Highlight the name."""
         if marked != self.name.autoFillBackground():
             role = self.name.palette().ColorRole
             self.name.setBackgroundRole(role.Highlight)
             self.name.setForegroundRole(role.HighlightedText if marked else role.WindowText)
             self.name.setAutoFillBackground(marked)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        match event.type():
-            case QEvent.Type.HoverEnter | QEvent.Type.FocusIn:
-                self.pointed.emit(True)
-            case QEvent.Type.HoverLeave:
-                self.pointed.emit(False)
-            case _:
-                pass
-        return super().eventFilter(watched, event)
+    # --- Edits ------------------------------------------------------------------------------
 
-    def _on_limit_changed(self) -> None:
-        self.limits_changed.emit(self.low.value(), self.high.value())
+    def _on_goal_edited(self, goal: int) -> None:
+        self._robot.targets.set(self._motor, goal)
+        self.show_goal()
+        self.goal_edited.emit()
+
+    def _on_speed_edited(self, speed: int) -> None:
+        speeds = list(self._robot.speeds.values)
+        if speeds[self._motor] != speed:
+            speeds[self._motor] = speed
+            self._robot.set_speeds(speeds)
+
+    def _on_limit_edited(self) -> None:
+        """Set the limits; one that is moved beyond the other takes it along."""
+        before = self._robot.limits.of(self._motor)
+        low, high = self.low.value(), self.high.value()
+        if low > high:
+            low, high = (low, low) if low != before.low else (high, high)
+        self._robot.limits.set(self._motor, low, high)
+        self.show_limits()
 
 
 class JointTable(QWidget):
     """Shows and changes the targets, speeds and limits of a robot.
 
     Signals:
-        goal_changed: the user has changed a target.
+        goal_edited: the user has changed a target.
         grabbed, released: the user presses or releases a slider.
         pointed: the motor that mouse or focus is on; -1 for none.
     """
 
-    goal_changed = Signal()
+    goal_edited = Signal()
     grabbed = Signal()
     released = Signal()
     pointed = Signal(int)
@@ -177,7 +220,7 @@ class JointTable(QWidget):
         self._legs: list[QLabel] = []
         self._limits_shown = False
 
-        self._grid = builders.grid(self, margins=0, spacing=(6, 3), stretch=[(_SLIDER, 1)])
+        self._grid = ui.grid(self, margins=0, spacing=(6, 3), stretch=[(_SLIDER, 1)])
         self._heads = {
             column: self._head(column, text, tip)
             for column, text, tip in (
@@ -200,7 +243,7 @@ class JointTable(QWidget):
         robot.limits.changed.connect(self._on_limits_changed)
         robot.changed.connect(self._on_changed)
         robot.halted.connect(self._on_halted)
-        theme().changed.connect(self._on_theme_changed)
+        theme().changed.connect(self._on_changed)
         self.show_limits(shown=False)
         self._on_limits_changed()
         self._on_changed()
@@ -225,7 +268,7 @@ class JointTable(QWidget):
             self._rows[motor].slider.setFocus(Qt.FocusReason.MouseFocusReason)
 
     def _head(self, column: int, text: str, tip: str) -> QLabel:
-        label = builders.label(self, "", text, tip=tip)
+        label = ui.label(self, "", text, tip=tip)
         label.setForegroundRole(label.palette().ColorRole.PlaceholderText)
         label.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self._grid.addWidget(label, 0, column)
@@ -246,12 +289,12 @@ class JointTable(QWidget):
             label.setVisible(2 * leg < motors)
 
     def _add_row(self, motor: int) -> None:
-        row = JointRow(motor, self)
+        row = JointRow(self._robot, motor, self)
         line = 1 + motor + motor // 2  # a gap between legs
         joint = joint_of(motor)
         if joint is not None and motor % 2 == 0:
             text = side_text(joint.side).replace(" ", "\n")
-            label = builders.label(self, f"aracnaLeg{motor // 2}", text)
+            label = ui.label(self, f"aracnaLeg{motor // 2}", text)
             label.setAlignment(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
             self._grid.addWidget(label, line, _LEG, 2, 1)
             self._legs.append(label)
@@ -261,40 +304,11 @@ class JointTable(QWidget):
                 self._grid.addWidget(gap, line - 1, _LEG)
         for column, widget in enumerate(row.widgets, start=_NAME):
             self._grid.addWidget(widget, line, column)
-        font = self.font()
-        font.setBold(True)
-        widest = QFontMetrics(font).horizontalAdvance(self.tr("no reply (−1)"))
-        row.state.setMinimumWidth(widest + 4)
-
-        row.goal_changed.connect(partial(self._on_goal_changed, motor))
+        row.goal_edited.connect(self.goal_edited)
         row.slider.grabbed.connect(self.grabbed)
         row.slider.released.connect(self.released)
-        row.speed_changed.connect(partial(self._on_speed_changed, motor))
-        row.limits_changed.connect(partial(self._on_row_limits_changed, motor))
-        row.pointed.connect(partial(self._on_pointed, motor))
+        row.pointed.connect(self.pointed)
         self._rows.append(row)
-
-    def _on_goal_changed(self, motor: int, goal: int) -> None:
-        self._robot.targets.set(motor, goal)
-        self._rows[motor].show_goal(self._robot.targets.goals[motor])
-        self.goal_changed.emit()
-
-    def _on_speed_changed(self, motor: int, speed: int) -> None:
-        speeds = list(self._robot.speeds.values)
-        if speeds[motor] != speed:
-            speeds[motor] = speed
-            self._robot.set_speeds(speeds)
-
-    def _on_row_limits_changed(self, motor: int, low: int, high: int) -> None:
-        """Set limits; one that is moved beyond the other takes it along."""
-        before = self._robot.limits.of(motor)
-        if low > high:
-            low, high = (low, low) if low != before.low else (high, high)
-        self._robot.limits.set(motor, low, high)
-        self._rows[motor].show_limits(self._robot.limits.of(motor))
-
-    def _on_pointed(self, motor: int, is_pointed: bool) -> None:
-        self.pointed.emit(motor if is_pointed else -1)
 
     # --- Updates ----------------------------------------------------------------------------
 
@@ -305,58 +319,21 @@ class JointTable(QWidget):
 
     @Slot()
     def _on_targets_changed(self) -> None:
-        for row, goal in zip(self._rows, self._robot.targets.goals, strict=False):
+        for row in self._rows[: len(self._robot.targets.goals)]:
             if not row.slider.held:
-                row.show_goal(goal)
+                row.show_goal()
 
     @Slot()
     def _on_limits_changed(self) -> None:
-        for motor, row in enumerate(self._rows):
-            row.show_limits(self._robot.limits.of(motor))
+        for row in self._rows:
+            row.show_limits()
         self._on_targets_changed()
 
     @Slot()
     def _on_changed(self) -> None:
-        state = self._robot.state
-        if sum(row.slider.isVisibleTo(self) for row in self._rows) != state.motors:
-            self._show_rows(state.motors)
+        motors = self._robot.state.motors
+        if sum(row.slider.isVisibleTo(self) for row in self._rows) != motors:
+            self._show_rows(motors)
             self._on_limits_changed()
-        enabled = state.play is None
-        speeds = self._robot.speeds.values
-        for motor, (row, speed) in enumerate(zip(self._rows, speeds, strict=False)):
-            if row.speed.value() != speed:
-                row.speed.setValue(speed)
-            row.show_state(self._joint_state(motor))
-            for widget in (row.slider, row.units, row.degrees):
-                if widget.isEnabled() != enabled:
-                    widget.setEnabled(enabled)
-            held = state.held_speed(motor)
-            row.speed.setAccessibleDescription(
-                "" if held is None else self.tr("the servo holds {0}").format(speed_text(held))
-            )
-
-    def _joint_state(self, motor: int) -> JointState:
-        state = self._robot.state
-        present = state.present[motor]
-        difference = ""
-        if present is not None and state.goals is not None:
-            difference = signed(present - state.goals[motor])
-        missed = next((each for each in state.missed_goals if each.motor == motor), None)
-        if state.stuck is not None and state.stuck.motor == motor:
-            return JointState(present, self.tr("stuck here"), alarming=True)
-        if state.moving is not None:
-            is_observed = self._robot.link is ConnectionState.CONNECTED
-            if is_observed and state.awaited_motor <= motor:
-                return JointState(present, self.tr("moving …"))
-            return JointState(present, difference)
-        if missed is not None and not missed.unreadable:
-            text = self.tr("{0} missed").format(difference)
-            return JointState(present, text, alarming=True, tip=missed_text(missed))
-        if missed is not None or (state.held_speed(motor) or 0) < 0:
-            return JointState(present, self.tr("no reply (−1)"), alarming=True)
-        return JointState(present, difference)
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        for row in self._rows:
-            row.update_colors()
+        for row in self._rows[:motors]:
+            row.show_state()

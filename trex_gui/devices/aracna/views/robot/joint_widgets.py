@@ -1,28 +1,19 @@
-"""Widgets of one joint: the slider, and spin boxes for positions and speeds."""
+"""The slider of a joint, and spin boxes for speeds."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRect, QSignalBlocker, QSize, Qt, QTimer, Slot
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPen, QPolygonF, QWheelEvent
-from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QSpinBox, QWidget
+from PySide6.QtWidgets import QSpinBox, QWidget
 
+from trex_gui.devices.aracna.model.texts import speed_text
 from trex_gui.devices.aracna.protocol.joints import Limits
-from trex_gui.devices.aracna.protocol.units import DEGREES_PER_UNIT, HIGHEST
-from trex_gui.devices.aracna.views.robot.texts import speed_text
+from trex_gui.devices.aracna.protocol.units import HIGHEST
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.sliders import PressSlider
 
 _WEDGE = 7
-
-
-def _wheel_with_focus(
-    widget: QWidget, event: QWheelEvent, handle: Callable[[QWheelEvent], None]
-) -> None:
-    """Use the wheel only with the focus: otherwise it scrolls the page."""
-    if widget.hasFocus():
-        handle(event)
-    else:
-        event.ignore()
 
 
 class JointSlider(PressSlider):
@@ -65,9 +56,6 @@ class JointSlider(PressSlider):
             case _:
                 super().keyPressEvent(event)
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        _wheel_with_focus(self, event, super().wheelEvent)
-
     def sizeHint(self) -> QSize:
         hint = super().sizeHint()
         return QSize(max(hint.width(), 200), hint.height() + _WEDGE)
@@ -101,48 +89,15 @@ class JointSlider(PressSlider):
         painter.drawPolygon(QPolygonF(wedge))
 
 
-def _set_up(box: QAbstractSpinBox, name: str, accessible: str) -> None:
-    box.setObjectName(name)
-    box.setAccessibleName(accessible)
-    box.setKeyboardTracking(False)
-
-
-class UnitsBox(QSpinBox):
-    """A position or a limit, 0-1023."""
-
-    def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        _set_up(self, name, accessible)
-        self.setRange(0, HIGHEST)
-        self.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)  # the slider is beside it
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        _wheel_with_focus(self, event, super().wheelEvent)
-
-
-class DegreesBox(QDoubleSpinBox):
-    """The same position in degrees, 0-300."""
-
-    def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        _set_up(self, name, accessible)
-        self.setRange(0, HIGHEST * DEGREES_PER_UNIT)
-        self.setDecimals(1)
-        self.setSuffix("°")
-        self.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        _wheel_with_focus(self, event, super().wheelEvent)
-
-
 class SpeedBox(QSpinBox):
     """A speed setting, 0-1023, and its meaning; 0 is unlimited."""
 
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        _set_up(self, name, accessible)
+        ui.named(self, name, accessible=accessible)
         self.setRange(0, HIGHEST)
         self.setSingleStep(10)
+        self.setKeyboardTracking(False)
         self.setToolTip(
             self.tr(
                 "Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. "
@@ -153,7 +108,11 @@ class SpeedBox(QSpinBox):
         self.update_suffix()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        _wheel_with_focus(self, event, super().wheelEvent)
+        """Use the wheel only with the focus: otherwise it scrolls the page."""
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
 
     @Slot()
     def update_suffix(self) -> None:

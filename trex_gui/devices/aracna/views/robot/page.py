@@ -6,18 +6,24 @@ from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.setpoints import FIRST_SPEED
-from trex_gui.devices.aracna.model.texts import joined, missed_texts, speed_texts, stuck_text
+from trex_gui.devices.aracna.model.texts import (
+    assumed_text,
+    joined,
+    missed_texts,
+    speed_text,
+    speed_texts,
+    stuck_text,
+)
 from trex_gui.devices.aracna.poses.gaits import STAND
 from trex_gui.devices.aracna.protocol.units import CENTRE
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.devices.aracna.views.robot.joint_table import JointTable
 from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
-from trex_gui.devices.aracna.views.robot.texts import assumed_text, speed_text
 from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import tint
-from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
 
 _GAP = 8
@@ -36,22 +42,19 @@ class RobotPage(QWidget):
         self._robot = robot
         self._sketch = Sketch(robot, self)
         self._table = JointTable(robot, self)
-        self._report = builders.named(
+        self._report = ui.named(
             Note(2, self), "aracnaReport", accessible=self.tr("Report of the robot")
         )
         self.controls = Controls(robot, self)
-        self._right = builders.column(self._table, self.controls, self._report, 1, spacing=10)
-        self._sides = builders.row(
-            (self._sketch, 2),
-            (self._right, 7, Qt.AlignmentFlag.AlignTop),
-            into=self,
-            spacing=_GAP,
+        self._right = ui.column(self._table, self.controls, self._report, 1, spacing=10)
+        self._sides = ui.row(
+            (self._sketch, 2), (self._right, 7, Qt.AlignmentFlag.AlignTop), into=self, spacing=_GAP
         )
 
         self._sketch.drawing.pointed.connect(self._on_pointed)
         self._sketch.drawing.chosen.connect(self._table.focus)
         self._table.pointed.connect(self._on_pointed)
-        self._table.goal_changed.connect(self._on_goal_changed)
+        self._table.goal_edited.connect(self._on_goal_edited)
         self._table.grabbed.connect(self._on_grabbed)
         self._table.released.connect(robot.end_drag)
         self.controls.move_clicked.connect(self.move_now)
@@ -83,7 +86,7 @@ class RobotPage(QWidget):
             self._robot.begin_drag()
 
     @Slot()
-    def _on_goal_changed(self) -> None:
+    def _on_goal_edited(self) -> None:
         """Send the goals in live mode; a key or a spin box is a drag of one step."""
         if not self.controls.is_live or not self.controls.can_move:
             return
@@ -148,11 +151,11 @@ class Sketch(QWidget):
         self.drawing = RobotDrawing(robot.state, self)
         text = self.tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
         caption = f"{text}\n* {assumed_text()}"
-        self._caption = builders.label(self, "aracnaCaption", caption, wrap=True)
+        self._caption = ui.label(self, "aracnaCaption", caption, wrap=True)
         self._caption.setForegroundRole(self._caption.palette().ColorRole.PlaceholderText)
         self._caption.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
         self._caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        builders.column((self.drawing, 1), self._caption, 0, into=self, margins=0)
+        ui.column((self.drawing, 1), self._caption, 0, into=self, margins=0)
 
         robot.changed.connect(self._show_robot)
         robot.targets.changed.connect(self._show_robot)
@@ -184,20 +187,20 @@ class Controls(QWidget):
         super().__init__(parent)
         self._robot = robot
 
-        self._move = builders.button(
+        self._move = ui.button(
             self, "aracnaMoveButton", self.tr("Move"), on_click=self.move_clicked
         )
-        builders.set_bold(self._move)
+        ui.set_bold(self._move)
         tint(self._move, "run")
         set_icon(self._move, "run", "run_text")
         self._move.setMinimumWidth(8 * self.fontMetrics().averageCharWidth() + 60)
-        self._live = builders.check_box(
+        self._live = ui.check_box(
             self,
             "aracnaLiveBox",
             self.tr("Send while &dragging"),
             tip=self.tr("The newest goal is sent as soon as the robot has reached the last one"),
         )
-        self._rate = builders.label(self, "aracnaRateLabel")
+        self._rate = ui.label(self, "aracnaRateLabel")
         widest = self.fontMetrics().horizontalAdvance(self._rate_text(_WIDEST_RATE))
         self._rate.setMinimumWidth(widest + 6)
         self._present = self._button(
@@ -219,27 +222,24 @@ class Controls(QWidget):
             self.tr("Inner 50–600, outer 0–550: tuned on the robot by its authors"),
             robot.limits.reset,
         )
-        limits = builders.check_box(
+        limits = ui.check_box(
             self,
             "aracnaLimitsBox",
             self.tr("&Limits instead of speeds"),
             tip=self.tr("How far each joint may turn; goals are cropped before sending"),
             on_toggle=self._on_limits_toggled,
         )
-        speed_label = builders.label(self, "", self.tr("S&peed of all:"), buddy=self._speed)
-        sliders = builders.row(
-            builders.label(self, "", self.tr("Set sliders to:")),
-            self._present,
-            self._centre,
-            self._stand,
+        speed_label = ui.label(self, "", self.tr("S&peed of all:"), buddy=self._speed)
+        sliders = ui.row(
+            ui.label(self, "", self.tr("Set sliders to:")), self._present, self._centre, self._stand
         )
         sliders.addSpacing(16)
         for widget in (speed_label, self._speed):
             sliders.addWidget(widget)
         sliders.addStretch(1)
-        builders.column(
+        ui.column(
             sliders,
-            builders.row(self._move, self._live, self._rate, 1, self._factory, limits),
+            ui.row(self._move, self._live, self._rate, 1, self._factory, limits),
             into=self,
             margins=0,
         )
@@ -275,8 +275,8 @@ class Controls(QWidget):
         take_typed()
         self._robot.targets.set_all(STAND.first(self._robot.state.motors))
 
-    def _button(self, name: str, text: str, tip: str, slot: builders.Handler) -> QPushButton:
-        return builders.button(self, f"aracna{name}Button", text, tip=tip, on_click=slot)
+    def _button(self, name: str, text: str, tip: str, slot: ui.Handler) -> QPushButton:
+        return ui.button(self, f"aracna{name}Button", text, tip=tip, on_click=slot)
 
     @Slot(bool)
     def _on_limits_toggled(self, shown: bool) -> None:

@@ -1,14 +1,19 @@
 """The dock of the Demo Aracna: a simulated robot that can be operated like a real one."""
 
-from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, QSize
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QSizePolicy, QStyle, QWidget
 
 from trex_gui.devices.aracna.model.controller import AracnaController
-from trex_gui.devices.aracna.model.demo import DemoRobot, FirmwareState, Loss, RobotSnapshot
-from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
-from trex_gui.devices.aracna.views.demo.gauge import ServoGauge
-from trex_gui.devices.aracna.views.demo.texts import power_text, servo_text, state_text, tr
-from trex_gui.devices.aracna.views.robot.texts import spoken_joint
+from trex_gui.devices.aracna.model.demo import (
+    DemoRobot,
+    DemoServo,
+    FirmwareState,
+    Loss,
+    RobotSnapshot,
+)
+from trex_gui.devices.aracna.model.texts import spoken_joint
+from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS, degrees
 from trex_gui.ui.devices.demo_panel import (
     CableTexts,
     Columns,
@@ -17,6 +22,7 @@ from trex_gui.ui.devices.demo_panel import (
     Rows,
     cable_rows,
 )
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import button, label, named, row
 from trex_gui.ui.widgets.leds import Lamp
 
@@ -25,6 +31,9 @@ RobotRows = Rows[RobotSnapshot]
 _EXTRA_WIDTH = 34  # pixels, of which a scroll bar may take some
 _STEP, _PAGE = 5, 20  # per cent of the speed
 _LEAST = 44  # pixels of a slider
+
+_HEIGHT, _MIN_WIDTH, _WIDTH = 14, 26, 70
+_RADIUS = 4.5
 
 
 class RobotPanel(DemoDock):
@@ -227,3 +236,106 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
         cause=lambda name: robot.lose(Loss[name]),
         parent=parent,
     )
+
+
+class ServoGauge(QWidget):
+    """A disc at the position, a line at the goal; the disc is hollow without torque."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._shown: tuple[int, int, bool] = (0, 0, False)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        theme().changed.connect(self.update)
+
+    @property
+    def position(self) -> int:
+        """Position in units."""
+        return self._shown[0]
+
+    def show_servo(self, position: int, goal: int, *, holds: bool) -> None:
+        """Show position and goal in units, 0-1023, and whether the servo has torque."""
+        shown = (position, goal, holds)
+        if shown != self._shown:
+            self._shown = shown
+            self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(_WIDTH, _HEIGHT)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(_MIN_WIDTH, _HEIGHT)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        color = theme().color
+        position, goal, holds = self._shown
+        enabled = self.isEnabled()
+        middle = self.height() / 2
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(QPen(color("track_edge")))
+            painter.setBrush(color("track" if enabled else "track_off"))
+            left, right = self._x_of(0), self._x_of(HIGHEST)
+            painter.drawRoundedRect(QRectF(left, middle - 2.5, right - left, 5), 2, 2)
+            if not enabled:
+                return
+            if holds:
+                painter.setPen(QPen(color("mark"), 2))
+                x = self._x_of(goal)
+                painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
+            painter.setPen(QPen(color("bar"), 1.5))
+            painter.setBrush(color("bar" if holds else "track"))
+            painter.drawEllipse(QPointF(self._x_of(position), middle), _RADIUS, _RADIUS)
+
+    def _x_of(self, value: int) -> float:
+        edge = int(_RADIUS) + 1
+        room = self.width() - 2 * edge
+        return edge + QStyle.sliderPositionFromValue(0, HIGHEST, value, room) + 0.5
+
+
+def tr(text: str) -> str:
+    return QCoreApplication.translate("AracnaDemo", text)
+
+
+def state_text(snapshot: RobotSnapshot) -> str:
+    if snapshot.is_held_up:
+        if not snapshot.servo_power:
+            return tr("Moving indefinitely: waiting for servos that have no power.")
+        return tr("Moving indefinitely: waiting for a servo that is blocked or dead.")
+    return {
+        FirmwareState.OFF: tr("The power is off: no reply, and no servo holds."),
+        FirmwareState.BOOTING: tr("Booting: blinks for a second and reads nothing."),
+        FirmwareState.IDLE: tr("Idle: waiting for commands."),
+        FirmwareState.ANSWERING: tr("Idle: waiting for commands."),  # too short to show
+        FirmwareState.SPEEDS: tr("Setting speeds: reading them back from the servos."),
+        FirmwareState.MOVING: tr("Moving: reads nothing until every servo has arrived."),
+        FirmwareState.HUNG: tr("Hung because of an invalid command. Restart the board."),
+    }[snapshot.state]
+
+
+def power_text(snapshot: RobotSnapshot) -> tuple[str, bool]:
+    """Return what servo power does, and whether that is urgent: a servo moves."""
+    if not snapshot.power:
+        return tr("The robot's switch is off: board and servos have no power."), False
+    if not snapshot.servo_power:
+        return tr("Off: no servo moves, holds or replies."), True
+    text = tr("The only way to stop a motion: the protocol has no stop command.")
+    return text, snapshot.is_moving
+
+
+def servo_text(servo: DemoServo, powered: bool) -> str:
+    """Return position and state of a servo: `512 = 150.1°, moving to 600`."""
+    where = f"{servo.position} = {degrees(servo.position):.1f}°"
+    if not powered:
+        doing = tr("no power")
+    elif servo.dead:
+        doing = tr("dead")
+    elif not servo.torque:
+        doing = tr("limp until its first goal")
+    elif not servo.moving:
+        doing = tr("holds")
+    elif servo.cannot_move:
+        doing = tr("cannot reach {0}").format(servo.goal)
+    else:
+        doing = tr("moving to {0}").format(servo.goal)
+    return f"{where}, {doing}"
