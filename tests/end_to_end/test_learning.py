@@ -54,7 +54,7 @@ def test_all_channels_are_learned_and_tested(
     assert [learning.problem(channel) for channel in CHANNELS] == [""] * 5
     learning.assert_nothing_changed()
 
-    learning.click("learnTakeButton")
+    learning.click("learnUseButton")
     assert not learning.dialog.isVisible()
     connected_window.click("writeButton")
     # The test follows by itself.
@@ -84,7 +84,7 @@ def test_safe_start_ends_at_the_learned_rest_positions(
     assert show()["safe_start"] is True
     start_in(learning, "serial")
     learning.go_to_review(1, 2, 3)
-    learning.click("learnTakeButton")
+    learning.click("learnUseButton")
     connected_window.click("writeButton")
     learning.wait_for_text("learnSafeStart", "would release the motors")
     learning.click("learnCancelButton")
@@ -140,7 +140,7 @@ def test_reviewed_values_are_kept_when_learning_is_reopened(
     for name, request in requests.items():
         request()
         learning.hold()
-        assert learning.can_click("learnTakeButton"), name
+        assert learning.can_click("learnUseButton"), name
     learning.assert_nothing_changed()
 
 

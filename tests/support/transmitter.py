@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from random import Random
 
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.calibration.samples import Sample
+from trex_gui.devices.trex.calibration.neutral import Sample
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 RATE = 50.0

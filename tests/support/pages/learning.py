@@ -165,7 +165,7 @@ class LearningDialog(WidgetDriver):
 
     def finish_travel(self) -> None:
         self.click("learnNextButton")
-        self.wait(self.button("learnTakeButton").isVisible)
+        self.wait(self.button("learnUseButton").isVisible)
 
     def go_to_travel(self, *channels: int) -> None:
         self.start_learning(*channels)
@@ -180,9 +180,9 @@ class LearningDialog(WidgetDriver):
         self.dialog.test(channels)
         self.wait_for_head("Push every stick")
 
-    def take_and_apply(self) -> None:
-        """Take the values and write them, without the window that shows them before."""
-        self.click("learnTakeButton")
+    def use_and_apply(self) -> None:
+        """Write the values without the window that shows them before."""
+        self.click("learnUseButton")
         assert not self.dialog.isVisible()
         self.apply()
 

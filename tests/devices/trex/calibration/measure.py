@@ -5,7 +5,7 @@ from random import Random
 from tests.support.transmitter import HOLD, Stick
 from trex_gui.devices.trex.calibration.neutral import Neutral, measure_neutral
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
-from trex_gui.devices.trex.calibration.travel import TASKS, Travel, TravelWatch
+from trex_gui.devices.trex.calibration.travel import TASKS, Travel
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.learning.checks import Check
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -16,7 +16,7 @@ REST = ((1.6, 0.0),)
 def neutral_of(stick: Stick, seed: int = 1) -> Neutral:
     found = measure_neutral(stick.samples(REST, Random(seed)), stick.source)
     assert found is not None
-    assert found.is_complete
+    assert found.seconds_left == 0
     return found
 
 
@@ -27,10 +27,10 @@ def travel_of(
     moves: tuple[tuple[float, float], ...] = HOLD,
     seed: int = 2,
 ) -> Travel:
-    watch = TravelWatch(neutral, TASKS[channel])
+    travel = Travel(neutral, TASKS[channel])
     for sample in stick.samples(moves, Random(seed), start=10.0):
-        watch.feed(sample)
-    return watch.travel
+        travel.feed(sample)
+    return travel
 
 
 def learn(
@@ -43,7 +43,7 @@ def learn(
 ) -> Proposal:
     neutral = neutral_of(stick, seed)
     travel = travel_of(stick, neutral, channel, moves, seed + 1)
-    return propose(channel, neutral, travel, reversed_now=reversed_now)
+    return propose(neutral, travel, reversed_now=reversed_now)
 
 
 def check(
@@ -52,7 +52,7 @@ def check(
     """What there is to say of values for a stick; of those that are proposed, unless given."""
     neutral = neutral_of(stick)
     travel = travel_of(stick, neutral, channel)
-    proposal = propose(channel, neutral, travel, reversed_now=False)
+    proposal = propose(neutral, travel, reversed_now=False)
     assert proposal.calibration is not None
     turned = proposal.reversed_ if reversed_ is None else reversed_
     curve = ChannelCurve(wanted or proposal.calibration, turned)

@@ -8,12 +8,10 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.calibration.measure import neutral_of
 from tests.support.transmitter import RATE, Stick
-from trex_gui.devices.trex.calibration.holding import HELD, WINDOW
-from trex_gui.devices.trex.calibration.neutral import measure_neutral
+from trex_gui.devices.trex.calibration.neutral import Sample, measure_neutral
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
-from trex_gui.devices.trex.calibration.samples import Sample
-from trex_gui.devices.trex.calibration.travel import TASKS, Task, Travel, TravelWatch, Way
+from trex_gui.devices.trex.calibration.travel import HELD, TASKS, WINDOW, Task, Travel, Way
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -39,15 +37,15 @@ def push(way: float, there: float, hold: float, back: float) -> Moves:
 def travel_of(
     stick: Stick, moves: Moves, rate: float, seed: int = 1, task: Task = Task.STICK
 ) -> Travel:
-    watch = TravelWatch(neutral_of(stick), task)
+    travel = Travel(neutral_of(stick), task)
     moves = ((1.5 + WINDOW / rate, 0.0), *moves)  # so long that the rate is known
     for sample in stick.samples(moves, Random(seed), 10.0, rate):
-        watch.feed(sample)
-    return watch.travel
+        travel.feed(sample)
+    return travel
 
 
 def proposal_of(stick: Stick, travel: Travel) -> Proposal:
-    return propose(1, neutral_of(stick), travel, reversed_now=False)
+    return propose(neutral_of(stick), travel, reversed_now=False)
 
 
 def furthest_inside(length: float, stick: Stick) -> float:
@@ -170,12 +168,11 @@ def test_time_left_counts_samples_at_low_rate() -> None:
     samples = [Sample(index / 4, 3750) for index in range(9)]  # two seconds
     found = measure_neutral(samples, InputSource.RC)
     assert found is not None
-    assert not found.is_complete
     assert found.seconds_left == pytest.approx(1.5)
     samples = [Sample(index / 4, 3750) for index in range(15)]
     found = measure_neutral(samples, InputSource.RC)
     assert found is not None
-    assert found.is_complete
+    assert found.seconds_left == 0
 
 
 @pytest.mark.parametrize(

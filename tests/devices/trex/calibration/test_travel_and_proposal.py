@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.calibration.measure import check, learn, neutral_of, travel_of
 from tests.support.transmitter import HOLD, Stick
+from trex_gui.devices.trex.calibration.neutral import Sample
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
-from trex_gui.devices.trex.calibration.samples import Sample
-from trex_gui.devices.trex.calibration.travel import Task, Travel, TravelWatch, Way, least_travel
+from trex_gui.devices.trex.calibration.travel import Task, Travel, Way, least_travel
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.learning.checks import Check
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
@@ -173,8 +173,8 @@ def test_uneven_travel_is_reported_and_still_proposed() -> None:
 def test_outlier_pulses_do_not_extend_travel() -> None:
     stick = Stick(spikes=0.02)
     travel = travel_of(stick, neutral_of(Stick()), seed=5)
-    assert abs((travel.high or 0) - 5000) <= 2
-    assert abs((travel.low or 0) - 2500) <= 2
+    assert abs(travel.end(Way.UP) - 5000) <= 2
+    assert abs(travel.end(Way.DOWN) - 2500) <= 2
 
 
 def test_signal_lost_during_travel_is_reported() -> None:
@@ -184,10 +184,10 @@ def test_signal_lost_during_travel_is_reported() -> None:
 
 def travel_of_counts(counts: list[int | None]) -> Travel:
     """Feed these counts, 50 a second, from a stick that rests at 3750."""
-    watch = TravelWatch(neutral_of(Stick()), Task.STICK)
+    travel = Travel(neutral_of(Stick()), Task.STICK)
     for step, count in enumerate(counts):
-        watch.feed(Sample(step / 50, count))
-    return watch.travel
+        travel.feed(Sample(step / 50, count))
+    return travel
 
 
 def problems_with_lost_samples(lost: int) -> list[tuple[ProblemKind, str]]:
@@ -388,12 +388,12 @@ def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, see
     neutral = neutral_of(replace(stick, rest=held), seed)
     travel = travel_of(stick, neutral, moves=(*HOLD, (0.5, 0.0)), seed=seed)
     assert abs(travel.rest - 3750) <= 3
-    wanted = propose(1, neutral, travel, reversed_now=False).calibration
+    wanted = propose(neutral, travel, reversed_now=False).calibration
     assert wanted is not None
     (problem,) = Check(1, ChannelCurve(wanted), neutral, travel).problems
     assert problem.kind is ProblemKind.NEUTRAL_MOVED
     assert problem_text(problem).startswith("After letting go it rests at 1500 µs, not at ")
-    assert "sample it again, or take the new rest" in problem_text(problem)
+    assert "sample it again, or use the new rest" in problem_text(problem)
     taken = replace(wanted, neutral=travel.rest)
     assert Check(1, ChannelCurve(taken), neutral, travel).problems == ()
 

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.bars import ChannelBar
-from trex_gui.devices.trex.views.learning.measuring_pages import ChannelRows
+from trex_gui.devices.trex.views.learning.live_pages import ChannelRows
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now
@@ -81,7 +81,7 @@ def test_noisy_channel_is_left_out_and_drifting_one_is_learned(learning: Learnin
     learning.start_learning(1, 2)
     learning.click("learnNextButton")
     learning.move_until(
-        lambda: "Not every channel rests" in learning.head,
+        lambda: "Not every channel is at rest" in learning.head,
         lambda passed: learning.transmitter.put(2, 0.0, passed),
     )
     assert "a deadband that holds it still" in learning.problem(1)
@@ -92,7 +92,7 @@ def test_noisy_channel_is_left_out_and_drifting_one_is_learned(learning: Learnin
     learning.push(1, -1)
     learning.finish_travel()
     assert learning.problem(2) == ""
-    learning.take_and_apply()
+    learning.use_and_apply()
     found = learning.device.calibrations.stored(2)
     assert found is not None
     assert -1 <= found.neutral / 2.5 - 1500 <= drift * seconds + 1
@@ -107,12 +107,12 @@ def test_rest_position_of_a_held_stick_can_be_corrected(learning: LearningDialog
     learning.go_to_review(1)
     words = "After letting go it rests at 1500 µs, not at 1600 µs"
     assert words in learning.problem(1)
-    assert learning.button("learnTakeRest1").text() == "Take 1500 µs as neutral"
+    assert learning.button("learnUseRest1").text() == "Use 1500 µs as neutral"
 
-    learning.click("learnTakeRest1")
+    learning.click("learnUseRest1")
     assert learning.problem(1) == ""
-    assert not learning.has("learnTakeRest1")
-    learning.take_and_apply()
+    assert not learning.has("learnUseRest1")
+    learning.use_and_apply()
     learning.assert_learned(1)
 
 
@@ -125,7 +125,7 @@ def test_problem_of_each_travel_is_shown(learning: LearningDialog) -> None:
         (Stick(low=1450, high=1550), "It went only 50 µs from its rest"),
         (Stick(low=1500), "It went one way only, never below its rest"),
         (Stick(low=1440), "The end below is only 60 µs from its rest"),
-        (Stick(rest=1700, low=1650, high=2000), "is not between the ends"),
+        (Stick(rest=1700, low=1650, high=2000), "is not between its ends"),
         (Stick(low=1500, high=1500), "It never moved"),
     )
     learning.use({1: Stick(), 2: Stick()})
@@ -138,9 +138,9 @@ def test_problem_of_each_travel_is_shown(learning: LearningDialog) -> None:
         for channel, (_, words) in enumerate((first, second), 1):
             assert words in learning.problem(channel)
         assert "Nothing was learned" in learning.head
-        assert not learning.can_click("learnTakeButton")
-        tip = learning.button("learnTakeButton").toolTip()
-        assert tip == "Nothing was learned, so there is nothing to take."
+        assert not learning.can_click("learnUseButton")
+        tip = learning.button("learnUseButton").toolTip()
+        assert tip == "Nothing was learned, so there are no values to use."
         learning.click("learnBackButton")
         learning.wait_for_head("forward or right first")
 
@@ -197,14 +197,14 @@ def test_ends_are_marked_when_they_are_reached(learning: LearningDialog) -> None
 
 def test_buttons_say_what_they_do_in_each_step(learning: LearningDialog) -> None:
     learning.use({1: Stick(), 2: Stick(connected=False)})
-    again, take = learning.button("learnAgainButton"), learning.button("learnTakeButton")
+    again, take = learning.button("learnAgainButton"), learning.button("learnUseButton")
     learning.start_learning(1, 2)
     assert not again.isVisible()
     bars = learning.find_all(QProgressBar)
     assert not [bar for bar in bars if bar.isVisible()]
 
     learning.click("learnNextButton")
-    learning.wait_for_head("Not every channel rests")
+    learning.wait_for_head("Not every channel is at rest")
     assert again.text() == "Sample again"
     learning.sample_rest()
     assert again.text() == "Forget these ends"
@@ -216,9 +216,9 @@ def test_buttons_say_what_they_do_in_each_step(learning: LearningDialog) -> None
     assert again.toolTip()
     assert "Nothing is written yet" in take.toolTip()
     learning.find(QCheckBox, "learnInclude1").click()
-    learning.wait_for_head("No channel is ticked")
+    learning.wait_for_head("No channel is selected")
     assert not take.isEnabled()
-    assert take.toolTip() == "No channel is ticked."
+    assert take.toolTip() == "No channel is selected."
 
 
 def test_slow_line_needs_ends_to_be_held(simulator: SimulatedDevice, qtbot: QtBot) -> None:
@@ -228,8 +228,8 @@ def test_slow_line_needs_ends_to_be_held(simulator: SimulatedDevice, qtbot: QtBo
         learning.use({1: Stick(rest=1523, low=1090, high=1905, noise=1)})
         put = learning.transmitter.put
         learning.go_to_travel(1)
-        learning.wait_for_head("over this line (1200 baud) only")
-        assert "Hold each end until it is ticked" in learning.head
+        learning.wait_for_head("this line (1200 baud) carries only")
+        assert "Hold each end until its check mark appears" in learning.head
 
         def push_and_pull(seconds: float) -> None:
             way = 1 if seconds < 3 else -1
@@ -239,7 +239,7 @@ def test_slow_line_needs_ends_to_be_held(simulator: SimulatedDevice, qtbot: QtBo
         learning.move_until(lambda: now() - started >= 6, push_and_pull)
         learning.finish_travel()
         assert "only passed, so" in learning.problem(1)
-        assert not learning.can_click("learnTakeButton")
+        assert not learning.can_click("learnUseButton")
         learning.assert_nothing_changed()
 
         learning.click("learnBackButton")
@@ -252,7 +252,7 @@ def test_slow_line_needs_ends_to_be_held(simulator: SimulatedDevice, qtbot: QtBo
         put(1, 0)
         learning.finish_travel()
         assert learning.problem(1) == ""
-        learning.take_and_apply()
+        learning.use_and_apply()
         learning.assert_learned(1)
 
 
@@ -272,7 +272,7 @@ def test_joystick_is_learned_in_volts(quick_simulator: SimulatedDevice, qtbot: Q
         assert "Either nothing is connected to it" in problem
         assert "or what is connected was not moved" in problem
 
-        learning.take_and_apply()
+        learning.use_and_apply()
         learning.assert_learned(1)
         learning.wait_for_head("Push every stick")
         assert learning.stored()["learned"]["analog"] == 1
@@ -302,10 +302,10 @@ def test_review_compares_values_with_stored_ones(learning: LearningDialog) -> No
     edits = learning.text("learnEarlierEdits")
     assert edits == "2 earlier edits are in the list of Apply, too."
 
-    assert "so that full output is surely reached" in learning.text("learnCommonReasons")
+    assert "so that full output is reliably reached" in learning.text("learnCommonReasons")
     for channel in (1, 2):
-        assert "surely reached" not in learning.text(f"learnReasons{channel}")
-        assert "very same place" not in learning.text(f"learnReasons{channel}")
+        assert "reliably reached" not in learning.text(f"learnReasons{channel}")
+        assert "exactly the same place" not in learning.text(f"learnReasons{channel}")
     reversal = learning.find(QLabel, "learnReversal2")
     assert "reversed is suggested" in reversal.text()
     assert reversal.font().bold()
@@ -359,13 +359,13 @@ def test_review_warns_about_implausible_values(learning: LearningDialog) -> None
         proposed = editor.value()
         editor.setValue(count)
         assert words in learning.problem(1)
-        assert learning.can_click("learnTakeButton"), field
+        assert learning.can_click("learnUseButton"), field
         editor.setValue(proposed)
         assert learning.problem(1) == ""
 
     learning.set_value("Minimum", 1, 4000)
     assert "would not accept these values: minimum 4000 is above neutral" in learning.problem(1)
-    assert not learning.can_click("learnTakeButton")
+    assert not learning.can_click("learnUseButton")
 
     assert "Active above 1495 µs, off at rest (inferred" in learning.text("learnReasons5")
     assert learning.problem(5) == ""
@@ -383,7 +383,7 @@ def test_channels_are_taken_as_the_user_chose(learning: LearningDialog) -> None:
     assert learning.problem(2) == ""
     learning.assert_nothing_changed()
 
-    learning.take_and_apply()
+    learning.use_and_apply()
     second = learning.device.calibrations.stored(2)
     assert second is not None
     assert second.deadband == 100
@@ -397,12 +397,12 @@ def test_channels_are_taken_as_the_user_chose(learning: LearningDialog) -> None:
 def test_unchanged_values_go_straight_to_the_test(learning: LearningDialog) -> None:
     learning.use({1: Stick()})
     learning.go_to_review(1)
-    learning.take_and_apply()
+    learning.use_and_apply()
     learning.wait_for_head("What was learned is stored")
     learning.click("learnCancelButton")
     learning.go_to_review(1)
     stored = learning.stored()
-    learning.click("learnTakeButton")
+    learning.click("learnUseButton")
     learning.wait_for_head("These values are stored already. Push every stick")
     assert learning.device.draft.pending == 0
     assert learning.stored() == stored
@@ -494,7 +494,7 @@ def test_unconfirmed_stop_blocks_learning(learning: LearningDialog, fault: str) 
     reasons = ("could not be confirmed as stopped", "has stopped responding")
     assert any(reason in learning.head for reason in reasons), learning.head
     assert not learning.can_click("learnNextButton")
-    assert not learning.can_click("learnTakeButton")
+    assert not learning.can_click("learnUseButton")
 
     learning.simulator.do("line mute off")
     learning.simulator.do("line noise 0")
@@ -521,7 +521,7 @@ def test_current_after_the_stop_has_to_be_checked(learning: LearningDialog) -> N
     learning.dialog.learn((1,))
     learning.wait_for_head("but motor 1 draws 4.5 A. Check the motors")
     assert learning.button("learnNextButton").text() == "The motors are stopped: continue"
-    assert not learning.can_click("learnTakeButton")
+    assert not learning.can_click("learnUseButton")
 
     learning.simulator.do("current 1 auto")
     learning.click("learnAgainButton")
@@ -543,7 +543,7 @@ def test_unplugging_ends_each_step_and_changes_nothing(learning: LearningDialog)
         step(1)
         learning.simulator.do("line unplug")
         learning.wait_for_head(reason)
-        assert not learning.can_click("learnTakeButton"), step
+        assert not learning.can_click("learnUseButton"), step
         assert not learning.can_click("learnNextButton"), step
         learning.click("learnAgainButton")
         learning.wait_for_head("Connect to a board first")

@@ -26,7 +26,7 @@ def test_stick_test_says_what_holds_the_motors(learning: LearningDialog) -> None
     learning.start_test(1)
     learning.push(1, -1)
     learning.wait_for_text("learnTest1", "Good.")
-    learning.wait_for_head("What was tested is good. But in RC mode the motors would not")
+    learning.wait_for_head("The tested channels are good. But in RC mode the motors would not")
     assert "channel 2 gives +" in learning.head
     note = learning.find(Note, "learnSafeStart")
     assert "would hold the motors now: channel 2 gives +" in note.text()
@@ -41,7 +41,7 @@ def test_stick_test_says_what_holds_the_motors(learning: LearningDialog) -> None
     learning.wait_for_text("learnTest1", "Let go: at rest it must give 0")
     learning.wait_for_head("Push every stick")
     learning.simulator.do("channel 1 silent")
-    learning.wait_for_text("learnTest1", "No signal comes in.")
+    learning.wait_for_text("learnTest1", "No signal.")
     assert "Everything" not in learning.head
     learning.assert_nothing_changed()
 
@@ -78,7 +78,7 @@ def test_stick_test_does_not_start_while_motors_are_armed(learning: LearningDial
     for deadband in (80, 90):
         learning.go_to_review(1)
         learning.set_value("Deadband", 1, deadband)
-        learning.click("learnTakeButton")
+        learning.click("learnUseButton")
         motors.arm()
         motors.set_speed(1, 40)
         learning.apply()

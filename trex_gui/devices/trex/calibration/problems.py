@@ -1,12 +1,10 @@
-"""What can be wrong with a channel while it is learned, as codes; see `problem_text`."""
+"""Problems of a channel that is learned, as codes; `problem_text` has their sentences."""
 
 from dataclasses import dataclass
 from enum import Enum, auto
 
 
 class ProblemKind(Enum):
-    """What is wrong."""
-
     NO_SIGNAL = auto()
     MOVED = auto()
     JITTER = auto()
@@ -29,7 +27,7 @@ class ProblemKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """What is wrong; nothing can be learned while a `fatal` problem remains.
+    """A problem; nothing can be learned while a `fatal` one remains.
 
     Attributes:
         variant: which of the sentences of this kind applies.
@@ -43,5 +41,4 @@ class Problem:
 
 
 def has_fatal(problems: tuple[Problem, ...]) -> bool:
-    """Whether nothing can be learned from what was measured."""
     return any(problem.fatal for problem in problems)

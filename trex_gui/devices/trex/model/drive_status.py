@@ -7,8 +7,8 @@ from math import ceil
 
 from PySide6.QtCore import QCoreApplication, QObject, Slot
 
-from trex_gui.devices.trex.calibration.proof import NEARLY_NEUTRAL
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.connection_state import ConnectionState

@@ -16,6 +16,8 @@ INVALID_RAW = 0xFFFF
 
 CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 FULL_SCALE = 127
+NEARLY_NEUTRAL = 8
+"""Inferred: outputs up to this end safe-start; the guide only says "near neutral"."""
 HIGHEST_CODED = 0x3FFF
 
 

@@ -108,7 +108,7 @@ class TrexWorkspace(Workspace):
         parameters_page.power_cycle_requested.connect(self._power.guide)
         calibration_page.power_cycle_requested.connect(self._power.guide)
         calibration_page.learn_requested.connect(self._learn.learn)
-        learning.taken.connect(self._review.review)
+        learning.edited.connect(self._review.review)
         motors_page.parameter_wanted.connect(parameters_page.table.show_parameter)
         motors_page.parameter_wanted.connect(lambda: self.show_page("parameters"))
         controller.changed.connect(self._on_demo_changed)

@@ -18,7 +18,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection_state import ConnectionState
 
-UNPROVED = "not sure that the motors stand"
+UNCONFIRMED = "could not be confirmed as stopped"
 
 
 class LearningSetup:
@@ -47,7 +47,7 @@ class LearningSetup:
 
         def is_there() -> bool:
             learning = self.learning
-            unconfirmed = learning.step is LearningStep.FAILED and UNPROVED in learning.trouble
+            unconfirmed = learning.step is LearningStep.FAILED and UNCONFIRMED in learning.trouble
             if unconfirmed and step is not LearningStep.FAILED:
                 learning.again()
             return learning.step is step
@@ -103,14 +103,14 @@ def setup(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[LearningSe
 
 def test_learning_two_channels_is_one_undo_step(setup: LearningSetup) -> None:
     taken: list[bool] = []
-    setup.learning.taken.connect(lambda: taken.append(True))
+    setup.learning.edited.connect(lambda: taken.append(True))
     setup.go_to_travel()
     setup.push_all()
     setup.learning.next()
     assert setup.learning.step is LearningStep.REVIEW
-    assert setup.learning.can_take
+    assert setup.learning.can_use_values
     assert setup.device.draft.pending == 0
-    setup.learning.take()
+    setup.learning.use_values()
     assert taken == [True]
     second = setup.device.calibrations.shown(2)
     assert second is not None
@@ -209,7 +209,7 @@ def test_current_ending_after_the_stop_does_not_block_the_test(setup: LearningSe
 def test_learning_without_a_board_names_the_reason(setup: LearningSetup) -> None:
     setup.device.disconnect_line()
     setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
-    assert setup.learning.why_not() == "Connect to a board first."
+    assert setup.learning.preconditions.blocker == "Connect to a board first."
 
 
 def test_arming_during_travel_fails_learning(setup: LearningSetup) -> None:
@@ -249,7 +249,7 @@ def test_review_curves_follow_stick_and_chosen_values(setup: LearningSetup) -> N
     assert now >= times[-1]
     assert second.choice is not None
     bad = type(second.choice.calibration)(4000, 3750, 5000, 10)
-    setup.learning.choose(2, bad, reversed_=False)
+    setup.learning.choose(2, calibration=bad, reversed_=False)
     assert second.curve_after is None
     assert second.curve_before == before
 
@@ -320,12 +320,12 @@ def test_invalid_values_cannot_be_accepted(setup: LearningSetup) -> None:
     (first, _) = setup.learning.channels
     assert first.choice is not None
     good = first.choice.calibration
-    setup.learning.choose(1, type(good)(good.maximum + 1, good.neutral, good.maximum, 10))
-    assert not setup.learning.can_take
+    setup.learning.choose(1, calibration=replace(good, minimum=good.maximum + 1, deadband=10))
+    assert not setup.learning.can_use_values
     assert [problem.kind for problem in first.result_problems] == [ProblemKind.REFUSED]
     setup.learning.choose(1, included=False)
-    setup.until(lambda: setup.learning.can_take)
-    setup.learning.take()
+    setup.until(lambda: setup.learning.can_use_values)
+    setup.learning.use_values()
     assert setup.device.calibrations.shown(1) == setup.device.calibrations.stored(1)
 
 
@@ -335,7 +335,7 @@ def test_written_values_request_a_test(setup: LearningSetup) -> None:
     setup.go_to_travel()
     setup.push_all()
     setup.learning.next()
-    setup.learning.take()
+    setup.learning.use_values()
     setup.device.apply()
     setup.until(lambda: bool(stored))
     setup.learning.begin_test(setup.learning.numbers)
@@ -355,7 +355,7 @@ def test_gap_in_telemetry_stalls_the_neutral_step(setup: LearningSetup) -> None:
     setup.until_step(LearningStep.NEUTRAL)
     setup.device.telemetry.blockSignals(True)
     setup.learning.next()
-    setup.until(lambda: setup.learning.stalled)
+    setup.until(lambda: setup.learning.inputs.stalled)
     assert not setup.learning.can_go_on
     setup.device.telemetry.blockSignals(False)
     setup.until_step(LearningStep.TRAVEL)
@@ -375,7 +375,7 @@ def test_stop_outcome_is_reported_once_per_request(setup: LearningSetup) -> None
     assert "No board is connected" in str(told[1])
 
 
-# --- What was taken waits for being stored ----------------------------------------------
+# --- Learned values until they are stored ----------------------------------------------
 
 
 @pytest.fixture
@@ -390,7 +390,7 @@ def test_undone_values_do_not_request_a_test(
     setup: LearningSetup, requested_tests: list[tuple[int, ...]]
 ) -> None:
     setup.to_review(1)
-    setup.learning.take()
+    setup.learning.use_values()
     setup.device.draft.undo.undo()
     setup.device.parameters.edit("serial_timeout", 9)
     setup.write()
@@ -402,7 +402,7 @@ def test_discarded_values_do_not_request_a_test(
     setup: LearningSetup, requested_tests: list[tuple[int, ...]]
 ) -> None:
     setup.to_review(1)
-    setup.learning.take()
+    setup.learning.use_values()
     setup.device.draft.discard_edits()
     setup.device.parameters.edit("serial_timeout", 9)
     setup.write()
@@ -413,7 +413,7 @@ def test_only_apply_with_learned_values_requests_a_test(
     setup: LearningSetup, requested_tests: list[tuple[int, ...]]
 ) -> None:
     setup.to_review(1)
-    setup.learning.take()
+    setup.learning.use_values()
     setup.device.parameters.edit("serial_timeout", 9)
     setup.device.apply({"serial_timeout"})
     setup.until(lambda: not setup.device.applying)
@@ -426,7 +426,7 @@ def test_reconnecting_forgets_the_pending_test(
     setup: LearningSetup, requested_tests: list[tuple[int, ...]]
 ) -> None:
     setup.to_review(1)
-    setup.learning.take()
+    setup.learning.use_values()
     setup.device.disconnect_line()
     setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
     setup.device.connect_to(ConnectionSettings(setup.simulator.url))
@@ -441,7 +441,7 @@ def test_requesting_a_test_does_not_stop_running_motors(
     setup: LearningSetup, requested_tests: list[tuple[int, ...]]
 ) -> None:
     setup.to_review(1)
-    setup.learning.take()
+    setup.learning.use_values()
     setup.device.motors.arm()
     setup.device.motors.set_speed(1, 40)
     setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 40)
@@ -457,7 +457,7 @@ def test_each_written_channel_requests_its_own_test(
     setup: LearningSetup, requested_tests: list[tuple[int, ...]]
 ) -> None:
     setup.to_review(1, 2)
-    setup.learning.take()
+    setup.learning.use_values()
     setup.device.apply({"rc_channel_2"})
     setup.until(lambda: not setup.device.applying)
     assert requested_tests == [(2,)]
@@ -476,7 +476,7 @@ def test_only_written_channels_request_a_test(
 ) -> None:
     setup.to_review(1, 2)
     values = {c.number: c.choice.calibration for c in setup.learning.channels if c.choice}
-    setup.learning.take()
+    setup.learning.use_values()
     results = tuple(
         WriteResult(CalibrationKey.of(InputSource.RC, number), error=NoReply("no answer"))
         if number in failed
@@ -494,12 +494,12 @@ def test_already_stored_values_request_the_test_at_once(
     setup: LearningSetup, requested_tests: list[tuple[int, ...]]
 ) -> None:
     taken: list[bool] = []
-    setup.learning.taken.connect(lambda: taken.append(True))
+    setup.learning.edited.connect(lambda: taken.append(True))
     setup.to_review(1)
     (channel,) = setup.learning.channels
-    assert channel.stored is not None
-    setup.learning.choose(1, channel.stored, reversed_=False)
-    setup.learning.take()
+    assert channel.curve_before is not None
+    setup.learning.choose(1, calibration=channel.curve_before.calibration, reversed_=False)
+    setup.learning.use_values()
     assert taken == []
     assert requested_tests == [(1,)]
     setup.learning.begin_test(setup.learning.numbers)
@@ -518,11 +518,11 @@ def test_old_values_come_from_the_board_despite_edits(setup: LearningSetup) -> N
     setup.device.parameters.edit("serial_timeout", 9)
     setup.to_review(1)
     (channel,) = setup.learning.channels
-    assert channel.stored == stored
     assert not channel.reversed_now
     assert channel.curve_before is not None
+    assert channel.curve_before.calibration == stored
     assert not channel.curve_before.reversed_
-    assert setup.learning.has_edit(1)
+    assert setup.learning.pending.has_edit(1)
     assert setup.learning.other_edits == 1
     setup.device.parameters.edit("reversed_channels", 0b101)  # that of channel 3 stays
     assert setup.learning.other_edits == 2
@@ -533,7 +533,7 @@ def test_failed_test_does_not_deny_the_written_values(
     setup: LearningSetup, requested_tests: list[tuple[int, ...]], how: str
 ) -> None:
     setup.to_review(1)
-    setup.learning.take()
+    setup.learning.use_values()
     setup.write()
     assert requested_tests
     setup.learning.begin_test(setup.learning.numbers)
@@ -571,7 +571,7 @@ def test_restart_after_power_loss_stops_the_motors_again(
     setup.simulator.do("power on")
     setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
     assert not setup.learning.can_go_on
-    assert not setup.learning.can_take
+    assert not setup.learning.can_use_values
     setup.learning.again()
     assert setup.learning.step is LearningStep.STOPPING
     setup.until_step(LearningStep.TEST if step is LearningStep.TEST else LearningStep.NEUTRAL)

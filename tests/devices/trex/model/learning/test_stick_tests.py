@@ -6,9 +6,8 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.calibration.proof import StickTest, idle_side
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.learning.stick_tests import StickTests
+from trex_gui.devices.trex.model.learning.stick_tests import StickTest, StickTests, idle_side
 from trex_gui.devices.trex.protocol.calibration import Calibration, remap
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -48,7 +47,7 @@ class Sticks:
         return self.tests.to_learn_again
 
     def text(self, channel: int) -> str:
-        return next(tested.text for tested in self.tests.tested if tested.channel == channel)
+        return next(test.text for test in self.tests.tests if test.channel == channel)
 
 
 @pytest.fixture
@@ -87,13 +86,13 @@ def test_throttle_passes_with_full_output_on_its_travel_side() -> None:
     idle = idle_side(THROTTLE, reversed_=False)
     for step, microseconds in enumerate([1040] * 30 + [1100] * 40):
         test.feed(step / 50, remap(round(2.5 * microseconds), THROTTLE), idle=idle)
-    assert not test.tested.reverse
-    assert not test.tested.passed
-    assert test.tested.text == "Full output not reached yet. Push it all the way."
+    assert not test.reverse
+    assert not test.passed
+    assert test.text == "Full output not reached yet. Push it all the way."
     for step, microseconds in enumerate([1895] * 30 + [1100] * 40):
         test.feed(2 + step / 50, remap(round(2.5 * microseconds), THROTTLE), idle=idle)
-    assert test.tested.forward
-    assert test.tested.passed
+    assert test.forward
+    assert test.passed
 
 
 def test_centered_throttle_passes_on_either_side() -> None:
@@ -102,14 +101,14 @@ def test_centered_throttle_passes_on_either_side() -> None:
     test = StickTest(3)
     for step, count in enumerate([2500] * 5 + [3750] * 40):
         test.feed(step / 50, remap(count, even), idle=0)
-    assert test.tested.passed
+    assert test.passed
 
 
 def test_uneven_stick_passes_with_both_ends() -> None:
     test = StickTest(1)
     for step, count in enumerate([2600] * 5 + [4730] * 5 + [2750] * 40):
         test.feed(step / 50, remap(count, THROTTLE), idle=-1)
-    assert test.tested.passed
+    assert test.passed
 
 
 # --- Good is what is good now -----------------------------------------------------------
@@ -137,7 +136,7 @@ def test_passed_channel_fails_when_its_signal_is_lost(
     inputs.push(channel)
     assert inputs.passed()
     inputs.hold(channel, None)
-    assert inputs.text(channel) == "No signal comes in."
+    assert inputs.text(channel) == "No signal."
     assert not inputs.passed()
 
 

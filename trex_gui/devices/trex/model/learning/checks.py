@@ -1,4 +1,4 @@
-"""Checks of chosen values against what was measured."""
+"""Checks of chosen values against the measurements."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -7,20 +7,20 @@ from trex_gui.devices.trex.calibration.neutral import Neutral
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.channel_text import concern
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 _ASIDE = {InputSource.RC: 250, InputSource.ANALOG: 102}
-"""Counts beyond rest at which is said what a throttle does there: 100 us, 0.5 V."""
+"""Counts beyond rest at which the speed of a throttle is given: 100 us, 0.5 V."""
 
 _MUCH = FULL_SCALE // 2
-"""Output at that place from which on it is a warning."""
+"""Output at that place above which it is a warning."""
 
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """One channel: the curve that would be stored, which the board takes, and what was measured."""
+    """The curve that would be stored for a channel, which the board accepts, and measurements."""
 
     channel: int
     curve: ChannelCurve
@@ -29,95 +29,77 @@ class Check:
 
     @property
     def problems(self) -> tuple[Problem, ...]:
-        """What is wrong; the board would take it all the same."""
-        return tuple(self._all())
+        """Warnings: none of them is fatal."""
+        return tuple(
+            Problem(kind, variant, values, fatal=False) for kind, variant, values in self._found()
+        )
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What is good to know of what the board would do."""
-        return tuple(text for text in (self._switch_text(), self._idle_text()) if text)
+        """What the board would do, for the user."""
+        return tuple(filter(None, (self._switch_text(), self._idle_text())))
 
-    @property
-    def _calibration(self) -> Calibration:
-        return self.curve.calibration
-
-    @property
-    def _source(self) -> InputSource:
-        return self.neutral.source
-
-    def _all(self) -> Iterator[Problem]:
-        if useless := self._useless():
-            yield useless
-        if never_full := self._never_full():
-            yield never_full
+    def _found(self) -> Iterator[tuple[ProblemKind, str, tuple[object, ...]]]:
+        """Yield kind, variant and values of each problem."""
+        text, wanted = self.neutral.source.text, self.curve.calibration
+        yield from self._useless()
+        ends = {"MAXIMUM": (Way.UP, wanted.maximum), "MINIMUM": (Way.DOWN, wanted.minimum)}
+        beyond = {
+            name: text(self.travel.end(way))
+            for name, (way, end) in ends.items()
+            if self.travel.reached(way) and way.value * (end - self.travel.end(way)) > 0
+        }
+        if beyond:
+            variant = next(iter(beyond)) if len(beyond) == 1 else "BOTH"
+            yield ProblemKind.NEVER_FULL, variant, tuple(beyond.values())
         if self.travel.task is Task.SWITCH:
             yield from self._switching()
             return
-        if self._calibration.deadband < self.neutral.noise / 2:
-            values = self.neutral.noise_text, self._source.text(self._calibration.deadband)
-            yield Problem(ProblemKind.NOISE, "CREEP", values, fatal=False)
-        elif elsewhere := self._neutral_moved():
-            yield elsewhere
-        if (idle := self.travel.idle) is not None and self._aside(idle)[1] > _MUCH:
+        if wanted.deadband < self.neutral.noise / 2:
+            yield ProblemKind.NOISE, "CREEP", (self.neutral.noise_text, text(wanted.deadband))
+        else:
+            yield from self._neutral_moved()
+        if (idle := self.travel.idle) is not None:
             place, speed = self._aside(idle)
-            values = self._source.text(place), str(speed)
-            yield Problem(ProblemKind.SPEEDS_UP, idle.name, (*values, FULL_SCALE), fatal=False)
+            if speed > _MUCH:
+                values = text(place), str(speed), FULL_SCALE
+                yield ProblemKind.SPEEDS_UP, idle.name, values
 
-    def _useless(self) -> Problem | None:
-        """Return what makes the sides that are used useless."""
-        wanted, idle = self._calibration, self.travel.idle
+    def _useless(self) -> Iterator[tuple[ProblemKind, str, tuple[object, ...]]]:
+        """Yield what makes the sides that are used useless."""
+        wanted, source, idle = self.curve.calibration, self.neutral.source, self.travel.idle
         if idle is None:
-            text = concern(wanted, self._source)
-            return Problem(ProblemKind.USELESS, "", (text,), fatal=False) if text else None
-        used = wanted.maximum - wanted.neutral
-        if idle is Way.UP:
-            used = wanted.neutral - wanted.minimum
-        if used > wanted.deadband:
-            return None
-        values = (self._source.text(wanted.deadband),)
-        return Problem(ProblemKind.USELESS, idle.name, values, fatal=False)
+            if text := concern(wanted, source):
+                yield ProblemKind.USELESS, "", (text,)
+            return
+        end = wanted.minimum if idle is Way.UP else wanted.maximum
+        if abs(end - wanted.neutral) <= wanted.deadband:
+            yield ProblemKind.USELESS, idle.name, (source.text(wanted.deadband),)
 
-    def _never_full(self) -> Problem | None:
-        """Return which end lies further out than what was reached."""
-        low, high, text = self.travel.low, self.travel.high, self._source.text
-        names, values = [], []
-        if high is not None and self.travel.reached(Way.UP) and self._calibration.maximum > high:
-            names.append("MAXIMUM")
-            values.append(text(high))
-        if low is not None and self.travel.reached(Way.DOWN) and self._calibration.minimum < low:
-            names.append("MINIMUM")
-            values.append(text(low))
-        if not names:
-            return None
-        variant = names[0] if len(names) == 1 else "BOTH"
-        return Problem(ProblemKind.NEVER_FULL, variant, tuple(values), fatal=False)
-
-    def _neutral_moved(self) -> Problem | None:
-        rest, sampled, text = self.travel.rest, self.neutral.value, self._source.text
-        if abs(rest - self._calibration.neutral) <= self._calibration.deadband:
-            return None
+    def _neutral_moved(self) -> Iterator[tuple[ProblemKind, str, tuple[object, ...]]]:
+        text, wanted, sampled = self.neutral.source.text, self.curve.calibration, self.neutral.value
+        rest = self.travel.rest
+        if abs(rest - wanted.neutral) <= wanted.deadband:
+            return
         output = f"{self.curve.output(rest):+d}".replace("-", "−")
-        if self._calibration.neutral != sampled:
-            variant, values = "CHOSEN", (text(rest), output)
-            return Problem(ProblemKind.NEUTRAL_MOVED, variant, values, fatal=False)
-        places = text(rest), text(sampled), output
-        return Problem(ProblemKind.NEUTRAL_MOVED, "MEASURED", places, fatal=False)
+        if wanted.neutral != sampled:
+            yield ProblemKind.NEUTRAL_MOVED, "CHOSEN", (text(rest), output)
+        else:
+            yield ProblemKind.NEUTRAL_MOVED, "MEASURED", (text(rest), text(sampled), output)
 
-    # --- Switches -----------------------------------------------------------------------
-
-    def _switching(self) -> Iterator[Problem]:
+    def _switching(self) -> Iterator[tuple[ProblemKind, str, tuple[object, ...]]]:
         threshold = self.curve.threshold(self.channel)
         if threshold is None:
             return
-        if abs(self.neutral.value - threshold) <= self.neutral.deadband:
-            values = self._source.text(self.neutral.value), self._source.text(round(threshold))
-            yield Problem(ProblemKind.SWITCHES_AT_REST, "", values, fatal=False)
-        ends = (self.travel.low, self.travel.high, self.neutral.value)
-        active = {self.curve.is_switched(self.channel, end) for end in ends if end is not None}
+        rest, text = self.neutral.value, self.neutral.source.text
+        place = text(round(threshold))
+        if abs(rest - threshold) <= self.neutral.deadband:
+            yield ProblemKind.SWITCHES_AT_REST, "", (text(rest), place)
+        positions = rest, *(self.travel.end(way) for way in Way)
+        active = {self.curve.is_switched(self.channel, position) for position in positions}
         if len(active) == 1:
             variant = "ACTIVE" if active.pop() else "INACTIVE"
-            place = (self._source.text(round(threshold)),)
-            yield Problem(ProblemKind.NEVER_SWITCHES, variant, place, fatal=False)
+            yield ProblemKind.NEVER_SWITCHES, variant, (place,)
 
     def _switch_text(self) -> str:
         threshold = self.curve.threshold(self.channel)
@@ -126,16 +108,14 @@ class Check:
         where, end = ("above", "maximum") if self.curve.reversed_ else ("below", "minimum")
         state = "active" if self.curve.is_switched(self.channel, self.neutral.value) else "off"
         return (
-            f"Active {where} {self._source.text(round(threshold))}, {state} at rest (inferred: "
-            f"it switches halfway between neutral and {end})."
+            f"Active {where} {self.neutral.source.text(round(threshold))}, {state} at rest "
+            f"(inferred: it switches halfway between neutral and {end})."
         )
-
-    # --- Beyond the rest of a throttle --------------------------------------------------
 
     def _aside(self, idle: Way) -> tuple[int, int]:
         """Return a place beyond the rest, on the side it never goes to, and the speed there."""
-        source, step = self._source, _ASIDE[self._source]
-        place = self.neutral.value + (step if idle is Way.UP else -step)
+        source = self.neutral.source
+        place = self.neutral.value + idle.value * _ASIDE[source]
         place = min(max(place, source.lowest_count), source.highest_count)
         return place, abs(self.curve.output(place))
 
@@ -147,5 +127,5 @@ class Check:
         side = "Above" if idle is Way.UP else "Below"
         return (
             f"{side} its rest the motor speeds up again, whatever the sign: at "
-            f"{self._source.text(place)} to {speed} of {FULL_SCALE}."
+            f"{self.neutral.source.text(place)} to {speed} of {FULL_SCALE}."
         )

@@ -1,26 +1,22 @@
 """Learning channels step by step: motors stopped, hands off, all ends, review, test."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from enum import Enum, auto
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.devices.trex.calibration.neutral import SAMPLING_SECONDS, Sample
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.learning.channels import LearnedChannel, LearnedChannels
-from trex_gui.devices.trex.model.learning.measured_inputs import Counts, MeasuredInputs
-from trex_gui.devices.trex.model.learning.pending_values import (
-    PendingLearnedValues,
-    edit_what_is_chosen,
-    has_edit,
-    other_edits,
-)
+from trex_gui.devices.trex.model.learning.channels import Counts, LearnedChannel, MeasuredInputs
+from trex_gui.devices.trex.model.learning.pending_values import PendingLearnedValues
 from trex_gui.devices.trex.model.learning.preconditions import (
     CalibrationPreconditions,
     StandstillCheck,
 )
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
-from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.plotting.history import Floats
 
 
@@ -46,49 +42,53 @@ _MEASURING = _MOVING | {LearningStep.REVIEW}
 class Learning(QObject):
     """Learns channels of a board in serial mode; there the sticks move no motor.
 
-    Nothing is written, and no edit is made before `take`.
+    Nothing is written, and nothing is edited before `use_values`.
 
     Signals:
-        changed: `step`, `sampling`, `stalled` or a choice.
-        measured: new samples are in.
-        taken: what was learned is edits now, and waits for its review.
-        stored: what was taken last is in the board; a test is due, but for `motors_armed`.
+        changed: the step, `sampling`, `inputs.stalled` or a choice.
+        measured: new samples have arrived.
+        edited: the learned values are pending edits now, ready for their review.
+        stored: these values are in the board; a test is due, unless `motors_armed`.
+
+    Attributes:
+        trouble: why it failed, or what is doubtful, for the user.
+        news: what led to the test, for the user; empty if the user started it.
+        numbers: the channels that were learned or tested last.
+        tests: `None` before the test step.
+        sampling: whether the rest positions are sampled right now.
     """
 
     changed = Signal()
     measured = Signal()
-    taken = Signal()
+    edited = Signal()
     stored = Signal()
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.step = LearningStep.ENDED
+        self.trouble = ""
+        self.news = ""
+        self.numbers: tuple[int, ...] = ()
+        self.channels: tuple[LearnedChannel, ...] = ()
+        self.tests: StickTests | None = None
+        self.sampling = False
+        self.preconditions = CalibrationPreconditions(device, self)
+        self.inputs = MeasuredInputs(device.telemetry, self)
+        self.pending = PendingLearnedValues(device, self)
         self._device = device
-        self._step = LearningStep.ENDED
         self._after_stopping = LearningStep.NEUTRAL
-        self._trouble = ""
-        self._numbers: tuple[int, ...] = ()
-        self._channels = LearnedChannels()
-        self._tests: StickTests | None = None
-        self._news = self._next_news = ""
-        self._taken = PendingLearnedValues(device, self)
-        self._guard = CalibrationPreconditions(device, self)
-        self._standing = StandstillCheck(device, self)
-        self._inputs = MeasuredInputs(device.telemetry, self)
+        self._next_news = ""
+        self._standstill = StandstillCheck(device, self)
 
-        self._guard.broken.connect(self._on_broken)
-        self._standing.stood.connect(self._on_stood)
-        self._standing.doubted.connect(self._on_doubted)
-        self._standing.failed.connect(self._on_stop_failed)
-        self._inputs.arrived.connect(self._on_arrived)
-        self._inputs.stalled_changed.connect(self._on_stalled_changed)
-        self._taken.stored.connect(self._on_stored)
+        self.preconditions.violated.connect(self._on_violated)
+        self._standstill.confirmed.connect(self._on_standstill)
+        self._standstill.doubted.connect(self._on_doubted)
+        self._standstill.failed.connect(self._on_stop_failed)
+        self.inputs.arrived.connect(self._on_arrived)
+        self.inputs.stalled_changed.connect(self._on_stalled_changed)
+        self.pending.stored.connect(self._on_stored)
 
-    # --- What is known ------------------------------------------------------------------
-
-    @property
-    def step(self) -> LearningStep:
-        """How far it is."""
-        return self._step
+    # --- State --------------------------------------------------------------------------
 
     @property
     def is_test(self) -> bool:
@@ -96,136 +96,87 @@ class Learning(QObject):
         return self._after_stopping is LearningStep.TEST
 
     @property
-    def trouble(self) -> str:
-        """Why it failed, or what is doubtful, in sentences."""
-        return self._trouble
-
-    @property
-    def news(self) -> str:
-        """What led to the test, as a sentence; empty if the user started it."""
-        return self._news
-
-    def has_edit(self, number: int) -> bool:
-        """Whether an edit of a channel waits for Apply, which taking its values replaces."""
-        return has_edit(self._device, number)
-
-    @property
-    def other_edits(self) -> int:
-        """How many edits wait for Apply beside those of the channels that are to be taken."""
-        return other_edits(self._device, [channel.number for channel in self._chosen])
-
-    @property
-    def _chosen(self) -> list[LearnedChannel]:
-        return [channel for channel in self.channels if channel.can_be_taken]
-
-    @property
-    def sampling(self) -> bool:
-        """Whether the rest is sampled right now."""
-        return self._channels.sampling
-
-    @property
-    def stalled(self) -> bool:
-        """Whether measurements should come, and do not."""
-        return self._inputs.stalled
+    def has_sampled(self) -> bool:
+        """Whether sampling the rest positions has ended."""
+        return not self.sampling and any(channel.neutral is not None for channel in self.channels)
 
     @property
     def seconds_left(self) -> float:
-        """How much longer the rest is sampled."""
-        return self._channels.seconds_left
-
-    @property
-    def channels(self) -> tuple[LearnedChannel, ...]:
-        return self._channels.all
-
-    @property
-    def tests(self) -> StickTests | None:
-        """What is tested; `None` in other steps."""
-        return self._tests
-
-    @property
-    def source(self) -> InputSource:
-        return self._guard.source
-
-    @property
-    def samples_a_second(self) -> float:
-        """How many measurements come in while the ends are looked for; 0 before it is known."""
-        return self._channels.samples_a_second
-
-    @property
-    def baud(self) -> int:
-        """How fast the line is."""
-        settings = self._device.settings
-        return 0 if settings is None else settings.line.baud
-
-    def trace(self, number: int) -> tuple[Floats, Floats, float]:
-        """Return the input of the last minute: times, counts, and what time it is."""
-        telemetry = self._device.telemetry
-        column = CHANNELS.index(number)
-        return telemetry.inputs.times, telemetry.inputs.values(column), telemetry.latest
+        """How much longer the rest positions are sampled."""
+        neutrals = [channel.neutral for channel in self.channels]
+        return max(SAMPLING_SECONDS if rest is None else rest.seconds_left for rest in neutrals)
 
     @property
     def can_go_on(self) -> bool:
         """Whether `next` does something now."""
-        match self._step:
-            case LearningStep.DOUBT:
-                return True
-            case LearningStep.NEUTRAL if self.sampling or self.stalled:
+        match self.step:
+            case LearningStep.NEUTRAL if self.sampling or self.inputs.stalled:
                 return False
             case LearningStep.NEUTRAL:
                 return not self.has_sampled or any(c.is_at_rest for c in self.channels)
-            case LearningStep.TRAVEL:
-                return True
-        return False
+        return self.step in {LearningStep.DOUBT, LearningStep.TRAVEL}
 
     @property
-    def has_sampled(self) -> bool:
-        """Whether a sampling of the rest has ended."""
-        return self._channels.has_sampled
+    def included(self) -> list[LearnedChannel]:
+        """The channels whose values are to be used."""
+        return [channel for channel in self.channels if channel.is_included]
 
     @property
-    def can_take(self) -> bool:
-        """Whether there is something to take, and nothing that is wanted is wrong."""
-        wanted = [c for c in self.channels if c.choice is not None and c.choice.included]
+    def can_use_values(self) -> bool:
+        """Whether channels are included, and the board would accept the values of all of them."""
         return (
-            self._step is LearningStep.REVIEW
-            and bool(wanted)
-            and all(channel.can_be_taken for channel in wanted)
+            self.step is LearningStep.REVIEW
+            and bool(self.included)
+            and all(channel.can_be_used for channel in self.included)
             and not self._device.applying
         )
 
     @property
+    def other_edits(self) -> int:
+        """How many edits are pending beside those of the channels whose values will be used."""
+        return self.pending.other_edits([c.number for c in self.channels if c.can_be_used])
+
+    @property
     def motors_armed(self) -> bool:
-        """Whether the motors are driven: to begin would stop them."""
+        """Whether starting would stop motors that are driven."""
         return self._device.motors.armed or self._device.may_move
 
-    def why_not(self) -> str:
-        """Say why learning cannot begin now; empty when it can."""
-        return self._guard.why_not()
+    @property
+    def baud(self) -> int:
+        settings = self._device.settings
+        return 0 if settings is None else settings.line.baud
+
+    def trace(self, number: int) -> tuple[Floats, Floats, float]:
+        """Return the input of the last minute: times, counts, and the present time."""
+        telemetry = self._device.telemetry
+        column = CHANNELS.index(number)
+        return telemetry.inputs.times, telemetry.inputs.values(column), telemetry.latest
 
     # --- User actions -------------------------------------------------------------------
 
     def begin(self, channels: Sequence[int] = CHANNELS) -> None:
         """Learn these channels at once; the motors are stopped first."""
-        self._news = self._next_news = ""
+        self.news = self._next_news = ""
         self._start(channels, LearningStep.NEUTRAL)
 
     def begin_test(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Test what is stored for these channels; the motors are stopped first."""
-        self._news, self._next_news = self._next_news, ""
+        """Test the stored values of these channels; the motors are stopped first."""
+        self.news, self._next_news = self._next_news, ""
         self._start(channels, LearningStep.TEST)
 
     def next(self) -> None:
         """Continue with what the user has done or confirmed.
 
-        That is: the motors are stopped; hands are off; channels without a rest are left out; all
-        ends were held.
+        That is: the motors are stopped; hands are off; channels without a rest position are left
+        out; all ends were held.
         """
         if not self.can_go_on:
             return
-        if self._step is LearningStep.DOUBT:
-            self._on_stood()
-        elif self._step is LearningStep.TRAVEL:
-            self._channels.propose()
+        if self.step is LearningStep.DOUBT:
+            self._on_standstill()
+        elif self.step is LearningStep.TRAVEL:
+            for channel in self.channels:
+                channel.propose()
             self._go(LearningStep.REVIEW)
         elif self.has_sampled:
             self._begin_travel()
@@ -233,15 +184,15 @@ class Learning(QObject):
             self._begin_sampling()
 
     def back(self) -> None:
-        """Go one step back; ends that were reached stay, a rest is sampled anew."""
-        if self._step is LearningStep.REVIEW:
+        """Go one step back; ends that were reached stay, rest positions are sampled again."""
+        if self.step is LearningStep.REVIEW:
             self._go(LearningStep.TRAVEL)
-        elif self._step is LearningStep.TRAVEL:
+        elif self.step is LearningStep.TRAVEL:
             self._wait_at_rest()
 
     def again(self) -> None:
-        """Do this step, or after a failure all of them, once more."""
-        match self._step:
+        """Repeat this step; after a failure, all of them."""
+        match self.step:
             case LearningStep.NEUTRAL if not self.sampling:
                 self._begin_sampling()
             case LearningStep.TRAVEL:
@@ -251,73 +202,65 @@ class Learning(QObject):
             case LearningStep.TEST:
                 self._begin_tests()
             case LearningStep.FAILED | LearningStep.DOUBT:
-                self._start(self._numbers, self._after_stopping)
+                self._start(self.numbers, self._after_stopping)
 
-    def choose(
-        self,
-        number: int,
-        calibration: Calibration | None = None,
-        *,
-        reversed_: bool | None = None,
-        included: bool | None = None,
-    ) -> None:
-        """Choose otherwise for a channel; what is not given stays."""
-        self._channels[number].choose(calibration, reversed_=reversed_, included=included)
+    def choose(self, number: int, **changes: Any) -> None:
+        """Change fields of the `Choice` of a channel."""
+        channel = next(channel for channel in self.channels if channel.number == number)
+        if channel.choice is not None:
+            channel.choice = replace(channel.choice, **changes)
         self.changed.emit()
 
-    def take(self) -> None:
-        """Make edits of what is chosen; one step to undo.
+    def use_values(self) -> None:
+        """Edit the settings as chosen, in one undo step.
 
-        Where all of it is stored already, nothing waits, and `stored` says so at once.
+        If all of it is stored already, nothing is pending, and `stored` is emitted at once.
         """
-        if not self.can_take:
+        if not self.can_use_values:
             return
-        chosen = self._chosen
-        edit_what_is_chosen(self._device, chosen, self.tr("Learn channels"))
-        numbers = tuple(channel.number for channel in chosen)
-        is_new = any(self.has_edit(number) for number in numbers)
+        choices = {c.number: c.choice for c in self.channels if c.can_be_used and c.choice}
+        is_pending = self.pending.edit(choices, self.tr("Learn channels"))
         self._go(LearningStep.ENDED)
-        if is_new:
-            self._taken.wait_for(chosen)
-            self.taken.emit()
+        if is_pending:
+            self.edited.emit()
         else:
-            self._report_stored(numbers, self.tr("These values are stored already."))
+            self._report_stored(tuple(choices), self.tr("These values are stored already."))
 
     def cancel(self) -> None:
-        """End it, whatever the step; the board and the edits are as they were."""
-        if self._step is not LearningStep.ENDED:
+        """End it in any step; the board and the edits stay unchanged."""
+        if self.step is not LearningStep.ENDED:
             self._go(LearningStep.ENDED)
 
     # --- Steps --------------------------------------------------------------------------
 
     def _start(self, channels: Sequence[int], after_stopping: LearningStep) -> None:
-        self._standing.give_up()
-        self._numbers = tuple(channels)
-        self._channels = LearnedChannels()
-        self._tests = None
-        self._taken.forget()
+        self._standstill.cancel()
+        self.numbers = tuple(channels)
+        self.channels = ()
+        self.tests = None
+        self.pending.forget()
         self._after_stopping = after_stopping
-        if trouble := self.why_not():
+        if trouble := self.preconditions.blocker:
             self._fail(trouble)
             return
-        self._guard.begin()
+        self.preconditions.begin()
         self._go(LearningStep.STOPPING)
-        self._standing.stop()
+        self._standstill.begin()
 
     @Slot()
-    def _on_stood(self) -> None:
-        if self._after_stopping is LearningStep.TEST:
+    def _on_standstill(self) -> None:
+        if self.is_test:
             self._begin_tests()
         else:
             self._wait_at_rest()
 
     @Slot(str)
-    def _on_doubted(self, what: str) -> None:
-        self._trouble = self.tr(
+    def _on_doubted(self, currents: str) -> None:
+        self.trouble = self.tr(
             "The board accepted the stop, but {0}. Check the motors: if one turns, something else "
             "drives it, such as another controller on this line; cut its power. Continue only if "
             "they are not turning."
-        ).format(what)
+        ).format(currents)
         self._go(LearningStep.DOUBT)
 
     @Slot(str)
@@ -326,76 +269,91 @@ class Learning(QObject):
         self._fail(text.format(why))
 
     @Slot(str)
-    def _on_broken(self, why: str) -> None:
+    def _on_violated(self, why: str) -> None:
         if self.is_test:
-            self._fail(why + self.tr(" The test has ended; it changes nothing in the board."))
+            outcome = self.tr("The test has ended; it changes nothing in the board.")
         else:
-            self._fail(why + self.tr(" Nothing was changed."))
+            outcome = self.tr("Nothing was changed.")
+        self._fail(f"{why} {outcome}")
 
     def _wait_at_rest(self) -> None:
-        self._channels = LearnedChannels.of(self._device, self._numbers, self.source)
+        source = self.preconditions.source
+        self.channels = tuple(LearnedChannel(self._device, n, source) for n in self.numbers)
         self._go(LearningStep.NEUTRAL)
 
     def _begin_sampling(self) -> None:
-        self._channels.begin_sampling()
+        for channel in self.channels:
+            channel.begin_sampling()
+        self.sampling = True
         self.changed.emit()
 
     def _begin_travel(self) -> None:
-        self._channels.begin_travel()
+        for channel in self.channels:
+            channel.begin_travel()
         self._go(LearningStep.TRAVEL)
 
     def _begin_tests(self) -> None:
-        self._tests = StickTests(self._device, self._numbers)
+        self.tests = StickTests(self._device, self.numbers)
         self._go(LearningStep.TEST)
 
     def _go(self, step: LearningStep) -> None:
-        self._step = step
-        self._channels.follow(step is LearningStep.TRAVEL)
+        self.step = step
+        self.sampling = False
         if step in _MEASURING:
-            self._inputs.begin()
+            self.inputs.begin()
         else:
-            self._inputs.end()
+            self.inputs.end()
         if step in {LearningStep.ENDED, LearningStep.FAILED}:
-            self._guard.end()
-            self._standing.give_up()
+            self.preconditions.end()
+            self._standstill.cancel()
         self.changed.emit()
-        self._guard.watch_motors(step in _MOVING)
+        self.preconditions.watch_motors(step in _MOVING)
 
     def _fail(self, text: str) -> None:
-        self._trouble = text
+        self.trouble = text
         self._go(LearningStep.FAILED)
 
-    # --- What comes in ------------------------------------------------------------------
+    # --- Measurements and stored values -------------------------------------------------
 
     @Slot(object)
     def _on_arrived(self, measured: Sequence[tuple[float, Counts]]) -> None:
-        if self._step is LearningStep.TEST and self._tests is not None:
+        if self.step is LearningStep.TEST and self.tests is not None:
             for moment, counts in measured:
-                self._tests.feed(moment, counts)
-        elif self._channels.feed(measured):
+                self.tests.feed(moment, counts)
+        else:
+            self._feed_channels(measured)
+        self.measured.emit()
+
+    def _feed_channels(self, measured: Sequence[tuple[float, Counts]]) -> None:
+        for channel in self.channels:
+            for moment, counts in measured:
+                sample = Sample(moment, counts[CHANNELS.index(channel.number)])
+                channel.feed(sample)
+                if self.sampling:
+                    channel.samples.append(sample)
+                elif self.step is LearningStep.TRAVEL and channel.travel is not None:
+                    channel.travel.feed(sample)
+            if self.sampling:
+                channel.measure_rest()
+        if self.sampling and self.seconds_left == 0:
+            self.sampling = False
             if all(channel.is_at_rest for channel in self.channels):
                 self._begin_travel()
             else:
                 self.changed.emit()
-        self.measured.emit()
 
     @Slot()
     def _on_stalled_changed(self) -> None:
-        if self.stalled and self.sampling:  # a gap is no rest
+        if self.inputs.stalled and self.sampling:  # a gap is no rest
             self._begin_sampling()
         else:
             self.changed.emit()
 
     @Slot(object)
     def _on_stored(self, numbers: tuple[int, ...]) -> None:
-        if self._step is LearningStep.ENDED:
+        if self.step is LearningStep.ENDED:
             self._report_stored(numbers, self.tr("What was learned is stored."))
 
     def _report_stored(self, numbers: tuple[int, ...], news: str) -> None:
-        self._numbers, self._next_news = numbers, news
+        self.numbers, self._next_news = numbers, news
         self.stored.emit()
-
-    @property
-    def numbers(self) -> tuple[int, ...]:
-        """The channels that were learned or tested last."""
-        return self._numbers

@@ -1,14 +1,12 @@
 """Learned values as edits, until they are stored or withdrawn."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.learning.channels import LearnedChannel
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.model.learning.channels import Choice
 from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -16,64 +14,14 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 _REVERSED = ParameterKey.REVERSED_CHANNELS
 
 
-def edit_what_is_chosen(device: Device, channels: Sequence[LearnedChannel], name: str) -> None:
-    """Make edits of what is chosen for these channels; one step to undo, with this name."""
-    reversed_ = set(channels_in(device.parameters.value_of(_REVERSED) or 0))
-    with device.draft.one_edit(name):
-        for channel in channels:
-            if channel.choice is None:
-                continue
-            device.calibrations.edit(channel.number, channel.choice.calibration)
-            reversed_.discard(channel.number)
-            if channel.choice.reversed_:
-                reversed_.add(channel.number)
-        if device.parameters.knows(_REVERSED):
-            device.parameters.edit(_REVERSED, channel_mask(reversed_), alone=True)
-
-
-def has_edit(device: Device, number: int) -> bool:
-    """Whether an edit of a channel's calibration or of its direction waits."""
-    return _has_calibration(device, number) or number in _turned(device)
-
-
-def other_edits(device: Device, numbers: Sequence[int]) -> int:
-    """Return how many edits wait that are not of these channels."""
-    own = sum(_has_calibration(device, number) for number in numbers)
-    turned = _turned(device)
-    if turned and turned <= set(numbers):
-        own += 1
-    return device.draft.pending - own
-
-
-def _has_calibration(device: Device, number: int) -> bool:
-    return any(key.channel == number for key, _ in device.calibrations.pending)
-
-
-def _turned(device: Device) -> set[int]:
-    """Channels whose direction an edit that waits would change."""
-    stored, wanted = (
-        set(channels_in(mask or 0))
-        for mask in (
-            device.parameters.stored_of(_REVERSED),
-            device.parameters.value_of(_REVERSED),
-        )
-    )
-    return stored ^ wanted
-
-
-@dataclass(frozen=True, slots=True)
-class _Value:
-    calibration: Calibration
-    reversed_: bool
-
-
 class PendingLearnedValues(QObject):
-    """Tells when what was taken has been written; an edit that is taken back is forgotten.
+    """Edits the draft, then reports when the values have been written.
 
-    So is everything when the line goes, or another board comes.
+    A value that is undone or edited again is forgotten; so is everything when the connection is
+    lost or another board is connected.
 
     Signals:
-        stored: the channels whose values have just been written and read back.
+        stored: the channels whose values have just been written and verified.
     """
 
     stored = Signal(object)
@@ -81,23 +29,53 @@ class PendingLearnedValues(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
-        self._waiting: dict[int, _Value] = {}
+        self._waiting: dict[int, Choice] = {}
 
         device.applied.connect(self._on_applied)
         device.link_changed.connect(self._on_link_changed)
         device.draft.pending_changed.connect(self._on_pending_changed)
 
-    def wait_for(self, channels: Sequence[LearnedChannel]) -> None:
-        """Wait for what is chosen for these channels, which are edits now."""
-        self._waiting = {
-            channel.number: _Value(channel.choice.calibration, channel.choice.reversed_)
-            for channel in channels
-            if channel.choice is not None
-        }
+    def edit(self, choices: dict[int, Choice], name: str) -> bool:
+        """Edit these channels in one undo step with this name.
+
+        Returns whether an edit is pending now: `False` if all values are stored already.
+        """
+        reversed_ = self._wanted_reversed()
+        with self._device.draft.one_edit(name):
+            for number, choice in choices.items():
+                self._device.calibrations.edit(number, choice.calibration)
+                reversed_.discard(number)
+                if choice.reversed_:
+                    reversed_.add(number)
+            if self._device.parameters.knows(_REVERSED):
+                self._device.parameters.edit(_REVERSED, channel_mask(reversed_), alone=True)
+        is_pending = any(map(self.has_edit, choices))
+        self._waiting = dict(choices) if is_pending else {}
+        return is_pending
 
     def forget(self) -> None:
-        """Wait for nothing any more."""
         self._waiting = {}
+
+    def has_edit(self, number: int) -> bool:
+        """Whether an edit of a channel's calibration or of its direction is pending."""
+        return self._calibration_edits((number,)) > 0 or number in self._turned()
+
+    def other_edits(self, numbers: Sequence[int]) -> int:
+        """Return how many pending edits are not of these channels."""
+        turned = self._turned()
+        own = self._calibration_edits(numbers) + bool(turned and turned <= set(numbers))
+        return self._device.draft.pending - own
+
+    def _calibration_edits(self, numbers: Iterable[int]) -> int:
+        return sum(key.channel in numbers for key, _ in self._device.calibrations.pending)
+
+    def _turned(self) -> set[int]:
+        """Return the channels whose direction a pending edit would change."""
+        stored = channels_in(self._device.parameters.stored_of(_REVERSED) or 0)
+        return self._wanted_reversed() ^ set(stored)
+
+    def _wanted_reversed(self) -> set[int]:
+        return set(channels_in(self._device.parameters.value_of(_REVERSED) or 0))
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
@@ -106,9 +84,9 @@ class PendingLearnedValues(QObject):
         is_turned = any(result.key == _REVERSED for result in good)
         found = tuple(
             number
-            for number, value in self._waiting.items()
+            for number, choice in self._waiting.items()
             if (number in written or is_turned)
-            and self._device.calibrations.stored(number) == value.calibration
+            and self._device.calibrations.stored(number) == choice.calibration
         )
         for number in found:
             del self._waiting[number]
@@ -122,11 +100,11 @@ class PendingLearnedValues(QObject):
 
     @Slot()
     def _on_pending_changed(self) -> None:
-        calibrations, parameters = self._device.calibrations, self._device.parameters
-        reversed_ = channels_in(parameters.value_of(_REVERSED) or 0)
+        shown, reversed_ = self._device.calibrations.shown, self._wanted_reversed()
+        has_directions = self._device.parameters.knows(_REVERSED)
         self._waiting = {
-            number: value
-            for number, value in self._waiting.items()
-            if calibrations.shown(number) == value.calibration
-            and (not parameters.knows(_REVERSED) or (number in reversed_) is value.reversed_)
+            number: choice
+            for number, choice in self._waiting.items()
+            if shown(number) == choice.calibration
+            and (not has_directions or (number in reversed_) is choice.reversed_)
         }

@@ -1,4 +1,4 @@
-"""When channels can be learned: no motor can move, and all are at standstill."""
+"""Preconditions of learning channels: no motor can move, and all are at standstill."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -12,18 +12,19 @@ from trex_gui.ui.runtime import runtime
 class CalibrationPreconditions(QObject):
     """Watches a board whose channels are learned or tested.
 
-    In RC and analog mode the sticks drive the motors, and the board takes no settings: there
-    is no learning there at all. Serial override (channel 5) changes nothing about that;
-    the next move of its switch gives the motors back to the sticks.
+    In RC and analog mode the sticks drive the motors, and the board takes no settings, so
+    channels cannot be learned. Serial override (channel 5) does not change that: the next move
+    of its switch gives the motors back to the sticks.
     Ref: Pololu TReX User's Guide 4.a; command documentation 0x82, 0xA0-0xA4, 0xAF.
 
-    Signals:
-        broken: why it cannot go on, as a sentence; once, and only between `begin` and `end`.
+    Armed motors are a violation only while sticks are to be moved: the user may drive during the
+    review.
 
-    Armed motors end it only while sticks are to be moved: who looks at a result may drive.
+    Signals:
+        violated: the reason, for the user; once, and only between `begin` and `end`.
     """
 
-    broken = Signal(str)
+    violated = Signal(str)
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -42,75 +43,74 @@ class CalibrationPreconditions(QObject):
         return self._source or self._device.calibrations.source
 
     def begin(self) -> None:
-        """Watch from now on."""
         self._watching = True
         self._source = self._device.calibrations.source
 
     def end(self) -> None:
-        """Watch no longer."""
         self._watching = False
 
     def watch_motors(self, watch: bool) -> None:
-        """Say whether armed motors end it; those that are already do it at once."""
+        """Set whether armed motors are a violation; motors that are armed already count."""
         self._with_motors = watch
         self._on_arming_changed()
 
-    def why_not(self) -> str:
-        """Return why sticks must not be moved now; empty if they move nothing."""
+    @property
+    def blocker(self) -> str:
+        """Why sticks must not be moved now, for the user; empty if they move nothing."""
         state = self._device.state
         if self._device.link is not ConnectionState.CONNECTED or state is None:
             return self.tr("Connect to a board first.")
         if not state.mode.is_serial:
-            mode = state.mode.source.value
             if self._device.telemetry.serial_controls:
                 why = self.tr(
                     "The board is in {0} mode. Channel 5 has given the motors to the serial "
                     "line, but with the next move of its switch the sticks drive the motors "
-                    "again; and the board takes no settings."
+                    "again; and the board accepts no settings. Switch it off, take the mode jumper "
+                    "off and switch it on."
                 )
             else:
                 why = self.tr(
-                    "The board is in {0} mode: the sticks drive the motors, and it takes no "
-                    "settings."
+                    "The board is in {0} mode: the sticks drive the motors, and it accepts no "
+                    "settings. Switch it off, take the mode jumper off and switch it on."
                 )
-            what = self.tr("Switch it off, take the mode jumper off, switch it on.")
-            return f"{why.format(mode)} {what}"
+            return why.format(state.mode.source.value)
         if self._device.applying:
             return self.tr("Settings are being written.")
         return ""
 
-    def _break(self, text: str) -> None:
+    def _report(self, text: str) -> None:
         if self._watching:
             self.end()
-            self.broken.emit(text)
+            self.violated.emit(text)
 
     @Slot()
     def _on_link_changed(self) -> None:
         link = self._device.link
         if link is ConnectionState.NOT_RESPONDING:
-            self._break(
+            self._report(
                 self.tr("The board has stopped responding: its power or its cable was cut.")
             )
         elif link is not ConnectionState.CONNECTED:
-            self._break(self.tr("The line to the board is gone."))
+            self._report(self.tr("The line to the board is gone."))
 
     @Slot()
     def _on_state_changed(self) -> None:
         state = self._device.state
         if state is None:
-            self._break(self.tr("The line to the board is gone."))
+            self._report(self.tr("The line to the board is gone."))
         elif not state.mode.is_serial or state.source is not self._source:
-            self._break(self.tr("The board was started in another mode. ") + self.why_not())
+            text = self.tr("The board was started in another mode.")
+            self._report(f"{text} {self.blocker}".rstrip())
 
     @Slot()
     def _on_arming_changed(self) -> None:
         if self._with_motors and self._device.motors.armed:
-            self._break(self.tr("The motors were armed, so this has ended."))
+            self._report(self.tr("The motors were armed, so this has ended."))
 
     @Slot()
     def _on_updated(self) -> None:
         if self._device.telemetry.serial_controls is False:
-            self._break(self.tr("The sticks drive the motors now: the channels are in control."))
+            self._report(self.tr("The sticks drive the motors now: the channels are in control."))
 
 
 _QUIET = 3
@@ -122,19 +122,19 @@ average of 64 samples and wavers by one; that is 0.38 A of a TReX, 0.1 A of a TR
 
 
 class StandstillCheck(QObject):
-    """Stops the motors, waits for the proof, then watches the currents.
+    """Stops the motors, waits for the confirmation, then watches the currents.
 
-    The confirmation says that the board took the stop, not that nothing drives the motors again:
-    another controller may hang on the same line (User's Guide 5: one UART for both
-    connectors). In joint mode the board measures no current; then the proof has to do.
+    The confirmation says that the board accepted the stop, not that nothing drives the motors
+    again: another controller may be on the same line (User's Guide 5: one UART for both
+    connectors). In joint mode the board measures no current; then the confirmation has to do.
 
     Signals:
-        stood: the stop is confirmed, and no current flows.
+        confirmed: the stop is confirmed, and no current flows.
         doubted: the stop is confirmed, but a motor draws a current; which and how much.
         failed: the stop is not confirmed; why.
     """
 
-    stood = Signal()
+    confirmed = Signal()
     doubted = Signal(str)
     failed = Signal(str)
 
@@ -148,14 +148,14 @@ class StandstillCheck(QObject):
         self._timer.timeout.connect(self._on_timeout)
         device.telemetry.updated.connect(self._on_updated)
 
-    def stop(self) -> None:
-        """Stop the motors and look; what was looked for before is given up."""
-        self.give_up()
+    def begin(self) -> None:
+        """Stop the motors; a check that is running is cancelled."""
+        self.cancel()
         run = self._run
         self._device.driving.stop(lambda error: self._on_stopped(run, error))
 
-    def give_up(self) -> None:
-        """Tell nothing more."""
+    def cancel(self) -> None:
+        """Emit no more signals for this run."""
         self._run += 1
         self._since = None
         self._timer.stop()
@@ -164,10 +164,10 @@ class StandstillCheck(QObject):
         if run != self._run:
             return
         if error is not None:
-            self.give_up()
+            self.cancel()
             self.failed.emit(str(error))
             return
-        # Readings from before the stop may still be on their way to us; they are quickly past.
+        # Readings from before the stop may still arrive; they are quickly past.
         self._since = self._device.telemetry.latest
         self._timer.start(round(self._device.timeouts.standstill * 1000))
 
@@ -176,8 +176,8 @@ class StandstillCheck(QObject):
         if self._since is not None and all(
             len(readings) == _QUIET and max(readings) <= self._limit for readings in self._last()
         ):
-            self.give_up()
-            self.stood.emit()
+            self.cancel()
+            self.confirmed.emit()
 
     @Slot()
     def _on_timeout(self) -> None:
@@ -186,11 +186,11 @@ class StandstillCheck(QObject):
             for motor, readings in enumerate(self._last(), 1)
             if readings and max(readings) > self._limit
         ]
-        self.give_up()
+        self.cancel()
         if drawing:
             self.doubted.emit(self.tr(" and ").join(drawing))
         else:
-            self.stood.emit()
+            self.confirmed.emit()
 
     @property
     def _limit(self) -> float:

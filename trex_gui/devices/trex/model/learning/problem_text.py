@@ -1,4 +1,4 @@
-"""The sentences for what can be wrong with a channel while it is learned."""
+"""Sentences for the problems of a channel that is learned."""
 
 from PySide6.QtCore import QCoreApplication
 
@@ -11,62 +11,55 @@ def problem_text(problem: Problem) -> str:
 
 
 def problems_text(problems: tuple[Problem, ...]) -> str:
-    """Return one sentence after the other."""
     return " ".join(map(problem_text, problems))
 
 
 def _texts() -> dict[tuple[ProblemKind, str], str]:
     """Return the sentences by kind and variant; translated anew, since the language can change."""
     kind = ProblemKind
+    open_input = _tr("An input to which nothing is connected does that, too.")
+    moved = _tr("It moved during sampling, between {0} and {1}. Let go of it and sample again.")
+    noisy = _tr(
+        "At rest its noise is {0}: a deadband that holds it still would take a quarter of the "
+        "travel. Repair the cable, the supply or the stick first."
+    )
     return {
         (kind.NO_SIGNAL, "RC"): _tr(
-            "No signal: no valid pulse comes in. Is the transmitter on, and the receiver's cable "
-            "in this channel?"
+            "No signal: no valid pulse arrives. Is the transmitter on, and is the receiver "
+            "connected to this channel?"
         ),
-        (kind.NO_SIGNAL, "ANALOG"): _tr("No signal comes in."),
-        (kind.MOVED, "RC"): _tr(
-            "It moved during sampling, between {0} and {1}. Take your hands off and sample again."
-        ),
-        (kind.MOVED, "ANALOG"): _tr(
-            "It moved during sampling, between {0} and {1}. Take your hands off and sample again. "
-            "An input to which nothing is connected does that, too."
-        ),
+        (kind.NO_SIGNAL, "ANALOG"): _tr("No signal."),
+        (kind.MOVED, "RC"): moved,
+        (kind.MOVED, "ANALOG"): f"{moved} {open_input}",
         (kind.MOVED, "UP"): _tr(
-            "It drifted up by {0} during sampling. Take your hands off and sample again; if it "
+            "It drifted up by {0} during sampling. Let go of it and sample again; if it "
             "continues, the stick or the transmitter warms up or is worn."
         ),
         (kind.MOVED, "DOWN"): _tr(
-            "It drifted down by {0} during sampling. Take your hands off and sample again; if it "
+            "It drifted down by {0} during sampling. Let go of it and sample again; if it "
             "continues, the stick or the transmitter warms up or is worn."
         ),
         (kind.JITTER, "LOST"): _tr(
             "The signal comes and goes: {0:.0%} of the samples had no valid pulse. Bring the "
-            "transmitter nearer, or check aerial and cable."
+            "transmitter nearer, or check antenna and cable."
         ),
         (kind.JITTER, "SPIKES"): _tr(
             "{0} of {1} pulses were far from all others: the radio link is poor, or the cable "
             "picks up noise."
         ),
         (kind.JITTER, "STUCK"): _tr(
-            "About {0:.0%} of the pulses do not arrive, as far as can be estimated: the value "
-            "often stays the same where it otherwise varies. Bring the transmitter nearer, or "
-            "check aerial and cable. Less than a third, or losses of a steadier signal, are not "
-            "noticed: the board repeats the last value."
+            "About {0:.0%} of the pulses are lost (estimated: the value often repeats where it "
+            "otherwise varies). Bring the transmitter nearer, or check antenna and cable. The "
+            "board repeats the last value, so that losses below a third, or of a steadier "
+            "signal, go unnoticed."
         ),
-        (kind.NOISE, "RC"): _tr(
-            "At rest its noise is {0}: a deadband that holds it still would take a quarter of the "
-            "travel. Repair the cable, the supply or the stick first."
-        ),
-        (kind.NOISE, "ANALOG"): _tr(
-            "At rest its noise is {0}: a deadband that holds it still would take a quarter of the "
-            "travel. Repair the cable, the supply or the stick first. An input to which nothing is "
-            "connected does that, too."
-        ),
+        (kind.NOISE, "RC"): noisy,
+        (kind.NOISE, "ANALOG"): f"{noisy} {open_input}",
         (kind.NOISE, "CREEP"): _tr(
             "At rest the noise is {0}, more than the deadband ({1}): the motor would creep."
         ),
         (kind.NEVER_MOVED, "RC"): _tr(
-            "It never moved: a steady signal comes in. Either another stick belongs to this "
+            "It never moved, although a steady signal arrives. Either another stick controls this "
             "channel, or it was not moved."
         ),
         (kind.NEVER_MOVED, "ANALOG"): _tr(
@@ -111,8 +104,8 @@ def _texts() -> dict[tuple[ProblemKind, str], str]:
             "push it to each and hold it for {0:.1f} s."
         ),
         (kind.NEUTRAL_OUTSIDE, ""): _tr(
-            "Its rest ({0}) is not between the ends that it went to ({1} and {2}). Was a trim "
-            "moved? Begin again with the sticks at rest."
+            "Its rest position ({0}) is not between its ends ({1} and {2}). Was a trim moved? "
+            "Begin again with the sticks at rest."
         ),
         (kind.UNEVEN, "BELOW"): _tr(
             "It went {0} to one side, {1} below. Was it pushed all the way?"
@@ -127,8 +120,8 @@ def _texts() -> dict[tuple[ProblemKind, str], str]:
         ),
         (kind.NEUTRAL_MOVED, "MEASURED"): _tr(
             "After letting go it rests at {0}, not at {1}, and would give {2} there. Was a hand on "
-            "it during sampling, or was a trim moved? Go back and sample it again, or take the new "
-            "rest."
+            "it during sampling, or was a trim moved? Go back and sample it again, or use the new "
+            "rest position."
         ),
         (kind.USELESS, ""): "{0}",
         (kind.USELESS, "UP"): _tr(
@@ -158,7 +151,8 @@ def _texts() -> dict[tuple[ProblemKind, str], str]:
             "Check that no trim and no broken wire brings it there."
         ),
         (kind.SWITCHES_AT_REST, ""): _tr(
-            "Its rest ({0}) is too near to where it switches ({1}): it may switch by itself."
+            "Its rest position ({0}) is too close to its switching point ({1}): it may switch by "
+            "itself."
         ),
         (kind.NEVER_SWITCHES, "ACTIVE"): _tr(
             "It is active in all its positions: none lies beyond {0}, where it switches. Should it "

@@ -1,72 +1,175 @@
-"""What the board would make of the sticks with what it stores, while they are pushed about."""
+"""Tests whether the stored calibrations give full output at both ends and none at rest.
 
-from collections.abc import Sequence
+The outputs are calculated here, each channel by itself: those that the board reports are already
+mixed and flipped.
+"""
 
-from trex_gui.devices.trex.calibration.proof import (
-    StickTest,
-    Tested,
-    idle_side,
-    what_keeps_safe_start,
-)
-from trex_gui.devices.trex.calibration.samples import LIMITS
-from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
+from collections.abc import Mapping, Sequence
+
+from trex_gui.devices.trex.calibration.neutral import LIMITS
+from trex_gui.devices.trex.calibration.travel import TASKS, Task
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.learning.channels import stored_curve
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, NEARLY_NEUTRAL, Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+
+_HELD = 3
+"""Samples in a row (60 ms) that make an end reached."""
+
+_REST_SECONDS = 0.5
+"""How long a channel has to give 0 to be at rest."""
+
+
+class StickTest:
+    """Follows the output of one channel.
+
+    Attributes:
+        output: -127 to 127 now; `None` without a signal.
+        forward, reverse: full output was reached on that side.
+        is_at_rest: it has given 0 for a while.
+        on, off: a switch was seen active, inactive.
+        ignored: the board ignores it, so there is nothing to test.
+        passed: everything that the channel is for was seen, and it rests now.
+        was_good: it had passed at some time.
+    """
+
+    def __init__(self, channel: int) -> None:
+        self.channel = channel
+        self.output: int | None = None
+        self.forward = self.reverse = False
+        self.is_at_rest = False
+        self.on = self.off = False
+        self.ignored = False
+        self.passed = self.was_good = False
+        self._full = {1: 0, -1: 0}  # samples in a row with full output, by its sign
+        self._switched = {False: 0, True: 0}
+        self._zero_since: float | None = None
+
+    def feed(
+        self,
+        time: float,
+        output: int | None,
+        *,
+        switched: bool = False,
+        idle: int = 0,
+        ignored: bool = False,
+    ) -> None:
+        """Process the present output.
+
+        `switched` says whether a switch is active; `idle` is the sign of the output on the side
+        to which a throttle never goes (`idle_side`).
+        """
+        task = TASKS[self.channel]
+        self.output, self.ignored = output, ignored
+        for sign in self._full:
+            is_full = output == sign * FULL_SCALE and (task is not Task.ONE_WAY or sign != idle)
+            self._full[sign] = self._full[sign] + 1 if is_full else 0
+        self.forward |= self._full[1] >= _HELD
+        self.reverse |= self._full[-1] >= _HELD
+        if output is not None:
+            self._switched[switched] += 1
+        self.on, self.off = (self._switched[state] >= _HELD for state in (True, False))
+        if output != 0:
+            self._zero_since = None
+        elif self._zero_since is None:
+            self._zero_since = time
+        self.is_at_rest = self._zero_since is not None and time - self._zero_since >= _REST_SECONDS
+        match task:
+            case Task.SWITCH:
+                good = self.on and self.off and output is not None
+            case Task.ONE_WAY:
+                good = self.is_at_rest and (self.forward or self.reverse)
+            case Task.STICK:
+                good = self.is_at_rest and self.forward and self.reverse
+        self.passed = good and not ignored
+        self.was_good |= self.passed
+
+    @property
+    def text(self) -> str:
+        """What is still to be done, or that the channel is good."""
+        if self.ignored:
+            return "Ignored: the board holds it at neutral. There is nothing to test."
+        if self.output is None:
+            return "No signal."
+        if self.passed:
+            return "Good."
+        task = TASKS[self.channel]
+        if task is Task.SWITCH:
+            if not self.off and not self.on:
+                return "Move the switch to all its positions."
+            now = "off" if self.off else "on"
+            return f"Seen {now} only. Move the switch to its other position."
+        ends = {"forward (+127)": self.forward, "reverse (−127)": self.reverse}
+        missing = [name for name, seen in ends.items() if not seen]
+        if not missing or (task is Task.ONE_WAY and len(missing) == 1):
+            return self._rest_text(self.output)
+        if task is Task.ONE_WAY:
+            return "Full output not reached yet. Push it all the way."
+        return f"Full output not reached yet: {' and '.join(missing)}."
+
+    def _rest_text(self, output: int) -> str:
+        if output == 0:
+            return "Full output reached. Let it rest for a moment."
+        now = f"{output:+d}".replace("-", "−")
+        return f"Full output reached. Let go: at rest it must give 0, now it gives {now}."
+
+
+def idle_side(calibration: Calibration, *, reversed_: bool) -> int:
+    """Return the sign of the output on the shorter side of rest; 0 when both are as long.
+
+    A throttle that rests at one end of its travel has that end only just beyond its rest: the
+    trim alone reaches it, and that shows nothing.
+    """
+    up = calibration.maximum - calibration.neutral
+    down = calibration.neutral - calibration.minimum
+    if up == down:
+        return 0
+    return -1 if (up > down) != reversed_ else 1
+
+
+def safe_start_blockers(
+    outputs: Mapping[int, int | None], required: int, *, rc: bool, override: bool, joint: bool
+) -> tuple[str, ...]:
+    """Say why the motors would stay off after power-up with the channels in control.
+
+    Ref: TReX Jr User's Guide 4.e; how near to neutral is near is inferred. `outputs` are those
+    of each channel by itself, `required` is the parameter's mask, `override` says whether
+    channel 5 is active.
+    """
+    reasons = [
+        f"channel {channel} is required and has no signal"
+        for channel in channels_in(required)
+        if rc and outputs.get(channel) is None
+    ]
+    for channel in (1, 3) if joint else (1, 2, 3):
+        output = outputs.get(channel)
+        if output is not None and abs(output) > NEARLY_NEUTRAL:
+            reasons.append(f"channel {channel} gives {output:+d}".replace("-", "−"))
+    if override:
+        reasons.append("channel 5 overrides")
+    return tuple(reasons)
 
 
 class StickTests:
     """Tests some channels; the others only count for safe-start.
 
-    The outputs are worked out here, each channel by itself: what the board answers is mixed
-    and flipped already.
+    Attributes:
+        tests: of the channels that are tested.
     """
 
     def __init__(self, device: Device, numbers: Sequence[int]) -> None:
+        self.tests = tuple(StickTest(number) for number in numbers)
         self._device = device
-        self._tests = {number: StickTest(number) for number in numbers}
         self._outputs: dict[int, int | None] = {}
         self._reached: dict[int, tuple[int, int]] = {}
         self._override = False
-        self._heard = False
-
-    @property
-    def tested(self) -> tuple[Tested, ...]:
-        """What was seen of each channel."""
-        return tuple(test.tested for test in self._tests.values())
-
-    @property
-    def passed(self) -> bool:
-        """Whether everything that is tested is good now, and safe-start would let go."""
-        return self.channels_passed and not self.safe_start_reasons
-
-    @property
-    def channels_passed(self) -> bool:
-        """Whether every channel that is tested is good now, whatever the others do."""
-        tested = [tested for tested in self.tested if not tested.ignored]
-        return bool(tested) and all(tested.passed for tested in tested)
-
-    @property
-    def all_ignored(self) -> bool:
-        """Whether the board takes no notice of any of them."""
-        return all(tested.ignored for tested in self.tested)
-
-    @property
-    def to_learn_again(self) -> tuple[int, ...]:
-        """The channels that were moved and are not good so far: to learn them may help."""
-        return tuple(
-            tested.channel
-            for tested in self.tested
-            if tested.output is not None
-            and not (tested.was_good or tested.ignored)
-            and self._has_moved(tested.channel)
-        )
 
     def feed(self, moment: float, counts: Sequence[int | None]) -> None:
-        """Take the raw counts of all channels."""
-        self._heard = True
-        for channel in CHANNELS:
-            raw, curve = counts[CHANNELS.index(channel)], self._curve(channel)
+        """Process the raw counts of all channels."""
+        tests = {test.channel: test for test in self.tests}
+        for channel, raw in zip(CHANNELS, counts, strict=True):
+            curve = stored_curve(self._device, channel)
             output = None if raw is None or curve is None else curve.output(raw)
             switched = curve is not None and curve.is_switched(channel, raw)
             self._outputs[channel] = output
@@ -75,8 +178,8 @@ class StickTests:
                 self._reached[channel] = min(low, raw), max(high, raw)
             if channel == 5:
                 self._override = switched
-            if channel in self._tests and curve is not None:
-                self._tests[channel].feed(
+            if channel in tests and curve is not None:
+                tests[channel].feed(
                     moment,
                     output,
                     switched=switched,
@@ -87,54 +190,62 @@ class StickTests:
     @property
     def heard(self) -> bool:
         """Whether anything was measured so far."""
-        return self._heard
+        return bool(self._outputs)
 
     @property
-    def mode(self) -> str:
-        """The mode in which the channels would be in control: `RC` or `analog`."""
-        return "RC" if self._is_rc else "analog"
+    def passed(self) -> bool:
+        """Whether every tested channel is good now, and safe-start would release the motors."""
+        return self.channels_passed and not self.safe_start_reasons
 
     @property
-    def safe_start_reasons(self) -> tuple[str, ...]:
-        """Why safe-start would hold the motors now if the channels were in control."""
-        if not self._heard:
-            return ()
-        return what_keeps_safe_start(
-            self._outputs,
-            self._device.parameters.stored_of(ParameterKey.REQUIRED_CHANNELS) or 0,
-            rc=self._is_rc,
-            override=self._override,
-            joint=self._device.parameters.stored_of(ParameterKey.MOTOR_MODE) == 1,
+    def channels_passed(self) -> bool:
+        """Whether every tested channel is good now, whatever the others do."""
+        return not self.all_ignored and all(test.passed or test.ignored for test in self.tests)
+
+    @property
+    def all_ignored(self) -> bool:
+        return all(test.ignored for test in self.tests)
+
+    @property
+    def to_learn_again(self) -> tuple[int, ...]:
+        """The channels that were moved and are not good so far: learning them may help."""
+        return tuple(
+            test.channel
+            for test in self.tests
+            if test.output is not None
+            and not (test.was_good or test.ignored)
+            and self._has_moved(test.channel)
         )
-
-    @property
-    def safe_start_text(self) -> str:
-        """Whether safe-start would end now if the channels were in control."""
-        if not self._heard:
-            return ""
-        if reasons := self.safe_start_reasons:
-            because = "; ".join(reasons)
-            return f"In {self.mode} mode safe-start would hold the motors now: {because}."
-        return f"In {self.mode} mode safe-start would release the motors now."
-
-    @property
-    def _is_rc(self) -> bool:
-        return self._device.calibrations.source is InputSource.RC
 
     def _has_moved(self, channel: int) -> bool:
         low, high = self._reached.get(channel, (0, 0))
         return high - low > LIMITS[self._device.calibrations.source].moved
 
-    def _curve(self, channel: int) -> ChannelCurve | None:
-        calibration = self._device.calibrations.stored(channel)
-        if calibration is None:
-            return None
-        return ChannelCurve(
-            calibration,
-            reversed_=self._has(ParameterKey.REVERSED_CHANNELS, channel),
-            parabolic=self._has(ParameterKey.PARABOLIC_CHANNELS, channel),
-            ignored=self._has(ParameterKey.IGNORED_CHANNELS, channel),
+    @property
+    def mode(self) -> str:
+        """The mode in which the channels would be in control: `RC` or `analog`."""
+        return self._device.calibrations.source.value
+
+    @property
+    def safe_start_reasons(self) -> tuple[str, ...]:
+        """Why safe-start would hold the motors now if the channels were in control."""
+        if not self.heard:
+            return ()
+        stored_of = self._device.parameters.stored_of
+        return safe_start_blockers(
+            self._outputs,
+            stored_of(ParameterKey.REQUIRED_CHANNELS) or 0,
+            rc=self._device.calibrations.source is InputSource.RC,
+            override=self._override,
+            joint=stored_of(ParameterKey.MOTOR_MODE) == 1,
         )
 
-    def _has(self, key: str, channel: int) -> bool:
-        return channel in channels_in(self._device.parameters.stored_of(key) or 0)
+    @property
+    def safe_start_text(self) -> str:
+        """Whether safe-start would release the motors now if the channels were in control."""
+        if not self.heard:
+            return ""
+        if reasons := self.safe_start_reasons:
+            because = "; ".join(reasons)
+            return f"In {self.mode} mode safe-start would hold the motors now: {because}."
+        return f"In {self.mode} mode safe-start would release the motors now."

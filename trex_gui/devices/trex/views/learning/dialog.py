@@ -2,43 +2,74 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, Qt, Slot
+from PySide6.QtCore import QEvent, QSize, Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.devices.trex.views.learning.measuring_pages import ChannelRows, RestPage, TravelPage
-from trex_gui.devices.trex.views.learning.review_page import ReviewPage
-from trex_gui.devices.trex.views.learning.step_strip import StepStrip
-from trex_gui.devices.trex.views.learning.test_page import TestPage
+from trex_gui.devices.trex.views.learning.live_pages import (
+    ChannelRows,
+    RestRow,
+    TestPage,
+    TravelRow,
+)
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
-_PAGES: dict[LearningStep, type[RestPage | TravelPage | ReviewPage | TestPage]] = {
-    LearningStep.NEUTRAL: RestPage,
-    LearningStep.TRAVEL: TravelPage,
-    LearningStep.REVIEW: ReviewPage,
-    LearningStep.TEST: TestPage,
-}
+_PLACES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW: 3}
+"""Where a step is in the row of steps; others are in place 0, the test in 1."""
 
-_PLACES = {
-    LearningStep.STOPPING: 0,
-    LearningStep.DOUBT: 0,
-    LearningStep.NEUTRAL: 1,
-    LearningStep.TRAVEL: 2,
-    LearningStep.REVIEW: 3,
-    LearningStep.TEST: 1,
-}
+
+class StepStrip(QLabel):
+    """The steps of a wizard in a row, or the current one alone if there is no room for all."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._steps: Sequence[str] = ()
+        self._now = 0
+        self.setTextFormat(Qt.TextFormat.RichText)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+        theme().changed.connect(self._fit)
+
+    def show_steps(self, steps: Sequence[str], now: int) -> None:
+        if (steps, now) != (self._steps, self._now):
+            self._steps, self._now = steps, now
+            self.setAccessibleName(steps[now])
+            self._fit()
+
+    def minimumSizeHint(self) -> QSize:
+        widest = max(map(self.fontMetrics().horizontalAdvance, self._steps), default=0)
+        return QSize(round(1.3 * widest), super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    @Slot()
+    def _fit(self) -> None:
+        muted = theme().color("muted").name()
+        steps = [
+            f"✓ {step}"
+            if number < self._now
+            else f"<b>▸ {step}</b>"
+            if number == self._now
+            else f'<span style="color:{muted}">{step}</span>'
+            for number, step in enumerate(self._steps)
+        ]
+        self.setText("&nbsp;&nbsp;&nbsp; ".join(steps))
+        if steps and self.sizeHint().width() > self.width():
+            self.setText(f"<b>{self._now + 1}/{len(steps)}: {self._steps[self._now]}</b>")
 
 
 class LearnDialog(QDialog):
     """Shows one step at a time; the red button of the window can always be pressed.
 
-    Esc stops the motors, as everywhere, and ends it. Nothing is changed before Take. Asked for
-    while it is at work, it only comes forward: what was measured so far is not thrown away.
+    Esc stops the motors, as everywhere, and ends it. Nothing is changed before Use these values.
+    Opening it again while it is learning only brings it forward, so that no measurement is lost.
     """
 
     def __init__(self, learning: Learning, parent: QWidget | None = None) -> None:
@@ -49,53 +80,54 @@ class LearnDialog(QDialog):
         self._shown: tuple[LearningStep, object] | None = None
         self._page: QWidget | None = None
         self._offers_test = False
+        self._place = 0
 
         self._steps = StepStrip(self)
         self._head = ui.named(Note(2, self), "learnHead")
         self._back = ui.button(self, "learnBackButton", self.tr("Back"), on_click=learning.back)
         self._again = ui.button(self, "learnAgainButton", icon="reload", on_click=learning.again)
         self._learn_again = ui.button(
-            self, "learnChannelAgainButton", icon="calibrate", on_click=self._on_learn_again
-        )
-        self._next = ui.button(self, "learnNextButton", self.tr("Next"), on_click=learning.next)
-        self._take = ui.button(
             self,
-            "learnTakeButton",
+            "learnChannelAgainButton",
+            icon="calibrate",
+            tip=self.tr("If a channel does not get a good result, learn its values again."),
+            on_click=self._on_learn_again,
+        )
+        self._next = ui.button(self, "learnNextButton", on_click=learning.next)
+        self._use = ui.button(
+            self,
+            "learnUseButton",
             self.tr("Use these values…"),
             icon="apply",
-            on_click=learning.take,
+            on_click=learning.use_values,
         )
-        self._test = ui.button(self, "learnTestButton", self.tr("Stop the motors and test"))
-        self._cancel = ui.button(self, "learnCancelButton")
+        self._test = ui.button(
+            self,
+            "learnTestButton",
+            self.tr("Stop the motors and test"),
+            on_click=lambda: self.test(learning.numbers),
+        )
+        self._cancel = ui.button(self, "learnCancelButton", on_click=self.close)
 
-        buttons = ui.row(
-            self._again,
-            self._learn_again,
-            1,
-            self._back,
-            self._next,
-            self._take,
-            self._test,
-            self._cancel,
-        )
+        left = self._again, self._learn_again
+        right = self._back, self._next, self._use, self._test, self._cancel
         self._body = QVBoxLayout()
-        ui.column(self._steps, self._head, (self._body, 1), buttons, into=self, spacing=10)
+        column = self._steps, self._head, (self._body, 1), ui.row(*left, 1, *right)
+        ui.column(*column, into=self, spacing=10)
 
-        self._test.clicked.connect(lambda: self.test(learning.numbers))
-        self._cancel.clicked.connect(self.close)
         learning.changed.connect(self._on_changed)
         learning.measured.connect(self._on_measured)
         learning.stored.connect(self._on_stored)
 
     def learn(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Learn these channels, unless some are learned already; the motors are stopped first."""
+        """Learn these channels unless it is learning already; the motors are stopped first."""
         if not self._is_learning:
             self._offers_test = False
             self._learning.begin(channels)
         self._come_forward()
 
     def test(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Test the sticks on what is stored; the motors are stopped first."""
+        """Test the sticks with the stored values; the motors are stopped first."""
         if not self._is_learning:
             self._offers_test = False
             self._learning.begin_test(channels)
@@ -103,12 +135,9 @@ class LearnDialog(QDialog):
 
     @property
     def _is_learning(self) -> bool:
-        """Whether there is something to lose; a test is begun again in no time."""
-        learning = self._learning
-        return not learning.is_test and learning.step not in {
-            LearningStep.ENDED,
-            LearningStep.FAILED,
-        }
+        """Whether measurements would be lost; a test is quickly repeated."""
+        ended = {LearningStep.ENDED, LearningStep.FAILED}
+        return not self._learning.is_test and self._learning.step not in ended
 
     def _come_forward(self) -> None:
         self.show()
@@ -126,7 +155,7 @@ class LearnDialog(QDialog):
         return super().event(event)
 
     def reject(self) -> None:
-        """Esc and Cancel leave everything as it was."""
+        """Leave everything unchanged on Esc and Cancel."""
         self._learning.cancel()
         super().reject()
 
@@ -139,23 +168,22 @@ class LearnDialog(QDialog):
         self._fit_head()
 
     def _fit_head(self) -> None:
-        """Keep the room for all that the head says: where it is narrow, what is below shrinks."""
-        layout = self.layout()
-        if layout is None:
-            return
-        margins = layout.contentsMargins()
-        width = self.width() - margins.left() - margins.right()
+        """Make room for all text of the head; in a narrow window the page below shrinks."""
+        width = self.contentsRect().width()
+        if layout := self.layout():
+            margins = layout.contentsMargins()
+            width -= margins.left() + margins.right()
         least = 2 * self._head.fontMetrics().lineSpacing()
         self._head.setMinimumHeight(max(least, self._head.heightForWidth(width)))
 
-    # --- What has changed ---------------------------------------------------------------
+    # --- Slots --------------------------------------------------------------------------
 
     @Slot()
     def _on_stored(self) -> None:
         if not self._learning.motors_armed:
             self.test(self._learning.numbers)
             return
-        # Somebody drives: only they stop the motors, and the keys they drive with stay theirs.
+        # The user is driving: the motors run on, and the keys stay with the window.
         self._offers_test = True
         self._show_page(None)
         self._describe()
@@ -171,10 +199,8 @@ class LearnDialog(QDialog):
 
     @Slot()
     def _on_measured(self) -> None:
-        if self._learning.sampling or self._learning.step in {
-            LearningStep.TEST,
-            LearningStep.TRAVEL,
-        }:
+        live = {LearningStep.TEST, LearningStep.TRAVEL}
+        if self._learning.sampling or self._learning.step in live:
             self._describe()
 
     @Slot()
@@ -184,20 +210,36 @@ class LearnDialog(QDialog):
             self._show_page(None)
             self.hide()
             return
-        # The channels are made anew when the rest is: then the page has to be, too.
+        # New channels or tests need a new page, too.
         subject = self._learning.tests if step is LearningStep.TEST else self._learning.channels
         if self._shown != (step, subject):
+            self._show_page(self._make_page(step))
             self._shown = (step, subject)
-            make = _PAGES.get(step)
-            self._show_page(QWidget(self) if make is None else self._scrolling(make))
         self._describe()
 
-    def _scrolling(self, make: type[RestPage | TravelPage | ReviewPage | TestPage]) -> QWidget:
-        page = make(self._learning)
+    # --- The page -----------------------------------------------------------------------
+
+    def _make_page(self, step: LearningStep) -> QWidget:
+        learning = self._learning
+        page: QWidget
+        match step:
+            case LearningStep.NEUTRAL:
+                page = ChannelRows(learning, "learnRestPage", RestRow)
+            case LearningStep.TRAVEL:
+                page = ChannelRows(learning, "learnTravelPage", TravelRow)
+            case LearningStep.REVIEW:
+                # pyqtgraph takes as long to load as Qt: import it only when it is needed.
+                from trex_gui.devices.trex.views.learning import review_page  # noqa: PLC0415
+
+                page = review_page.ReviewPage(learning)
+            case LearningStep.TEST if learning.tests is not None:
+                page = TestPage(learning, learning.tests)
+            case _:
+                return QWidget(self)
         box = ScrollBox(page, self)
         if isinstance(page, ChannelRows | TestPage):
             box.setMinimumHeight(page.least_seen)
-        box.setAccessibleName(self.tr("What is measured"))
+        box.setAccessibleName(self.tr("Measurements"))
         return box
 
     def _show_page(self, page: QWidget | None) -> None:
@@ -207,56 +249,53 @@ class LearnDialog(QDialog):
             self._page.setParent(None)
             self._page.deleteLater()
         self._page = page
-        if page is None:
-            self._shown = None
-        else:
+        self._shown = None
+        if page is not None:
             self._body.addWidget(page)
 
+    # --- Texts and buttons --------------------------------------------------------------
+
     def _describe(self) -> None:
-        """Let every word and button fit the step."""
+        """Update every text and button."""
         learning, step = self._learning, self._learning.step
-        if learning.is_test or self._offers_test:
-            self.setWindowTitle(self.tr("Test the sticks"))
-            self._steps.set_steps([self.tr("Stop the motors"), self.tr("Test every stick")])
+        testing = learning.is_test or self._offers_test
+        steps = [self.tr("Stop the motors")]
+        if testing:
+            steps += [self.tr("Test every stick")]
         else:
-            self.setWindowTitle(self.tr("Learn channels"))
-            self._steps.set_steps(
-                [
-                    self.tr("Stop the motors"),
-                    self.tr("Hands off the sticks"),
-                    self.tr("All sticks to all ends"),
-                    self.tr("Review"),
-                ]
-            )
-        if self._offers_test:
-            self._steps.show_step(0)
-        elif step in _PLACES:
-            self._steps.show_step(_PLACES[step])
+            steps += [
+                self.tr("Hands off the sticks"),
+                self.tr("All sticks to all ends"),
+                self.tr("Review"),
+            ]
+        self.setWindowTitle(self.tr("Test the sticks") if testing else self.tr("Learn channels"))
+        if step is not LearningStep.FAILED:
+            self._place = _PLACES.get(step, int(step is LearningStep.TEST))
+        self._steps.show_steps(steps, min(self._place, len(steps) - 1))
         self._head.show_note(self._head_text(), alarming=self._is_alarming())
         self._fit_head()
-        moving = step in {LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.DOUBT}
-        self._back.setVisible(step in {LearningStep.TRAVEL, LearningStep.REVIEW})
         self._describe_again()
-        self._next.setVisible(moving)
+        doubtful, reviewing = step is LearningStep.DOUBT, step is LearningStep.REVIEW
+        moving = step in {LearningStep.NEUTRAL, LearningStep.TRAVEL}
+        self._back.setVisible(step in {LearningStep.TRAVEL, LearningStep.REVIEW})
+        self._next.setVisible(moving or doubtful)
         self._next.setEnabled(learning.can_go_on)
-        self._next.setDefault(moving and step is not LearningStep.DOUBT)
-        doubtful = step is LearningStep.DOUBT
+        self._next.setDefault(moving)
         self._next.setText(
             self.tr("The motors are stopped: continue") if doubtful else self.tr("Next")
         )
-        self._take.setVisible(step is LearningStep.REVIEW)
-        self._take.setEnabled(learning.can_take)
-        self._take.setToolTip(self._take_tip())
-        self._take.setDefault(step is LearningStep.REVIEW)
+        self._use.setVisible(reviewing)
+        self._use.setEnabled(learning.can_use_values)
+        self._use.setToolTip(self._use_tip())
+        self._use.setDefault(reviewing)
         self._test.setVisible(self._offers_test)
         ends = step in {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
         self._cancel.setText(self.tr("Close") if ends else self.tr("Cancel"))
         self._cancel.setDefault(step is LearningStep.TEST or self._offers_test)
 
     def _describe_again(self) -> None:
-        """Say what it is that would be done again."""
         learning, step = self._learning, self._learning.step
-        names = {
+        texts = {
             LearningStep.NEUTRAL: (
                 self.tr("Sample again"),
                 self.tr("Measure the rest positions of all channels once more."),
@@ -275,35 +314,30 @@ class LearnDialog(QDialog):
             ),
         }
         retry = self.tr("Try again"), self.tr("Stop the motors again and begin again.")
-        text, tip = names.get(step, retry)
+        text, tip = texts.get(step, retry)
         self._again.setText(text)
         self._again.setToolTip(tip)
-        never = {LearningStep.STOPPING, LearningStep.ENDED}
+        never = step in {LearningStep.STOPPING, LearningStep.ENDED}
         waits = step is LearningStep.NEUTRAL and not (learning.has_sampled or learning.sampling)
-        self._again.setVisible(step not in never and not waits)
+        self._again.setVisible(not never and not waits)
         self._again.setEnabled(not learning.sampling)
         numbers = () if learning.tests is None else learning.tests.to_learn_again
+        text = self.tr("Learn channels {0} again")
         if len(numbers) == 1:
             text = self.tr("Learn channel {0} again")
-        else:
-            text = self.tr("Learn channels {0} again")
         self._learn_again.setText(text.format(", ".join(map(str, numbers))))
-        self._learn_again.setToolTip(
-            self.tr("If a channel does not get a good result, learn its values again.")
-        )
         self._learn_again.setVisible(step is LearningStep.TEST and bool(numbers))
 
     def _is_alarming(self) -> bool:
         learning = self._learning
-        failed_rest = (
-            learning.step is LearningStep.NEUTRAL
-            and learning.has_sampled
-            and not all(channel.is_at_rest for channel in learning.channels)
-        )
-        tests = learning.tests if learning.step is LearningStep.TEST else None
-        held = tests is not None and tests.channels_passed and not tests.passed
-        broken = learning.step in {LearningStep.FAILED, LearningStep.DOUBT} or learning.stalled
-        return broken or failed_rest or held
+        if learning.inputs.stalled:
+            return True
+        match learning.step:
+            case LearningStep.NEUTRAL if learning.has_sampled:
+                return not all(channel.is_at_rest for channel in learning.channels)
+            case LearningStep.TEST if learning.tests is not None:
+                return learning.tests.channels_passed and not learning.tests.passed
+        return learning.step in {LearningStep.FAILED, LearningStep.DOUBT}
 
     def _head_text(self) -> str:
         learning = self._learning
@@ -312,7 +346,7 @@ class LearnDialog(QDialog):
                 "The new values are in the board. The test does not start by itself, because the "
                 "motors may be running: it has to stop them first."
             )
-        if learning.stalled:
+        if learning.inputs.stalled:
             return self.tr(
                 "The board sends no measurements: the line is busy or disturbed. Waiting …"
             )
@@ -339,7 +373,7 @@ class LearnDialog(QDialog):
         if not learning.has_sampled:
             return self.tr(
                 "The motors are stopped. Let go of every stick and set every switch to off. Then "
-                "click Next: the rest positions are measured."
+                "click Next to measure the rest positions."
             )
         bad = [str(channel.number) for channel in learning.channels if not channel.is_at_rest]
         if len(bad) == len(learning.channels):
@@ -347,84 +381,75 @@ class LearnDialog(QDialog):
                 "No channel is at rest. Correct the problems below, then click “Sample again”."
             )
         return self.tr(
-            "Not every channel rests. Correct the problems below and click “Sample again”, or "
-            "click Next to go on without channel {0}."
+            "Not every channel is at rest. Correct the problems below and click “Sample again”, or "
+            "click Next to continue without channel {0}."
         ).format(", ".join(bad))
 
     def _travel_text(self) -> str:
         text = self.tr(
             "Push every stick forward or right first, all the way; then the other way. "
-            "Move switches to all positions. "
+            "Move switches to all positions."
         )
         slow = [c.travel for c in self._learning.channels if c.travel and c.travel.is_slow]
         if not slow:
-            return text + self.tr("Hold each end for a moment, then click Next.")
-        held = max(travel.hold_seconds for travel in slow)
+            return f"{text} " + self.tr("Hold each end for a moment, then click Next.")
         reason = self.tr(
-            "Hold each end until it is ticked, for {0:.1f} s at least: over this line ({1} baud) "
-            "only {2:.1f} measurements come in a second. Then click Next."
+            "Hold each end until its check mark appears, for at least {0:.1f} s: this line "
+            "({1} baud) carries only {2:.1f} measurements per second. Then click Next."
         )
-        return text + reason.format(held, self._learning.baud, self._learning.samples_a_second)
+        hold = max(travel.hold_seconds for travel in slow)
+        rate = 1 / max(travel.interval for travel in slow)
+        return f"{text} {reason.format(hold, self._learning.baud, rate)}"
 
     def _review_text(self) -> str:
         if not any(channel.choice is not None for channel in self._learning.channels):
             return self.tr("Nothing was learned. The reason is below. Go back, or start over.")
-        if not self._wanted:
-            return self.tr(
-                "No channel is ticked, so nothing would be taken. Tick each channel whose new "
-                "values you want."
-            )
-        if self._refused:
+        if not self._learning.included:
+            return self.tr("No channel is selected. Select each channel whose new values to use.")
+        if self._rejected:
             return self.tr(
                 "The board would reject the values of channel {0}: change them, or clear its "
                 "check box."
-            ).format(self._refused)
+            ).format(self._rejected)
         return self.tr(
             "Check the new values. You can change them; clear the check box of a channel to "
             "keep its old values. "
             "Nothing is written yet: you confirm all changes in the next window."
         )
 
-    def _take_tip(self) -> str:
-        if self._learning.can_take:
-            return self.tr("Take the values of all ticked channels. Nothing is written yet.")
-        if not any(channel.choice is not None for channel in self._learning.channels):
-            return self.tr("Nothing was learned, so there is nothing to take.")
-        if not self._wanted:
-            return self.tr("No channel is ticked.")
-        if self._refused:
-            return self.tr("The board would not take the values of channel {0}.").format(
-                self._refused
-            )
-        return self._learning.why_not()
+    def _use_tip(self) -> str:
+        learning = self._learning
+        if learning.can_use_values:
+            return self.tr("Use the values of all selected channels. Nothing is written yet.")
+        if not any(channel.choice is not None for channel in learning.channels):
+            return self.tr("Nothing was learned, so there are no values to use.")
+        if not learning.included:
+            return self.tr("No channel is selected.")
+        if self._rejected:
+            text = self.tr("The board would reject the values of channel {0}.")
+            return text.format(self._rejected)
+        return learning.preconditions.blocker
 
     @property
-    def _wanted(self) -> list[LearnedChannel]:
-        """The channels whose values are to be taken."""
-        return [c for c in self._learning.channels if c.choice is not None and c.choice.included]
-
-    @property
-    def _refused(self) -> str:
-        """The numbers of those among them that the board would not take."""
-        return ", ".join(str(c.number) for c in self._wanted if not c.can_be_taken)
+    def _rejected(self) -> str:
+        """The included channels whose values the board would reject."""
+        return ", ".join(str(c.number) for c in self._learning.included if not c.can_be_used)
 
     def _test_text(self) -> str:
         tests = self._learning.tests
-        if tests is None or not tests.heard:
-            return self._test_orders()
-        if tests.passed:
-            return self.tr("Everything is as it should be.")
-        if tests.all_ignored:
-            return self.tr(
-                "There is nothing to test: the board ignores this input, so it holds it at "
-                "neutral. See the setting Ignored Channels."
-            )
-        if tests.channels_passed:
-            text = self.tr("What was tested is good. But in {0} mode the motors would not start: ")
-            return text.format(tests.mode) + "; ".join(tests.safe_start_reasons) + "."
-        return self._test_orders()
-
-    def _test_orders(self) -> str:
+        if tests is not None and tests.heard:
+            if tests.passed:
+                return self.tr("Everything is as it should be.")
+            if tests.all_ignored:
+                return self.tr(
+                    "There is nothing to test: the board ignores this input, so it holds it at "
+                    "neutral. See the setting Ignored Channels."
+                )
+            if tests.channels_passed:
+                text = self.tr(
+                    "The tested channels are good. But in {0} mode the motors would not start: {1}."
+                )
+                return text.format(tests.mode, "; ".join(tests.safe_start_reasons))
         return self.tr(
             "Push every stick to all its ends, then let go. Move every switch to all its "
             "positions. The motors stay off: in serial mode the sticks do not drive them."

@@ -1,11 +1,14 @@
-"""What was learned beside what was stored: a tab for each channel, its values and its curve."""
+"""The learned values beside the stored ones: a tab for each channel, its values and its curve.
 
-from dataclasses import replace
+Importing it loads pyqtgraph: do so when it is to be shown.
+"""
+
 from functools import partial
+from typing import Any
 
-from PySide6.QtCore import QSize, Qt, Slot
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QIcon, QResizeEvent
-from PySide6.QtWidgets import QBoxLayout, QLabel, QTabBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QBoxLayout, QTabBar, QWidget
 
 from trex_gui.devices.trex.calibration.neutral import deadband_floor
 from trex_gui.devices.trex.calibration.proposal import WHY_THESE_VALUES
@@ -15,25 +18,27 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.learning.problem_text import problems_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.views.count_editor import CountEditor
+from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.labels import Muted, Note
+from trex_gui.ui.widgets.bar import with_sign
+from trex_gui.ui.widgets.labels import LegendKey, Muted, Note
 
-_FIELDS = ("minimum", "neutral", "maximum", "deadband")
-_WIDE = 34
-"""Characters of a line of what is said."""
+_GAP = 16
+_MARGIN = 8
+_FORM_CHARACTERS = 17
+_CURVE_CHARACTERS = 40
+_CURVE_LINES = 13
 
 
 class ChannelForm(QWidget):
-    """One channel: take it or not, its values, the old ones beside them, why they are so."""
+    """One channel: whether to use its values, the values, the old ones and the reasons."""
 
-    def __init__(
-        self, learning: Learning, channel: LearnedChannel, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, learning: Learning, channel: LearnedChannel) -> None:
+        super().__init__()
         self._learning = learning
-        self._channel = channel
+        self.channel = channel
         number = channel.number
         names = {
             "minimum": self.tr("Minimum"),
@@ -43,77 +48,61 @@ class ChannelForm(QWidget):
         }
         self._editors: dict[str, CountEditor] = {}
         self._were: dict[str, Muted] = {}
-        self._labels: list[QLabel] = []
 
         self._include = ui.check_box(
             self,
             f"learnInclude{number}",
-            self.tr("Take channel {0}: {1}").format(number, CHANNEL_ROLES[number]),
+            self.tr("Use channel {0}: {1}").format(number, CHANNEL_ROLES[number]),
+            on_click=lambda included: self._choose(included=included),
         )
         ui.set_bold(self._include)
-        self._reversed = ui.check_box(self, f"learnReversed{number}", self.tr("Reversed"))
-        self._reversed_was = Muted("", self)
+        self._values = QWidget(self)
+        self._reversed = ui.check_box(
+            self,
+            f"learnReversed{number}",
+            self.tr("Reversed"),
+            on_click=lambda reversed_: self._choose(reversed_=reversed_),
+        )
+        was_reversed = Muted(
+            self.tr("was reversed") if channel.reversed_now else self.tr("was not reversed"), self
+        )
         self._turned = ui.named(Note(0, self), f"learnReversal{number}")
-        self._rest = ui.button(self, f"learnTakeRest{number}", on_click=self._on_rest_clicked)
         self._problem = ui.named(Note(1, self), f"learnProblem{number}")
+        self._rest = ui.button(self, f"learnUseRest{number}", on_click=self._on_rest_clicked)
         self._reasons = ui.named(Muted("", self), f"learnReasons{number}")
 
-        grid = ui.grid(self, margins=0, spacing=(12, 4), stretch=[(2, 1)])
-        grid.setColumnMinimumWidth(2, _WIDE * self.fontMetrics().averageCharWidth() // 2)
-        grid.addWidget(self._include, 0, 0, 1, 3)
-        for row, field in enumerate(_FIELDS, 1):
-            label = QLabel(names[field], self)
+        grid = ui.grid(self._values, margins=0, spacing=(12, 4), stretch=[(2, 1)])
+        characters = self.fontMetrics().averageCharWidth()
+        grid.setColumnMinimumWidth(2, _FORM_CHARACTERS * characters)
+        for row, (field, name) in enumerate(names.items()):
             editor = ui.named(
                 CountEditor(channel.source, self),
                 f"learn{field.capitalize()}Edit{number}",
-                accessible=self.tr("{0} of channel {1}").format(names[field], number),
+                accessible=self.tr("{0} of channel {1}").format(name, number),
             )
             was = Muted("", self)
-            label.setBuddy(editor)
-            for column, widget in enumerate((label, editor, was)):
+            for column, widget in enumerate((ui.label(self, text=name, buddy=editor), editor, was)):
                 grid.addWidget(widget, row, column)
-            self._editors[field] = editor
-            self._were[field] = was
-            self._labels.append(label)
-        last = len(_FIELDS) + 1
-        grid.addWidget(self._reversed, last, 1)
-        grid.addWidget(self._reversed_was, last, 2)
-        grid.addWidget(self._turned, last + 1, 0, 1, 3)
-        grid.addWidget(self._problem, last + 2, 0, 1, 3)
-        grid.addWidget(self._rest, last + 3, 0, 1, 3, Qt.AlignmentFlag.AlignLeft)
-        grid.addWidget(self._reasons, last + 4, 0, 1, 3)
-        grid.setRowStretch(last + 5, 1)
-
-        self._include.toggled.connect(self._on_include_toggled)
-        self._reversed.toggled.connect(self._on_reversed_toggled)
-        for field, editor in self._editors.items():
+            self._editors[field], self._were[field] = editor, was
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.rejected.connect(self._on_rejected)
+        grid.addWidget(self._reversed, len(names), 1)
+        grid.addWidget(was_reversed, len(names), 2)
+        grid.addWidget(self._turned, len(names) + 1, 0, 1, 3)
+        rest = self._rest, 0, Qt.AlignmentFlag.AlignLeft
+        items = self._include, self._values, self._problem, rest, self._reasons
+        ui.column(*items, 1, into=self, margins=0, spacing=4)
 
-    @property
-    def channel(self) -> LearnedChannel:
-        return self._channel
-
-    @Slot(bool)
-    def _on_include_toggled(self, included: bool) -> None:
-        self._learning.choose(self._channel.number, included=included)
-
-    @Slot(bool)
-    def _on_reversed_toggled(self, reversed_: bool) -> None:
-        self._learning.choose(self._channel.number, reversed_=reversed_)
+    def _choose(self, **changes: Any) -> None:
+        self._learning.choose(self.channel.number, **changes)
 
     @Slot()
     def _on_rest_clicked(self) -> None:
-        choice, rest = self._channel.choice, self._channel.new_rest
-        if choice is not None and rest is not None:
-            wanted = replace(choice.calibration, neutral=rest)
-            self._learning.choose(self._channel.number, wanted)
+        self._editors["neutral"].setValue(self.channel.new_rest or 0)
 
     def _on_value_changed(self, field: str, value: int) -> None:
-        if self._channel.choice is not None:
-            values = {name: editor.value() for name, editor in self._editors.items()}
-            values[field] = value
-            self._learning.choose(self._channel.number, Calibration(**values))
+        values = {name: editor.value() for name, editor in self._editors.items()}
+        self._choose(calibration=Calibration(**{**values, field: value}))
 
     @Slot(str)
     def _on_rejected(self, reason: str) -> None:
@@ -121,122 +110,156 @@ class ChannelForm(QWidget):
         self._problem.setVisible(True)
 
     def refresh(self) -> None:
-        channel, choice = self._channel, self._channel.choice
-        there = choice is not None
-        for widget in (
-            *self._labels,
-            *self._editors.values(),
-            *self._were.values(),
-            self._reversed,
-            self._reversed_was,
-            self._reasons,
-            self._turned,
-            self._rest,
-        ):
-            widget.setVisible(there)
-        self._include.setEnabled(there)
-        problems = channel.result_problems
-        text = problems_text(problems)
-        if not there:
-            text = self.tr("Nothing was learned. {0}").format(
-                text or self.tr("The channel was left out.")
-            )
-        self._problem.show_note(text, alarming=bool(problems))
-        self._problem.setVisible(bool(text))
+        channel, choice = self.channel, self.channel.choice
+        for widget in (self._values, self._reasons):
+            widget.setVisible(choice is not None)
+        self._include.setEnabled(choice is not None)
+        problems = problems_text(channel.result_problems)
         if choice is None:
+            reason = problems or self.tr("The channel was left out.")
+            self._show(self._problem, self.tr("Nothing was learned. {0}").format(reason))
+            self._rest.setVisible(False)
             return
+        self._show(self._problem, problems)
+        self._include.setChecked(choice.included)
+        self._reversed.setChecked(choice.reversed_)
+        for box in (*self._editors.values(), self._reversed):
+            box.setEnabled(choice.included)
         self._show_values(choice.calibration)
-        for box, state in ((self._include, choice.included), (self._reversed, choice.reversed_)):
-            box.blockSignals(True)
-            box.setChecked(state)
-            box.blockSignals(False)
-        for widget in (*self._editors.values(), self._reversed):
-            widget.setEnabled(choice.included)
-        self._show_rest(channel.new_rest)
+        rest = channel.new_rest
+        self._rest.setVisible(rest is not None)
+        text = self.tr("Use {0} as neutral")
+        self._rest.setText(text.format(channel.source.text(rest or 0)))
         reasons = list(channel.remarks)
         if channel.proposal is not None:
-            turned = channel.proposal.reversed_reason
-            self._turned.show_note(turned, alarming=bool(turned))
-            self._turned.setVisible(bool(turned))
+            self._show(self._turned, channel.proposal.reversed_reason)
             reasons += channel.proposal.reasons
-        if self._learning.has_edit(channel.number):
+        if self._learning.pending.has_edit(channel.number):
             reasons.insert(0, self.tr("This replaces a pending edit of the channel."))
         self._reasons.setText(" ".join(reasons))
-        was = self.tr("was reversed") if channel.reversed_now else self.tr("was not reversed")
-        self._reversed_was.setText(was)
 
-    def _show_rest(self, rest: int | None) -> None:
-        """Offer the place where it came to rest, where that is another one."""
-        self._rest.setVisible(rest is not None)
-        if rest is not None:
-            text = self._channel.source.text(rest)
-            self._rest.setText(self.tr("Take {0} as neutral").format(text))
+    def _show(self, note: Note, text: str) -> None:
+        note.show_note(text, alarming=bool(text))
+        note.setVisible(bool(text))
 
     def _show_values(self, calibration: Calibration) -> None:
+        before = self.channel.curve_before
         for field, editor in self._editors.items():
             value = getattr(calibration, field)
             if editor.value() != value:
-                editor.blockSignals(True)
-                editor.setValue(value)
-                editor.blockSignals(False)
+                with QSignalBlocker(editor):
+                    editor.setValue(value)
             old = self.tr("unknown")
-            if self._channel.stored is not None:
-                count = getattr(self._channel.stored, field)
-                old = f"{self._channel.source.text(count)} ({count})"
+            if before is not None:
+                count = getattr(before.calibration, field)
+                old = f"{self.channel.source.text(count)} ({count})"
             self._were[field].setText(self.tr("{0} counts\nwas {1}").format(value, old))
 
 
-_GAP = 16
-_MARGIN = 8
+class CurvePane(QWidget):
+    """The curve of one channel before and after, with the live input.
+
+    Its handles change the values, as the numbers do.
+
+    Signals:
+        edited: the calibration after a handle was released.
+    """
+
+    edited = Signal(object)
+
+    def __init__(self, learning: Learning) -> None:
+        super().__init__()
+        self._learning = learning
+        self._channel: LearnedChannel | None = None
+
+        self._plot = ui.named(CurvePlot(self), "learnCurve")
+        self._plot.setMinimumHeight(_CURVE_LINES * self.fontMetrics().lineSpacing())
+        self._after = LegendKey("", "motor1", self)
+        self._before = ui.named(
+            LegendKey(self.tr("as it was"), "muted", self, Qt.PenStyle.DashLine), "learnCurveBefore"
+        )
+        self._live = ui.named(Muted("", self), "learnCurveLive")
+        key = ui.row(self._after, self._before, 1)
+        ui.column(key, (self._plot, 1), self._live, into=self, margins=0)
+
+        self._plot.edited.connect(self.edited)
+        learning.measured.connect(self._on_measured)
+
+    def minimumSizeHint(self) -> QSize:
+        width = _CURVE_CHARACTERS * self.fontMetrics().averageCharWidth()
+        return QSize(width, super().minimumSizeHint().height())
+
+    def show_channel(self, channel: LearnedChannel) -> None:
+        self._channel = channel
+        before, after = channel.curve_before, channel.curve_after
+        editable = channel.is_included
+        self._plot.show_channel(channel.number, channel.source, before, after, editable=editable)
+        same = before == after
+        self._after.setVisible(after is not None)
+        self._after.setText(self.tr("proposed, as it was") if same else self.tr("proposed"))
+        self._before.setVisible(before is not None and not same)
+        self._on_measured()
+
+    @Slot()
+    def _on_measured(self) -> None:
+        channel = self._channel
+        if channel is None or not self.isVisibleTo(self.window()):
+            return
+        self._plot.set_raw(channel.raw)
+        self._plot.set_trace(*self._learning.trace(channel.number))
+        if channel.raw is None:
+            self._live.setText(self.tr("No signal now: the output is 0."))
+            return
+        curves = {
+            self.tr("proposed {0}"): channel.curve_after,
+            self.tr("as it was {0}"): channel.curve_before,
+        }
+        outputs = [
+            text.format(with_sign(curve.output(channel.raw)))
+            for text, curve in curves.items()
+            if curve is not None
+        ]
+        text = self.tr("Input now {0}; output {1}.")
+        self._live.setText(text.format(channel.source.text(channel.raw), ", ".join(outputs)))
 
 
 class ReviewPage(QWidget):
-    """One channel at a time, to be chosen above: numbers and curve change together.
+    """One channel at a time, selected by a tab: numbers and curve change together.
 
     The curve is beside the numbers, or below them if there is no room.
     """
 
-    def __init__(self, learning: Learning, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        # The plotting library takes as long to load as Qt: only when it is to be seen.
-        from trex_gui.devices.trex.views.learning.curve_pane import CurvePane  # noqa: PLC0415
-
+    def __init__(self, learning: Learning) -> None:
+        super().__init__()
         self.setObjectName("learnReviewPage")
         self._learning = learning
 
         self._tabs = ui.named(QTabBar(self), "learnChannelTabs", accessible=self.tr("Channels"))
         self._tabs.setExpanding(False)
-        self._forms = [ChannelForm(learning, channel, self) for channel in learning.channels]
+        self._forms = [ChannelForm(learning, channel) for channel in learning.channels]
         for channel in learning.channels:
             self._tabs.addTab(self.tr("Channel {0}").format(channel.number))
-        self._curve = CurvePane(learning, self)
-        floor = learning.source.text(deadband_floor(learning.source))
+        self._curve = CurvePane(learning)
+        source = learning.preconditions.source
+        floor = source.text(deadband_floor(source))
         self._common = ui.named(Muted(WHY_THESE_VALUES.format(floor), self), "learnCommonReasons")
         self._earlier = ui.named(Note(0, self), "learnEarlierEdits")
 
-        self._body = QBoxLayout(QBoxLayout.Direction.LeftToRight)
-        self._body.setSpacing(_GAP)
-        forms = QVBoxLayout()
-        for form in self._forms:
-            forms.addWidget(form)
-        self._body.addLayout(forms, 2)
-        self._body.addWidget(self._curve, 3)
-        ui.column(
-            self._tabs,
-            (self._body, 1),
-            self._common,
-            self._earlier,
-            into=self,
-            margins=(0, 0, _MARGIN, 0),
-        )
+        self._body = ui.row((ui.column(*self._forms), 2), (self._curve, 3), spacing=_GAP)
+        margins = (0, 0, _MARGIN, 0)
+        items = self._tabs, (self._body, 1), self._common, self._earlier
+        ui.column(*items, into=self, margins=margins)
 
-        self._tabs.currentChanged.connect(self._on_tab_changed)
+        self._tabs.currentChanged.connect(self._on_changed)
         self._tabs.setVisible(len(self._forms) > 1)
-        self._curve.edited.connect(self._on_curve_edited)
+        self._curve.edited.connect(
+            lambda calibration: learning.choose(self._form.channel.number, calibration=calibration)
+        )
         learning.changed.connect(self._on_changed)
         theme().changed.connect(self._show_signs)
         self._on_changed()
-        self._choose_first_to_look_at()
+        problems = (bool(form.channel.result_problems) for form in self._forms)
+        self._tabs.setCurrentIndex(next((i for i, found in enumerate(problems) if found), 0))
 
     @property
     def _form(self) -> ChannelForm:
@@ -244,25 +267,17 @@ class ReviewPage(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         """As wide as numbers or curve need, whichever needs more."""
-        least = super().minimumSizeHint()
-        form = max(form.minimumSizeHint().width() for form in self._forms)
-        least.setWidth(max(form, self._curve.minimumSizeHint().width()) + _MARGIN)
-        return least
+        return QSize(max(self._widths()) + _MARGIN, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        form = max(form.minimumSizeHint().width() for form in self._forms)
-        both = form + _GAP + self._curve.minimumSizeHint().width()
-        wide = self.width() - _MARGIN >= both
+        wide = self.width() - _MARGIN >= sum(self._widths()) + _GAP
         direction = QBoxLayout.Direction
         self._body.setDirection(direction.LeftToRight if wide else direction.TopToBottom)
 
-    def _choose_first_to_look_at(self) -> None:
-        """Begin with a channel that has a problem, else with the first one."""
-        for index, form in enumerate(self._forms):
-            if form.channel.result_problems:
-                self._tabs.setCurrentIndex(index)
-                return
+    def _widths(self) -> tuple[int, int]:
+        form = max(form.minimumSizeHint().width() for form in self._forms)
+        return form, self._curve.minimumSizeHint().width()
 
     @Slot()
     def _on_changed(self) -> None:
@@ -271,39 +286,27 @@ class ReviewPage(QWidget):
             form.refresh()
         self._curve.show_channel(self._form.channel)
         self._common.setVisible(any(form.channel.choice is not None for form in self._forms))
-        self._show_earlier_edits()
-        self._show_signs()
-
-    def _show_earlier_edits(self) -> None:
-        """Say what else the list will hold that Apply shows."""
         count = self._learning.other_edits
         text = self.tr("1 earlier edit is in the list of Apply, too.")
         if count != 1:
             text = self.tr("{0} earlier edits are in the list of Apply, too.").format(count)
-        self._earlier.show_note(text if count else "", alarming=bool(count))
-        self._earlier.setVisible(bool(count))
-
-    @Slot(int)
-    def _on_tab_changed(self, _index: int) -> None:
-        self._on_changed()
-
-    @Slot(object)
-    def _on_curve_edited(self, calibration: Calibration) -> None:
-        self._learning.choose(self._form.channel.number, calibration)
+        self._earlier.show_note(text, alarming=True)
+        self._earlier.setVisible(count > 0)
+        self._show_signs()
 
     @Slot()
     def _show_signs(self) -> None:
         for index, form in enumerate(self._forms):
-            name, color, words = self._sign_of(form.channel)
+            name, color, text = self._sign_of(form.channel)
             self._tabs.setTabIcon(index, icon(name, color) if name else QIcon())
-            self._tabs.setTabToolTip(index, words)
+            self._tabs.setTabToolTip(index, text)
 
     def _sign_of(self, channel: LearnedChannel) -> tuple[str, str, str]:
-        """Return the icon, its colour and what it means."""
+        """Return the icon, its colour and its meaning."""
         if channel.choice is None:
             return "warning", "warning", self.tr("Nothing was learned.")
         if not channel.choice.included:
-            return "", "", self.tr("Stays as it is.")
+            return "", "", self.tr("Keeps its old values.")
         if channel.result_problems:
-            return "warning", "warning", self.tr("Needs a look.")
-        return "ok", "good", self.tr("Is taken.")
+            return "warning", "warning", self.tr("Check this channel.")
+        return "ok", "good", self.tr("Its new values will be used.")

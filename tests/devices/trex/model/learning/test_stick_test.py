@@ -2,12 +2,15 @@
 
 import pytest
 
-from trex_gui.devices.trex.calibration import proof
-from trex_gui.devices.trex.calibration.proof import StickTest, idle_side, what_keeps_safe_start
+from trex_gui.devices.trex.model.learning.stick_tests import (
+    StickTest,
+    idle_side,
+    safe_start_blockers,
+)
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 
 
-def stick_held_at(*phases: tuple[int, int]) -> proof.Tested:
+def stick_held_at(*phases: tuple[int, int]) -> StickTest:
     """Feed channel 1 an output for so many samples, phase by phase, 50 samples a second."""
     test = StickTest(1)
     step = 0
@@ -15,22 +18,22 @@ def stick_held_at(*phases: tuple[int, int]) -> proof.Tested:
         for _ in range(samples):
             test.feed(step / 50, output)
             step += 1
-    return test.tested
+    return test
 
 
-def switch_held_at(*phases: tuple[bool, int]) -> proof.Tested:
+def switch_held_at(*phases: tuple[bool, int]) -> StickTest:
     """Feed a switch that is active or not for so many samples, phase by phase."""
     test = StickTest(4)
     for active, samples in phases:
         for _ in range(samples):
             test.feed(0.0, FULL_SCALE, switched=active)
-    return test.tested
+    return test
 
 
 def test_result_before_first_sample_reports_no_signal() -> None:
-    before = StickTest(4).tested
+    before = StickTest(4)
     assert not any((before.on, before.off, before.is_at_rest, before.forward, before.reverse))
-    assert before.text == "No signal comes in."
+    assert before.text == "No signal."
 
 
 # --- Sticks -----------------------------------------------------------------------------
@@ -99,7 +102,7 @@ AT_REST: dict[int, int | None] = dict.fromkeys(range(1, 6), 0)
 def reasons(
     outputs: dict[int, int | None], *, override: bool = False, joint: bool = False
 ) -> tuple[str, ...]:
-    return what_keeps_safe_start(
+    return safe_start_blockers(
         {**AT_REST, **outputs}, required=0b1, rc=True, override=override, joint=joint
     )
 
