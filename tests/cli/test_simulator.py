@@ -16,7 +16,7 @@ import pytest
 import serial
 from click.testing import CliRunner
 
-from tests.devices.trex.simulator.patience import PATIENCE, becomes
+from tests.devices.trex.simulator.extra_time import LONG_TIMEOUT, becomes
 from tests.support.matrix import sampled
 from trex_gui import __version__
 from trex_gui.cli.simulator import main
@@ -43,7 +43,7 @@ class Sim:
     def line(self) -> str:
         """Return the next line that it prints; empty at its end."""
         assert self.process.stdout is not None
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + LONG_TIMEOUT
         with selectors.DefaultSelector() as selector:
             selector.register(self.process.stdout, selectors.EVENT_READ)
             while b"\n" not in self._rest:
@@ -65,7 +65,7 @@ class Sim:
         return shown
 
     def wait(self) -> int:
-        return self.process.wait(PATIENCE)
+        return self.process.wait(LONG_TIMEOUT)
 
     def errors(self) -> str:
         assert self.process.stderr is not None
@@ -74,7 +74,7 @@ class Sim:
 
     def close(self) -> None:
         self.process.kill()
-        self.process.wait(PATIENCE)
+        self.process.wait(LONG_TIMEOUT)
         for pipe in (self.process.stdin, self.process.stdout, self.process.stderr):
             if pipe is not None:
                 pipe.close()
@@ -97,7 +97,9 @@ def start() -> Iterator[Start]:
 
 
 def ask(url: str, packet: str, size: int, **settings: Any) -> bytes:
-    with serial.serial_for_url(url, timeout=PATIENCE, **{"baudrate": 19200, **settings}) as port:
+    with serial.serial_for_url(
+        url, timeout=LONG_TIMEOUT, **{"baudrate": 19200, **settings}
+    ) as port:
         port.write(bytes.fromhex(packet))
         data: bytes = port.read(size)
         return data
@@ -127,7 +129,7 @@ def refused(*arguments: str) -> tuple[int, str]:
         capture_output=True,
         stdin=subprocess.DEVNULL,
         text=True,
-        timeout=PATIENCE,
+        timeout=LONG_TIMEOUT,
     )
     assert result.stdout == ""
     assert "Traceback" not in result.stderr
@@ -189,7 +191,7 @@ class TestPseudoTerminal:
 
     def test_pty_bytes_take_line_time(self, start: Start) -> None:
         sim = start()
-        with serial.Serial(sim.url, 19200, timeout=PATIENCE) as port:
+        with serial.Serial(sim.url, 19200, timeout=LONG_TIMEOUT) as port:
             begin = time.monotonic()
             for _ in range(20):
                 port.write(bytes.fromhex("86 1F"))
@@ -234,7 +236,7 @@ class TestPseudoTerminal:
         assert ask(sim.url, "80 09 01", 9) == b"TReXJr1.0"
         assert sim.control("@9 power off") == "ok power off"
         assert sim.show("@7")["power"] is True
-        with serial.Serial(sim.url, 19200, timeout=PATIENCE) as port:
+        with serial.Serial(sim.url, 19200, timeout=LONG_TIMEOUT) as port:
             port.write(b"\x81")
             assert port.read(7) == b"TReX1.0"
             port.timeout = 0.2
@@ -244,7 +246,7 @@ class TestPseudoTerminal:
         link = tmp_path / "trex"
         sim = start("--link", str(link))
         assert sim.url == str(link)
-        with serial.Serial(sim.url, 19200, timeout=PATIENCE) as port:
+        with serial.Serial(sim.url, 19200, timeout=LONG_TIMEOUT) as port:
             assert sim.control("line unplug") == "ok unplugged"
             with pytest.raises(serial.SerialException):
                 port.write(b"\x81")
@@ -281,21 +283,21 @@ class TestTcp:
         sim = start("--tcp", "127.0.0.1:0")
         address = sim.url.removeprefix("socket://").split(":")
         where = (address[0], int(address[1]))
-        with socket.create_connection(where, PATIENCE) as host:
+        with socket.create_connection(where, LONG_TIMEOUT) as host:
             host.sendall(b"\x82")
             assert host.recv(1) == b"r"
             sim.control("line unplug")
             assert host.recv(1) == b""
         with pytest.raises(ConnectionRefusedError):
-            socket.create_connection(where, PATIENCE)
+            socket.create_connection(where, LONG_TIMEOUT)
         assert sim.control("line plug") == f"ok plugged {sim.url}"
         assert ask(sim.url, "82", 1) == b"r"
 
     def test_demo_moves_sticks(self, start: Start) -> None:
         sim = start("--tcp", "127.0.0.1:0", "--demo", "--unpaced")
         seen: set[bytes] = set()
-        end = time.monotonic() + PATIENCE
-        with serial.serial_for_url(sim.url, timeout=PATIENCE) as port:
+        end = time.monotonic() + LONG_TIMEOUT
+        with serial.serial_for_url(sim.url, timeout=LONG_TIMEOUT) as port:
             while len(seen) < 5 and time.monotonic() < end:
                 port.write(bytes.fromhex("86 1F"))
                 seen.add(port.read(10))
@@ -322,7 +324,7 @@ class TestRfc2217:
     def test_rfc2217_server_survives_malformed_client(self, start: Start) -> None:
         sim = start("--rfc2217", "127.0.0.1:0")
         address = sim.url.removeprefix("rfc2217://").split(":")
-        with socket.create_connection((address[0], int(address[1])), PATIENCE) as host:
+        with socket.create_connection((address[0], int(address[1])), LONG_TIMEOUT) as host:
             host.sendall(b"\xff\xf0")
             while host.recv(1024):
                 pass

@@ -57,11 +57,11 @@ def test_banner_reports_stop_of_demo_board_once_confirmed(
         (causes.make_a_mistake, MISTAKEN),
     ):
         drive(window)
-        causes.told.clear()
+        causes.reports.clear()
         cause()
         wait_for_banner(window, causes, stopped(reason))
         assert not window.device.may_move, reason
-        first, *_, last = causes.told
+        first, *_, last = causes.reports
         assert first == f"{reason}. The stop was sent, and is not confirmed yet."
         assert last == causes.banner
 
@@ -97,7 +97,7 @@ def test_stop_stays_unconfirmed_while_board_does_not_reply(
         "cut its power."
     )
     wait_for_banner(window, causes, unconfirmed)
-    assert not [text for text in causes.told if "were stopped" in text]
+    assert not [text for text in causes.reports if "were stopped" in text]
     assert window.device.may_move
     quick_simulator.do("line mute off")
     wait_for_banner(window, causes, stopped(LOCKED))
@@ -108,13 +108,13 @@ def test_stop_stays_unconfirmed_while_board_does_not_reply(
     quick_simulator.do("line unplug")
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert window.device.may_move
-    causes.told.clear()
+    causes.reports.clear()
     causes.lock_the_screen()
     out_of_reach = (
         "No board is connected that could be stopped, and motors may still turn: cut their power."
     )
     wait_for_banner(window, causes, f"{LOCKED}. {out_of_reach}")
-    assert len(causes.told) == 1
+    assert len(causes.reports) == 1
 
 
 def test_stop_stays_unconfirmed_when_board_is_unplugged(
@@ -124,10 +124,12 @@ def test_stop_stays_unconfirmed_when_board_is_unplugged(
     drive(window, quick_simulator)
     quick_simulator.do("line unplug")
     causes.lock_the_screen()  # before the window has seen that the cable is gone, or after
-    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED and causes.told)
-    window.wait(lambda: not causes.told[-1].endswith("is not confirmed yet."))
-    assert not [text for text in causes.told if "were stopped" in text]
-    assert causes.told[-1].endswith("cut its power.") or causes.told[-1].endswith("their power.")
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED and causes.reports)
+    window.wait(lambda: not causes.reports[-1].endswith("is not confirmed yet."))
+    assert not [text for text in causes.reports if "were stopped" in text]
+    assert causes.reports[-1].endswith("cut its power.") or causes.reports[-1].endswith(
+        "their power."
+    )
 
 
 def test_no_stop_is_reported_without_stoppable_motors(
@@ -135,8 +137,8 @@ def test_no_stop_is_reported_without_stoppable_motors(
 ) -> None:
     causes.lock_the_screen()
     causes.make_a_mistake()
-    window.wait(lambda: causes.told)
-    assert causes.told == [f"{MISTAKEN}."]
+    window.wait(lambda: causes.reports)
+    assert causes.reports == [f"{MISTAKEN}."]
     wait_for_banner(window, causes, f"{MISTAKEN}.")
 
     window.connect(quick_simulator.url)

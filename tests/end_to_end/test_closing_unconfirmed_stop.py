@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.end_to_end.test_every_stop_cause import PATIENCE, DrivingProcess
+from tests.end_to_end.test_every_stop_cause import LONG_TIMEOUT, DrivingProcess
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatorProcess
 from tests.support.virtual_devices import VirtualSimulator
@@ -138,12 +138,12 @@ def test_window_with_confirmed_stop_closes_without_a_warning(
 def test_sigterm_with_unconfirmed_stop_prints_warning_and_fails(
     quick_simulator: SimulatorProcess, tmp_path: Path
 ) -> None:
-    window = DrivingProcess(quick_simulator, tmp_path, patience="usual")
+    window = DrivingProcess(quick_simulator, tmp_path, extra_time="usual")
     try:
         window.drive()
         quick_simulator._process.send_signal(signal.SIGSTOP)
         window.process.send_signal(signal.SIGTERM)
-        _, errors = window.process.communicate(timeout=PATIENCE)
+        _, errors = window.process.communicate(timeout=LONG_TIMEOUT)
     finally:
         quick_simulator._process.send_signal(signal.SIGCONT)
         window.end()

@@ -32,7 +32,7 @@ pytestmark = [
 
 ROOT = Path(__file__).parents[2]
 
-PATIENCE = 25.0
+LONG_TIMEOUT = 25.0
 """Seconds for what takes a moment on a quiet computer; less than a window hangs."""
 
 PAUSE = 0.02
@@ -54,7 +54,7 @@ def is_driven(simulator: SimulatedDevice) -> bool:
 
 def wait_until(happened: Callable[[], bool], cause: str = "") -> None:
     """Poll a condition in real time; fail when it does not come true."""
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + LONG_TIMEOUT
     while not happened():
         assert time.monotonic() < end, f"{cause}: it never happened"
         time.sleep(PAUSE)
@@ -68,11 +68,11 @@ class DrivingProcess:
     """
 
     def __init__(
-        self, simulator: SimulatedDevice, folder: Path, patience: str = "long", **environment: str
+        self, simulator: SimulatedDevice, folder: Path, extra_time: str = "long", **environment: str
     ) -> None:
         self.simulator = simulator
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "tests.support.driven_window", simulator.url, patience],
+            [sys.executable, "-m", "tests.support.driven_window", simulator.url, extra_time],
             cwd=ROOT,
             env={
                 **os.environ,
@@ -101,7 +101,7 @@ class DrivingProcess:
 
     def _hear(self, word: str) -> None:
         assert self.process.stdout is not None
-        ready, _, _ = select.select([self.process.stdout], [], [], PATIENCE)
+        ready, _, _ = select.select([self.process.stdout], [], [], LONG_TIMEOUT)
         assert ready, f"the window never said {word}"
         assert self.process.stdout.readline() == f"{word}\n"
 
@@ -181,7 +181,7 @@ def test_motors_stop_at_every_fault_the_program_survives(
         wait_until_stopped(quick_simulator, cause)
         assert_stays_stopped(window, cause)
     window.provoke("close")
-    _, errors = window.process.communicate(timeout=PATIENCE)
+    _, errors = window.process.communicate(timeout=LONG_TIMEOUT)
     assert window.process.returncode == 0
     mistakes = re.findall("(.*): on purpose", errors)
     assert mistakes == ["ZeroDivisionError", "IndexError", "RecursionError"]
@@ -209,7 +209,7 @@ def test_motors_stop_when_connection_ends(
 def test_motors_stop_while_window_hangs(
     cause: str, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    window = start(patience="usual")
+    window = start(extra_time="usual")
     window.drive()
     window.hang(cause)
     wait_until_stopped(quick_simulator, cause)  # before it goes on: it hangs for longer
@@ -225,7 +225,7 @@ def test_sigterm_stops_motors_and_exits_with_0(
     window.drive()
     window.process.send_signal(signal.SIGTERM)
     wait_until_stopped(quick_simulator, "SIGTERM")
-    assert window.process.wait(PATIENCE) == 0
+    assert window.process.wait(LONG_TIMEOUT) == 0
 
 
 def test_suspending_stops_motors_and_resuming_starts_none(
@@ -240,7 +240,7 @@ def test_suspending_stops_motors_and_resuming_starts_none(
     wait_until(lambda: "\nState:\tT" not in status_of(window.process))
     assert_stays_stopped(window, "SIGCONT")
     window.process.send_signal(signal.SIGTERM)
-    assert window.process.wait(PATIENCE) == 0
+    assert window.process.wait(LONG_TIMEOUT) == 0
 
 
 @pytest.mark.slow  # the program waits for its window first
@@ -252,7 +252,7 @@ def test_sigterm_stops_motors_of_hung_window_and_ends_it(
     window.hang()
     window.process.send_signal(signal.SIGTERM)
     wait_until_stopped(quick_simulator, "SIGTERM")
-    assert window.process.wait(PATIENCE) == 128 + signal.SIGTERM
+    assert window.process.wait(LONG_TIMEOUT) == 128 + signal.SIGTERM
 
 
 def test_second_ctrl_c_ends_hung_window(
@@ -278,11 +278,13 @@ def test_trexcmd_stops_motors_left_running_by_killed_window(
     window = start()
     window.drive()
     window.process.kill()
-    window.process.wait(PATIENCE)
+    window.process.wait(LONG_TIMEOUT)
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
     assert is_driven(quick_simulator)
     stop = [sys.executable, "-m", "trex_gui.cli", "stop", "--port", quick_simulator.url]
-    subprocess.run([*stop, "--timeout", "0.3"], check=True, capture_output=True, timeout=PATIENCE)
+    subprocess.run(
+        [*stop, "--timeout", "0.3"], check=True, capture_output=True, timeout=LONG_TIMEOUT
+    )
     assert is_stopped(quick_simulator)
 
 

@@ -40,8 +40,8 @@ SPECS = parameters_of("trex", "1.2")
 @pytest.mark.parametrize("baud", [1200, 4800, 9600])
 def test_slow_line_is_shared_fairly(baud: int) -> None:
     wanted = rates(InputSource.RC)
-    asked = simulate(wanted, on_line(baud), 100.0)
-    shares = [asked[topic] / rate for topic, rate in wanted.items()]
+    requested = simulate(wanted, on_line(baud), 100.0)
+    shares = [requested[topic] / rate for topic, rate in wanted.items()]
     assert min(shares) > 0.9 * max(shares)
 
 

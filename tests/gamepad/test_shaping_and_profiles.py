@@ -23,9 +23,9 @@ PARTS = st.floats(0, 1)
 def test_setpoint_stays_in_range_and_keeps_sign_of_stick(
     value: float, dead_zone: float, expo: float
 ) -> None:
-    wish = shape(value, dead_zone, expo)
-    assert -1 <= wish <= 1
-    assert wish * value >= 0
+    setpoint = shape(value, dead_zone, expo)
+    assert -1 <= setpoint <= 1
+    assert setpoint * value >= 0
 
 
 @given(dead_zone=ZONES, part=PARTS, expo=PARTS)

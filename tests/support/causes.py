@@ -27,8 +27,8 @@ class Causes:
         self._window = window
         self._watching = watching
         self._caught = caught
-        self.told: list[str] = []
-        window.program.device_manager.stop_reported.connect(self.told.append)
+        self.reports: list[str] = []
+        window.program.device_manager.stop_reported.connect(self.reports.append)
 
     @property
     def mistakes(self) -> list[type[BaseException]]:

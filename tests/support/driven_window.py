@@ -142,13 +142,13 @@ class Driver(QObject):
 WATCHES: list[QObject] = []
 
 
-def main(url: str, patience: str = "") -> int:
+def main(url: str, extra_time: str = "") -> int:
     """Run the program until it is ended."""
     build = composition.build
 
     def build_and_drive(timeouts: Timeouts | None = None) -> Program:
         del timeouts
-        program = build(Timeouts() if patience == "usual" else PATIENT)
+        program = build(Timeouts() if extra_time == "usual" else PATIENT)
         Driver(program)
         from PySide6.QtCore import QCoreApplication
 

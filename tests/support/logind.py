@@ -51,7 +51,7 @@ class Logind(QObject):  # type: ignore[operator]
 
     def __init__(self, connection: QDBusConnection) -> None:
         super().__init__()
-        self.asked: list[tuple[str, str, str, str]] = []
+        self.requested: list[tuple[str, str, str, str]] = []
         self._ends: list[int] = []
         self._connection = connection
         assert connection.registerService("org.freedesktop.login1")
@@ -59,7 +59,7 @@ class Logind(QObject):  # type: ignore[operator]
 
     @Slot(str, str, str, str, result=QDBusUnixFileDescriptor)
     def Inhibit(self, what: str, who: str, why: str, mode: str) -> QDBusUnixFileDescriptor:  # noqa: N802 - its name
-        self.asked.append((what, who, why, mode))
+        self.requested.append((what, who, why, mode))
         ours, theirs = os.pipe()
         self._ends.append(ours)
         given = QDBusUnixFileDescriptor(theirs)

@@ -13,7 +13,7 @@ PATIENT = Timeouts(
 )
 """For the program in real time: a test or its simulator may stand still for seconds."""
 
-PATIENCE_MS = 20_000
+LONG_TIMEOUT_MS = 20_000
 """How long anything is waited for that does not say how long. What comes is not waited for longer.
 
 Other tests run at the same time, and the host may take the processor away for a second or two.
@@ -33,16 +33,16 @@ class PatientQtBot(QtBot):
     """Waits for conditions and signals for so long."""
 
     def waitUntil(  # noqa: N802 - the name is Qt's
-        self, callback: Callback, *, timeout: int = PATIENCE_MS
+        self, callback: Callback, *, timeout: int = LONG_TIMEOUT_MS
     ) -> None:
         super().waitUntil(as_condition(callback), timeout=timeout)
 
     def waitSignal(  # noqa: N802
-        self, signal: Any, *, timeout: int = PATIENCE_MS, **options: Any
+        self, signal: Any, *, timeout: int = LONG_TIMEOUT_MS, **options: Any
     ) -> SignalBlocker:
         return super().waitSignal(signal, timeout=timeout, **options)
 
     def waitSignals(  # noqa: N802
-        self, signals: list[Any], *, timeout: int = PATIENCE_MS, **options: Any
+        self, signals: list[Any], *, timeout: int = LONG_TIMEOUT_MS, **options: Any
     ) -> MultiSignalBlocker:
         return super().waitSignals(signals, timeout=timeout, **options)

@@ -34,14 +34,14 @@ def pieces_of(
     return [*pieces, TrafficEvent(now + 1, TrafficDirection.LINE, text="Closed.")]
 
 
-def rows_of(wording: Decoder, pieces: list[TrafficEvent]) -> list[Transaction]:
+def rows_of(decoder: Decoder, pieces: list[TrafficEvent]) -> list[Transaction]:
     """Return the rows that have bytes."""
-    return [row for row in TransactionAssembler(wording).feed(pieces) if not row.note]
+    return [row for row in TransactionAssembler(decoder).feed(pieces) if not row.note]
 
 
-def told(wording: Decoder, pieces: list[TrafficEvent]) -> list[tuple[str, bool]]:
+def reports(decoder: Decoder, pieces: list[TrafficEvent]) -> list[tuple[str, bool]]:
     """Return what the rows mean, and which are faults."""
-    words = [wording.decoded(row) for row in rows_of(wording, pieces)]
+    words = [decoder.decoded(row) for row in rows_of(decoder, pieces)]
     return [(one.text, one.is_fault) for one in words]
 
 
@@ -49,9 +49,9 @@ STRANGE_TALK = st.lists(st.tuples(st.binary(max_size=12), st.binary(max_size=24)
 """Bytes that no device sends."""
 
 
-def assert_sayable(wording: Decoder, pieces: list[TrafficEvent]) -> None:
+def assert_sayable(decoder: Decoder, pieces: list[TrafficEvent]) -> None:
     """Fail where a row has no words, or bytes that cannot be shown."""
-    for row in rows_of(wording, pieces):
-        assert wording.decoded(row).text
-        assert wording.shown(row.sent).isprintable()
-        assert wording.shown(row.received).isprintable()
+    for row in rows_of(decoder, pieces):
+        assert decoder.decoded(row).text
+        assert decoder.shown(row.sent).isprintable()
+        assert decoder.shown(row.received).isprintable()

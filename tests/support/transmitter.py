@@ -131,11 +131,11 @@ class Transmitter:
         if self._crosstalk and other in self.sticks:
             self._simulator.do(self.sticks[other].line(other, self._crosstalk * position))
 
-    def rests(self, raw: Callable[[int], int | None]) -> bool:
+    def is_at_rest(self, raw: Callable[[int], int | None]) -> bool:
         """Whether every channel shows what its stick at rest gives, or nothing if that is so."""
-        return all(self._is_resting(channel, raw(channel)) for channel in self.sticks)
+        return all(self._is_idle(channel, raw(channel)) for channel in self.sticks)
 
-    def _is_resting(self, channel: int, count: int | None) -> bool:
+    def _is_idle(self, channel: int, count: int | None) -> bool:
         stick = self.sticks[channel]
         if count is None:
             return not stick.connected or stick.lost > 0.5

@@ -23,12 +23,12 @@ def said_by_the_desktop(*, begins: bool) -> list[str]:
     """Everything that a Linux desktop may tell, at the beginning or at the end of each."""
     nowhere = QDBusConnection("there is none")
     events = SessionEvents(nowhere, nowhere)
-    told: list[str] = []
-    events.leaving.connect(told.append)
+    reports: list[str] = []
+    events.leaving.connect(reports.append)
     events._on_sleep(begins=begins)
     events._on_shut_down(begins=begins)
     events._on_saver(active=begins)
-    return told
+    return reports
 
 
 def said_by_windows() -> list[str]:
@@ -44,22 +44,22 @@ def said_by_windows() -> list[str]:
 def said_of_a_sleep_that_is_over() -> list[str]:
     slept = 0.0
     watch = SuspendDetector(lambda: slept)
-    told: list[str] = []
-    watch.woke.connect(told.append)
+    reports: list[str] = []
+    watch.woke.connect(reports.append)
     slept = 60.0
     watch.look()
-    return told
+    return reports
 
 
 def said_of_a_mistake(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    told: list[str] = []
+    reports: list[str] = []
     monkeypatch.setattr(sys, "excepthook", lambda *_: None)
-    watch = ExceptionWatch(told.append)
+    watch = ExceptionWatch(reports.append)
     try:
         sys.excepthook(ValueError, ValueError("x"), None)
     finally:
         watch.close()
-    return told
+    return reports
 
 
 def test_stop_reasons_are_clauses_without_stop_or_motor(

@@ -56,7 +56,7 @@ def asleep(buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot) -> Iter
 
 
 def test_sleep_delay_is_requested_and_held(asleep: Asleep) -> None:
-    [(what, who, why, mode)] = asleep.logind.asked
+    [(what, who, why, mode)] = asleep.logind.requested
     assert (what, who, mode) == ("sleep", "TReX Studio", "delay")
     assert "Motors" in why
     assert asleep.logind.held == 1
@@ -85,7 +85,7 @@ def test_sleep_delay_is_requested_again_after_wake(asleep: Asleep, qtbot: QtBot)
     qtbot.waitUntil(lambda: asleep.logind.held == 0)
     asleep.logind.say_sleep(begins=False)
     qtbot.waitUntil(lambda: asleep.logind.held == 1)
-    assert len(asleep.logind.asked) == 2
+    assert len(asleep.logind.requested) == 2
 
 
 def test_sleep_delay_is_released_on_close(asleep: Asleep) -> None:

@@ -35,24 +35,24 @@ def test_stop_is_sent_in_calling_thread_and_reported_in_gui(
     sent_from: list[int] = []
     stopper = StopBroadcaster(lambda: sent_from.append(threading.get_ident()))
     thread = threading.Thread(target=lambda: stopper.stop("why"))
-    with qtbot.waitSignal(stopper.stopped) as told:
+    with qtbot.waitSignal(stopper.stopped) as reports:
         thread.start()
         thread.join()
         assert sent_from, "before the window has heard of it"
     assert sent_from != [threading.get_ident()]
-    assert told.args == ["why"]
+    assert reports.args == ["why"]
 
 
 def test_stop_raised_by_a_report_is_sent_but_not_reported(
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     sent: list[int] = []
-    told: list[str] = []
+    reports: list[str] = []
     reported: list[BaseException] = []
     stopper = StopBroadcaster(lambda: sent.append(1))
 
     def fail(reason: str) -> None:
-        told.append(reason)
+        reports.append(reason)
         raise ValueError("always")
 
     stopper.stopped.connect(fail)
@@ -60,30 +60,30 @@ def test_stop_raised_by_a_report_is_sent_but_not_reported(
     watch = ExceptionWatch(stopper.stop)
     try:
         stopper.stop("why")
-        assert told == [], "whoever stops is not held up"
+        assert reports == [], "whoever stops is not held up"
         qtbot.waitUntil(lambda: bool(reported))
-        assert (len(sent), told, len(reported)) == (2, ["why"], 1)
+        assert (len(sent), reports, len(reported)) == (2, ["why"], 1)
         stopper.stop("again")  # reported after whatever was queued before
         qtbot.waitUntil(lambda: len(reported) == 2)
-        assert (len(sent), told) == (4, ["why", "again"])
+        assert (len(sent), reports) == (4, ["why", "again"])
     finally:
         watch.close()
 
 
 def test_stop_from_other_thread_during_report_is_reported(qtbot: QtBot) -> None:
-    told: list[str] = []
+    reports: list[str] = []
     stopper = StopBroadcaster(lambda: None)
 
     def stop_elsewhere(reason: str) -> None:
-        told.append(reason)
-        if len(told) == 1:
+        reports.append(reason)
+        if len(reports) == 1:
             thread = threading.Thread(target=lambda: stopper.stop("elsewhere"))
             thread.start()
             thread.join()
 
     stopper.stopped.connect(stop_elsewhere)
     stopper.stop("here")
-    qtbot.waitUntil(lambda: told == ["here", "elsewhere"])
+    qtbot.waitUntil(lambda: reports == ["here", "elsewhere"])
 
 
 # --- Signals ----------------------------------------------------------------------------
@@ -98,17 +98,17 @@ class Ending:
         self.fails = False
         self.ended_with: list[int] = []
         self.ended = threading.Event()
-        self.rests: list[str] = []
+        self.stops: list[str] = []
         self.stood_still = threading.Event()
         self.watch = SignalWatch(
             self._act, self._rest, grace=grace, end=self._end, suspend=self._stand_still
         )
 
     def _rest(self) -> None:
-        self.rests.append("rest")
+        self.stops.append("rest")
 
     def _stand_still(self) -> None:
-        self.rests.append("stand still")
+        self.stops.append("stand still")
         self.stood_still.set()
 
     def _act(self) -> None:
@@ -144,9 +144,9 @@ def test_signal_ends_window_that_does_not_close(ending: Ending) -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_caught_signal_reports_its_number(ending: Ending, qtbot: QtBot) -> None:
-    with qtbot.waitSignal(ending.watch.caught) as told:
+    with qtbot.waitSignal(ending.watch.caught) as reports:
         os.kill(os.getpid(), signal.SIGHUP)
-    assert told.args == [signal.SIGHUP]
+    assert reports.args == [signal.SIGHUP]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
@@ -154,9 +154,9 @@ def test_signals_end_window_even_if_their_action_fails(ending: Ending, qtbot: Qt
     ending.fails = True
     for number in (signal.SIGTERM, signal.SIGHUP):
         ending.ended.clear()
-        with qtbot.waitSignal(ending.watch.caught) as told:
+        with qtbot.waitSignal(ending.watch.caught) as reports:
             os.kill(os.getpid(), number)
-        assert told.args == [number]
+        assert reports.args == [number]
         assert ending.ended.wait(15)
     assert ending.ended_with == [128 + signal.SIGTERM, 128 + signal.SIGHUP]
 
@@ -194,11 +194,11 @@ def test_closing_restores_sigint_handler(ending: Ending) -> None:
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_ctrl_z_stops_motors_before_it_suspends(ending: Ending) -> None:
     for _ in range(2):  # and again, when it has gone on
-        ending.rests.clear()
+        ending.stops.clear()
         ending.stood_still.clear()
         os.kill(os.getpid(), signal.SIGTSTP)
         assert ending.stood_still.wait(15)
-        assert ending.rests == ["rest", "stand still"]
+        assert ending.stops == ["rest", "stand still"]
     assert ending.acts == 0, "it does not end"
 
 
@@ -253,17 +253,17 @@ def test_exception_is_reported_even_if_stop_fails(
 def test_wake_after_sleep_is_reported_once(qtbot: QtBot) -> None:
     slept = 100.0
     watch = SuspendDetector(lambda: slept)
-    told: list[str] = []
-    watch.woke.connect(told.append)
+    reports: list[str] = []
+    watch.woke.connect(reports.append)
     watch.look()
     slept = 100.3
     watch.look()
-    assert told == []
+    assert reports == []
     slept = 130.0
     watch.look()
     watch.look()
-    assert len(told) == 1
-    assert "asleep" in told[0]
+    assert len(reports) == 1
+    assert "asleep" in reports[0]
 
 
 def test_time_asleep_is_not_negative() -> None:

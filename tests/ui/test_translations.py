@@ -37,12 +37,12 @@ def test_english_plural_forms_are_complete_and_compiled(tmp_path: Path) -> None:
     run("pyside6-lupdate", "-locations", "none", "-no-obsolete", "-pluralonly", *sources,
         "-ts", update)  # fmt: skip
     text = update.read_text(encoding="utf-8")
-    advice = "run packaging/bootstrap.py translations and fill in the English plural forms"
-    assert "unfinished" not in text, advice
+    hint = "run packaging/bootstrap.py translations and fill in the English plural forms"
+    assert "unfinished" not in text, hint
     assert re.findall("<source>.*", text) == re.findall("<source>.*", committed.read_text("utf-8"))
     run("pyside6-lrelease", update)
     compiled = resource("translations/trex_gui_en.qm").read_bytes()
-    assert update.with_suffix(".qm").read_bytes() == compiled, advice
+    assert update.with_suffix(".qm").read_bytes() == compiled, hint
 
 
 @pytest.mark.realtime

@@ -13,7 +13,7 @@ from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings
 
 
-def odd(settings: PortSettings, *, full: bool, known: bool) -> Prober:
+def unexpected(settings: PortSettings, *, full: bool, known: bool) -> Prober:
     raise ZeroDivisionError("on purpose")
 
 
@@ -22,7 +22,7 @@ def test_internal_error_in_search_is_reported_and_closes_port(
 ) -> None:
     wire = wire_of(a_board())
     with caplog.at_level(logging.ERROR):
-        found = search(wire, {"one": nobody([], "One"), "odd": ProberInfo("Odd", odd)})
+        found = search(wire, {"one": nobody([], "One"), "odd": ProberInfo("Odd", unexpected)})
     assert found.is_fault
     assert not found.found
     assert found.lines == [

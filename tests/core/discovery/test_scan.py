@@ -35,7 +35,7 @@ class Deaf:
     def __init__(self, noted: list[str], name: str, diagnosis: Diagnosis) -> None:
         self._noted = noted
         self._name = name
-        self._verdict = diagnosis
+        self._diagnosis = diagnosis
 
     def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         self._noted.append(f"{self._name} hears {data!r} at {line.baud}")
@@ -54,19 +54,19 @@ class Deaf:
         self._noted.append(f"{self._name} {part}")
 
     def diagnosis(self) -> Diagnosis:
-        return self._verdict
+        return self._diagnosis
 
 
-def nobody(noted: list[str], name: str, telling: Evidence = Evidence.SILENCE) -> ProberInfo:
-    diagnosis = Diagnosis(telling, f"No {name}.")
+def nobody(noted: list[str], name: str, evidence: Evidence = Evidence.SILENCE) -> ProberInfo:
+    diagnosis = Diagnosis(evidence, f"No {name}.")
     announces_at = SerialFormat(38400) if name == "Talker" else None
     return ProberInfo(
         name, lambda _settings, *, full, known: Deaf(noted, name, diagnosis), announces_at
     )
 
 
-def search(wire: Wire, seeks: dict[str, ProberInfo], first: str | None = None) -> PortScan:
-    return scan_port(VIRTUAL, seeks, first=first, open_wire=lambda _settings: wire)
+def search(wire: Wire, probers: dict[str, ProberInfo], first: str | None = None) -> PortScan:
+    return scan_port(VIRTUAL, probers, first=first, open_wire=lambda _settings: wire)
 
 
 def test_likely_settings_of_all_kinds_come_first() -> None:
@@ -91,8 +91,8 @@ def test_search_follows_order_and_opens_port_once() -> None:
         opened.append(settings)
         return wire
 
-    seeks = {"one": nobody(noted, "One"), "two": nobody(noted, "Two")}
-    scan_port(VIRTUAL, seeks, first="two", open_wire=open_wire)
+    probers = {"one": nobody(noted, "One"), "two": nobody(noted, "Two")}
+    scan_port(VIRTUAL, probers, first="two", open_wire=open_wire)
     assert noted == ["Two 0", "One 0", "Two 1", "One 1"]
     assert [settings.line for settings in opened] == [FLUSH_LINE]
     assert wire.closed
@@ -101,8 +101,8 @@ def test_search_follows_order_and_opens_port_once() -> None:
 def test_progress_counts_probes_and_names_device_kind() -> None:
     steps: list[ScanProgress] = []
     wire = wire_of(a_board())
-    seeks = {"one": nobody([], "One"), "two": nobody([], "Two")}
-    scan_port(VIRTUAL, seeks, progress=steps.append, open_wire=lambda _settings: wire)
+    probers = {"one": nobody([], "One"), "two": nobody([], "Two")}
+    scan_port(VIRTUAL, probers, progress=steps.append, open_wire=lambda _settings: wire)
     assert [step.done for step in steps] == list(range(10))
     assert {step.total for step in steps} == {10}
     assert [step.kind for step in steps] == ["One"] * 2 + ["Two"] * 2 + ["One"] * 3 + ["Two"] * 3
@@ -110,9 +110,9 @@ def test_progress_counts_probes_and_names_device_kind() -> None:
 
 def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
     noted: list[str] = []
-    seeks = {"trex": TREX_PROBER, "other": nobody(noted, "Other")}
+    probers = {"trex": TREX_PROBER, "other": nobody(noted, "Other")}
     wire = wire_of(a_board(settings=LineSettings(57600).to_wire()))
-    result = search(wire, seeks)
+    result = search(wire, probers)
     assert (result.device, [found.name for found in result.found]) == ("trex", ["TReX 1.2"])
     assert result.found[0].settings == ConnectionSettings("virtual", LineSettings(57600))
     assert noted == []
@@ -121,34 +121,34 @@ def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
 
 def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
     noted: list[str] = []
-    seeks = {"trex": TREX_PROBER, "other": nobody(noted, "Other")}
-    result = search(wire_of(a_board(settings=LineSettings(4800).to_wire())), seeks)
+    probers = {"trex": TREX_PROBER, "other": nobody(noted, "Other")}
+    result = search(wire_of(a_board(settings=LineSettings(4800).to_wire())), probers)
     assert result.found[0].settings.line == LineSettings(4800)
     assert noted == ["Other 0"]
 
 
 def test_unsolicited_data_is_heard_at_rate_declared_by_kind() -> None:
     noted: list[str] = []
-    seeks = {"trex": TREX_PROBER, "talker": nobody(noted, "Talker")}
+    probers = {"trex": TREX_PROBER, "talker": nobody(noted, "Talker")}
     board = a_board()
     board.power_off()
     wire = wire_of(board)
     read = wire.read
     wire.read = lambda size, seconds: b"$GPGGA" if seconds == 0.3 else read(size, seconds)  # type: ignore[method-assign]
-    result = search(wire, seeks)
+    result = search(wire, probers)
     assert noted[0] == "Talker hears b'$GPGGA' at 38400"
     assert "24 47 50 47 47 41 came at 38400 baud" in result.lines[0]
 
 
 def test_diagnoses_of_all_kinds_are_sorted_by_evidence() -> None:
-    seeks = {
+    probers = {
         "silent": nobody([], "Silent"),
         "known": nobody([], "Known", Evidence.KNOWN),
         "echo": nobody([], "Echo", Evidence.ECHO),
         "mute": nobody([], "Mute"),
         "strange": nobody([], "Strange", Evidence.STRANGE),
     }
-    assert search(wire_of(a_board()), seeks).lines == [
+    assert search(wire_of(a_board()), probers).lines == [
         "No Known.",
         "No Strange.",
         "No Echo.",
@@ -182,8 +182,8 @@ def test_unopened_port_reports_only_its_error() -> None:
     assert not result.cancelled
 
 
-@pytest.mark.parametrize("telling", [Evidence.SILENCE, Evidence.STRANGE])
-def test_port_loss_is_reported_before_evidence(telling: Evidence) -> None:
+@pytest.mark.parametrize("evidence", [Evidence.SILENCE, Evidence.STRANGE])
+def test_port_loss_is_reported_before_evidence(evidence: Evidence) -> None:
     wire = wire_of(a_board())
 
     class Puller(Deaf):
@@ -196,10 +196,10 @@ def test_port_loss_is_reported_before_evidence(telling: Evidence) -> None:
         ) -> None:
             raise PortUnavailable("It is gone.")
 
-    diagnosis = Diagnosis(telling, "No Two.")
+    diagnosis = Diagnosis(evidence, "No Two.")
     pulled = ProberInfo("Two", lambda _settings, *, full, known: Puller([], "Two", diagnosis))
-    result = search(wire, {"one": nobody([], "One", telling), "two": pulled})
-    heard = ["No One.", "No Two."] if telling else []
+    result = search(wire, {"one": nobody([], "One", evidence), "two": pulled})
+    heard = ["No One.", "No Two."] if evidence else []
     assert result.lines == ["It is gone.", *heard]
     assert wire.closed
 

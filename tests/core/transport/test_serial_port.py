@@ -35,13 +35,13 @@ Start = StartSimulator
 
 LINE = LineSettings()
 
-PATIENCE = 15.0
+LONG_TIMEOUT = 15.0
 """Seconds after which what should have happened will not, however loaded the machine."""
 
 
 def patient(transport: SerialTransport, url: str) -> TrexClient:
     """Return a client that waits for a simulator which stands still."""
-    return TrexClient(transport, ConnectionSettings(url, timeouts=Timeouts(extra=PATIENCE)))
+    return TrexClient(transport, ConnectionSettings(url, timeouts=Timeouts(extra=LONG_TIMEOUT)))
 
 
 @pytest.fixture
@@ -134,15 +134,15 @@ def test_port_gets_baud_rate_and_stop_bits_of_line(terminal: tuple[int, str], op
 def test_low_latency_is_requested_from_adapter(
     terminal: tuple[int, str], opened: Open, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    asked: list[bool] = []
+    requested: list[bool] = []
 
     def set_mode(_port: serial.Serial, low_latency: bool) -> None:
-        asked.append(low_latency)
+        requested.append(low_latency)
         raise OSError(errno.ENOTTY, "a terminal has no latency")
 
     monkeypatch.setattr(serial.Serial, "set_low_latency_mode", set_mode)
     opened(terminal[1])
-    assert asked == [True]
+    assert requested == [True]
 
 
 def test_all_byte_values_pass_unchanged(terminal: tuple[int, str], opened: Open) -> None:
@@ -155,7 +155,7 @@ def test_all_byte_values_pass_unchanged(terminal: tuple[int, str], opened: Open)
         passed += os.read(master, 512)
     assert passed == everything
     os.write(master, everything)
-    assert transport.read(256, PATIENCE) == everything
+    assert transport.read(256, LONG_TIMEOUT) == everything
 
 
 def test_read_ends_when_all_bytes_have_arrived(terminal: tuple[int, str], opened: Open) -> None:
@@ -172,7 +172,7 @@ def test_incomplete_read_ends_at_timeout(terminal: tuple[int, str], opened: Open
     transport = opened(path)
     for _ in range(20):  # a busy computer adds to some
         os.write(master, b"xab")
-        assert transport.read(1, PATIENCE) == b"x"  # so the rest is here as well
+        assert transport.read(1, LONG_TIMEOUT) == b"x"  # so the rest is here as well
         begun = transport.clock()
         assert transport.read(3, 0.1) == b"ab"
         took = transport.clock() - begun
@@ -186,11 +186,11 @@ def test_discard_returns_and_removes_bytes(terminal: tuple[int, str], opened: Op
     master, path = terminal
     transport = opened(path)
     os.write(master, b"xstale")
-    assert transport.read(1, PATIENCE) == b"x"  # so the rest is here as well
+    assert transport.read(1, LONG_TIMEOUT) == b"x"  # so the rest is here as well
     assert transport.discard() == b"stale"
     assert transport.discard() == b""
     os.write(master, b"new")
-    assert transport.read(3, PATIENCE) == b"new"
+    assert transport.read(3, LONG_TIMEOUT) == b"new"
 
 
 def test_clock_jump_while_reading_loses_no_bytes(terminal: tuple[int, str], opened: Open) -> None:

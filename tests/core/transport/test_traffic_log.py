@@ -37,11 +37,11 @@ def texts_of(pieces: list[TrafficEvent]) -> list[str]:
 
 def run_taped(stage: Stage, seconds: float) -> list[TrafficEvent]:
     """Run a session whose line is noted; return what was noted."""
-    tape = TrafficLog()
+    log = TrafficLog()
     stage.script.at(seconds, lambda: None)
-    open_taped = logged(tape, lambda _settings: stage.transport, stage.transport.clock)
+    open_taped = logged(log, lambda _settings: stage.transport, stage.transport.clock)
     TrexSession(SETTINGS, stage.script, stage.reports.append, open_taped).run()
-    return tape.take()
+    return log.take()
 
 
 def test_sent_and_received_bytes_are_logged_in_order(stage: Stage) -> None:
@@ -69,41 +69,41 @@ def test_failed_opening_of_port_is_logged() -> None:
     def refuse(_settings: PortSettings) -> VirtualTransport:
         raise PortUnavailable("It is in use.")
 
-    tape = TrafficLog()
+    log = TrafficLog()
     with pytest.raises(PortUnavailable):
-        logged(tape, refuse)(SETTINGS)
-    assert texts_of(tape.take()) == ["It is in use."]
+        logged(log, refuse)(SETTINGS)
+    assert texts_of(log.take()) == ["It is in use."]
 
 
 @pytest.mark.parametrize("act", ["write", "read"])
 def test_port_loss_is_logged(stage: Stage, act: str) -> None:
-    tape = TrafficLog()
-    line = LoggingTransport(stage.transport, SETTINGS, tape)
+    log = TrafficLog()
+    line = LoggingTransport(stage.transport, SETTINGS, log)
     stage.transport.fail = PortUnavailable("The line is gone.")
     with pytest.raises(PortUnavailable):
         line.write(b"\x81") if act == "write" else line.read(1, 0.1)
-    assert texts_of(tape.take()) == ["The line is gone."]
+    assert texts_of(log.take()) == ["The line is gone."]
 
 
 def test_new_line_settings_are_logged_once(stage: Stage) -> None:
-    tape = TrafficLog()
-    line = LoggingTransport(stage.transport, SETTINGS, tape)
+    log = TrafficLog()
+    line = LoggingTransport(stage.transport, SETTINGS, log)
     other = LineSettings(57600, Detection.CRC7)
     line.reconfigure(SETTINGS.line)
     line.reconfigure(other)
     line.reconfigure(other)
-    noted = tape.take()
+    noted = log.take()
     assert [piece.text for piece in noted] == [f"Set to {other.text()}."]
     assert noted[0].settings is not None
     assert noted[0].settings.line == other
 
 
 def test_unread_traffic_log_is_bounded_and_counts_losses() -> None:
-    tape = TrafficLog()
+    log = TrafficLog()
     for number in range(60_000):
-        tape.note(TrafficEvent(float(number), TrafficDirection.SENT, b"\xff"))
-    kept = tape.take()
-    assert len(kept) + tape.lost == 60_000
+        log.note(TrafficEvent(float(number), TrafficDirection.SENT, b"\xff"))
+    kept = log.take()
+    assert len(kept) + log.lost == 60_000
     assert kept[0].time == 0.0
-    tape.note(TrafficEvent(1.0, TrafficDirection.SENT, b"\xff"))
-    assert len(tape.take()) == 1
+    log.note(TrafficEvent(1.0, TrafficDirection.SENT, b"\xff"))
+    assert len(log.take()) == 1

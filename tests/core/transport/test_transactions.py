@@ -9,8 +9,8 @@ from tests.support.talk import (
     Said,
     assert_sayable,
     pieces_of,
+    reports,
     rows_of,
-    told,
 )
 from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent, TransactionAssembler
 from trex_gui.devices.trex.protocol.commands import (
@@ -74,15 +74,15 @@ TREX: list[tuple[Said, str, bool]] = [
 
 @pytest.mark.parametrize(("said", "text", "is_fault"), TREX, ids=lambda value: str(value)[:40])
 def test_trex_exchange_is_decoded(said: Said, text: str, is_fault: bool) -> None:
-    assert told(TrexDecoder(), pieces_of([said])) == [(text, is_fault)]
+    assert reports(TrexDecoder(), pieces_of([said])) == [(text, is_fault)]
 
 
 @given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
 def test_fragmented_bytes_decode_to_same_rows(talk: list[tuple[Said, str, bool]], cut: int) -> None:
     # Bytes behind an answer that is whole begin a row of their own, wherever they were cut.
     said = [one[0] for one in talk if one[0][0] and not one[2]]
-    whole = told(TrexDecoder(), pieces_of(said))
-    assert told(TrexDecoder(), pieces_of(said, cut)) == whole
+    whole = reports(TrexDecoder(), pieces_of(said))
+    assert reports(TrexDecoder(), pieces_of(said, cut)) == whole
     assert len(whole) == len(said)
 
 
@@ -101,10 +101,10 @@ def test_reply_with_wrong_crc_is_decoded_as_fault(
     sent = Framing(number, CRC.polynomial).encode(command)
     answer = {GetSignature: b"TReX1.2", GetMode: b"r", SetParameter: b"\x00"}[type(command)]
     good = answer + bytes([crc7(answer, CRC.polynomial)])
-    ((_, is_fault),) = told(TrexDecoder(), pieces_of([(sent, good)], settings=CRC))
+    ((_, is_fault),) = reports(TrexDecoder(), pieces_of([(sent, good)], settings=CRC))
     assert not is_fault
     bad = answer + bytes([good[-1] ^ 1])
-    ((text, is_fault),) = told(TrexDecoder(), pieces_of([(sent, bad)], settings=CRC))
+    ((text, is_fault),) = reports(TrexDecoder(), pieces_of([(sent, bad)], settings=CRC))
     assert is_fault
     assert "the CRC is" in text
 
@@ -123,18 +123,18 @@ def test_late_bytes_are_assigned_to_their_request() -> None:
 
 
 def test_decoded_units_are_those_of_board_model() -> None:
-    wording = TrexDecoder()
+    decoder = TrexDecoder()
     junior = device_table().model("trexjr")
-    wording.board = Signature(junior, "1.2")
-    ((text, _),) = told(wording, pieces_of([(b"\x8f", b"\x0a\x00")]))
+    decoder.board = Signature(junior, "1.2")
+    ((text, _),) = reports(decoder, pieces_of([(b"\x8f", b"\x0a\x00")]))
     assert f"motor 1: {10 * junior.current_unit:.2f} A" in text
 
 
 def test_polls_are_distinguished_from_user_requests() -> None:
     polled = [b"\x82", b"\x86\x1f", b"\x8f", b"\xff", b"\x80\x07\x04"]
-    asked = [b"\x81", b"\x9f\x07", b"\xc2\x00", b"\xaf\x07\x0f\x55\x2a", b"\x80\x07\x42\x00"]
+    requested = [b"\x81", b"\x9f\x07", b"\xc2\x00", b"\xaf\x07\x0f\x55\x2a", b"\x80\x07\x42\x00"]
     assert all(map(TrexDecoder().is_routine, polled))
-    assert not any(map(TrexDecoder().is_routine, asked))
+    assert not any(map(TrexDecoder().is_routine, requested))
 
 
 @given(STRANGE_TALK, st.integers(1, 24))

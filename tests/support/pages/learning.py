@@ -125,7 +125,7 @@ class LearningDialog(WidgetDriver):
     def use(self, sticks: dict[int, Stick], crosstalk: float = 0.0) -> None:
         """Take a transmitter with these sticks, and wait until its signals come in."""
         self.transmitter = Transmitter(self.simulator, sticks, crosstalk)
-        self.wait(lambda: self.transmitter.rests(self.device.telemetry.raw_of))
+        self.wait(lambda: self.transmitter.is_at_rest(self.device.telemetry.raw_of))
 
     def hold(self) -> None:
         """Wait for as many measurements as make an end."""

@@ -156,15 +156,15 @@ def test_shutdown_begins_on_all_devices_before_waiting(
     board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first, second = devices
-    told: list[list[str]] = []
+    reports: list[list[str]] = []
 
     def shut_down() -> bool:
-        told.append(list(second.done))
+        reports.append(list(second.done))
         return True
 
     monkeypatch.setattr(first, "shut_down", shut_down)
     assert board.shut_down()
-    assert told == [["begin to shut down"]]
+    assert reports == [["begin to shut down"]]
 
 
 def test_unconfirmed_stops_of_all_devices_are_listed(
@@ -178,38 +178,38 @@ def test_unconfirmed_stops_of_all_devices_are_listed(
 
 
 @pytest.fixture
-def told(board: DeviceManager) -> list[str]:
+def reports(board: DeviceManager) -> list[str]:
     """What was told of stops that nobody asked for."""
-    told: list[str] = []
-    board.stop_reported.connect(told.append)
-    return told
+    reports: list[str] = []
+    board.stop_reported.connect(reports.append)
+    return reports
 
 
 def test_automatic_stop_reaches_all_and_current_device_reports(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], told: list[str]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], reports: list[str]
 ) -> None:
     board.connect_to(port("b", "second"))
     board.stop_because("It rains")
     assert [device.done[-1] for device in devices] == ["stop: It rains"] * 2
-    assert told == ["It rains, so Second is told."]
+    assert reports == ["It rains, so Second is told."]
 
 
 def test_stop_report_is_forwarded_only_for_the_current_device(
-    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], told: list[str]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], reports: list[str]
 ) -> None:
     devices[1].stop_reported.emit("The second stands.")
-    assert told == []
+    assert reports == []
     devices[0].stop_reported.emit("The first stands.")
-    assert told == ["The first stands."]
+    assert reports == ["The first stands."]
 
 
 def test_unconnected_stop_is_reported_only_if_reason_is_news(
-    board: DeviceManager, told: list[str]
+    board: DeviceManager, reports: list[str]
 ) -> None:
     board.stop_because("It rains")
-    assert told == []
+    assert reports == []
     board.stop_because("The roof fell in", is_news=True)
-    assert told == ["The roof fell in."]
+    assert reports == ["The roof fell in."]
 
 
 def test_emergency_stop_reaches_every_device(

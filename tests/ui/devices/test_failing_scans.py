@@ -27,10 +27,10 @@ def finder(qtbot: QtBot) -> DeviceScanner:
 def test_internal_error_is_listed_and_the_scan_continues(
     finder: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    def odd(settings: PortSettings, *, full: bool, known: bool) -> Prober:
+    def unexpected(settings: PortSettings, *, full: bool, known: bool) -> Prober:
         raise ZeroDivisionError("on purpose")
 
-    finder._probers["odd"] = ProberInfo("Odd", odd)
+    finder._probers["odd"] = ProberInfo("Odd", unexpected)
     finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
     qtbot.waitUntil(lambda: not finder.running)
     first, second = finder.findings

@@ -37,7 +37,7 @@ class Watched:
         timeouts = PATIENT if isinstance(qtbot, PatientQtBot) else Timeouts()
         settings = ConnectionSettings(url, timeouts=timeouts)
         self.worker = LineWorker(
-            lambda inbox, tell: TrexSession(settings, inbox, tell, open_transport)
+            lambda inbox, notify: TrexSession(settings, inbox, notify, open_transport)
         )
         self.worker.reported.connect(self._take)
         self.qtbot = qtbot

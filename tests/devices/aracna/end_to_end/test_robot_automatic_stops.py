@@ -49,13 +49,13 @@ def test_automatic_halt_at_rest_reports_that_nothing_is_sent(
         window.wait(lambda: causes.banner == message)  # noqa: B023
 
     window.press_disconnect()
-    before = len(causes.told)
+    before = len(causes.reports)
     causes.lock_the_screen()
     virtual_time.advance(AGAIN)
-    assert len(causes.told) == before, "a locked screen is no news"
+    assert len(causes.reports) == before, "a locked screen is no news"
     causes.make_a_mistake()
-    window.wait(lambda: len(causes.told) > before)
-    assert causes.told[before:] == [f"{MISTAKE}."]
+    window.wait(lambda: len(causes.reports) > before)
+    assert causes.reports[before:] == [f"{MISTAKE}."]
 
 
 def test_automatic_halt_reports_remaining_motion_time(
@@ -78,17 +78,17 @@ def test_automatic_halt_reports_remaining_motion_time(
         assert robot.state.moving is not None, "it continues, and the bar agrees"
         assert "ends by itself in about" in window.text("aracnaMotionLabel")
         assert f"{reason}." in [event.text for event in robot.events.all]
-    assert len(causes.told) == 2
-    assert not [text for text in causes.told if "stopped" in text or "confirmed" in text]
+    assert len(causes.reports) == 2
+    assert not [text for text in causes.reports if "stopped" in text or "confirmed" in text]
     assert window.motors.stop_reason == "", "nothing of a TReX was stopped either"
 
     window.press_disconnect()
     before = robot.remaining()
     window.wait(lambda: robot.remaining() < before - AGAIN)
     causes.make_a_mistake()
-    window.wait(lambda: len(causes.told) == 3)
+    window.wait(lambda: len(causes.reports) == 3)
     assert re.fullmatch(
         rf"{re.escape(MISTAKE)}\. No robot is connected; the motion continues "
         r"\(about \d+ s\)\.",
-        causes.told[2],
+        causes.reports[2],
     )

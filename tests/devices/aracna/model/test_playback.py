@@ -28,14 +28,14 @@ from trex_gui.devices.aracna.recording import Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, Restarted, Stuck
 from trex_gui.ui.event_log import EventKind
 
-PATIENCE = 20_000
+LONG_TIMEOUT = 20_000
 
 
 def loaded(path: Path, qtbot: QtBot, *what: Record) -> RobotPlayback:
     write(path, list(what))
     playback = RobotPlayback.open(path)
     assert not playback.is_loaded
-    with qtbot.waitSignal(playback.loaded, timeout=PATIENCE):
+    with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
         pass
     return playback
 
@@ -164,7 +164,7 @@ def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBo
     path = tmp_path / "long.trexrec"
     write(path, list(session(600)))
     playback = RobotPlayback(open_recording(path), max_rows=5000)
-    with qtbot.waitSignal(playback.loaded, timeout=PATIENCE):
+    with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
         playback.start_loading()
     drawn, there = playback.drawn
     assert drawn == 5000 < there
@@ -189,9 +189,9 @@ def test_close_while_loading_ends_thread(
     signals: list[str] = []
     playback.loaded.connect(lambda: signals.append("loaded"))
     playback.failed.connect(signals.append)
-    qtbot.waitUntil(lambda: playback.progress > 0, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: playback.progress > 0, timeout=LONG_TIMEOUT)
     assert thread.isRunning()
-    qtbot.waitUntil(playback.close, timeout=PATIENCE)
+    qtbot.waitUntil(playback.close, timeout=LONG_TIMEOUT)
     assert not isValid(thread) or thread.isFinished()
     QCoreApplication.sendPostedEvents()
     assert signals == []

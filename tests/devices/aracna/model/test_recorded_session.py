@@ -30,7 +30,7 @@ from trex_gui.devices.aracna.session.messages import (
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.event_log import EventKind
 
-PATIENCE = 15_000
+LONG_TIMEOUT = 15_000
 RECORDED = (
     *(Moving, Passed, Moved, SpeedsHeld, StepBegun, PlayEnded, Stuck, Restarted),
     *(StoppedResponding, Marker),
@@ -58,16 +58,18 @@ class Session:
             self.reported.append(report)
 
     def wait_for(self, link: ConnectionState) -> None:
-        self.qtbot.waitUntil(lambda: self.robot.link is link, timeout=PATIENCE)
+        self.qtbot.waitUntil(lambda: self.robot.link is link, timeout=LONG_TIMEOUT)
 
     def move(self, *goals: int) -> None:
         before = self.robot.state.moved
         assert self.robot.move(goals)
-        self.qtbot.waitUntil(lambda: self.robot.state.moved not in {None, before}, timeout=PATIENCE)
+        self.qtbot.waitUntil(
+            lambda: self.robot.state.moved not in {None, before}, timeout=LONG_TIMEOUT
+        )
 
     def stop(self) -> list[Record]:
         """End the recording and return its records."""
-        with self.qtbot.waitSignal(self.recorder.ended, timeout=PATIENCE):
+        with self.qtbot.waitSignal(self.recorder.ended, timeout=LONG_TIMEOUT):
             self.recorder.stop()
         found, problems = read_all(self.path)
         assert problems == []
@@ -99,7 +101,7 @@ def test_every_report_is_read_back_equal(session: Session) -> None:
     steps = tuple(Step((goal,) * 8, 0.1) for goal in (300, 320, 340))
     with session.qtbot.waitSignal(
         session.robot.reported,
-        timeout=PATIENCE,
+        timeout=LONG_TIMEOUT,
         check_params_cb=lambda report: isinstance(report, PlayEnded),
     ):
         session.robot.play(Play(0, steps, rounds=2))
@@ -119,17 +121,17 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     session.move(*(500,) * 8)
     session.simulator.do("servo 3 block")  # dead before it is on its way, it would take no speed
     assert session.robot.move((400,) * 8)
-    session.qtbot.waitUntil(lambda: session.robot.state.moving is not None, timeout=PATIENCE)
+    session.qtbot.waitUntil(lambda: session.robot.state.moving is not None, timeout=LONG_TIMEOUT)
     session.simulator.do("servo 3 dead")
     session.simulator.do("servo 3 free")
-    session.qtbot.waitUntil(lambda: session.robot.state.stuck is not None, timeout=PATIENCE)
+    session.qtbot.waitUntil(lambda: session.robot.state.stuck is not None, timeout=LONG_TIMEOUT)
     assert not session.robot.move((300,) * 8)
     session.simulator.do("servo 3 alive")
-    session.qtbot.waitUntil(lambda: session.robot.state.moving is None, timeout=PATIENCE)
+    session.qtbot.waitUntil(lambda: session.robot.state.moving is None, timeout=LONG_TIMEOUT)
     session.links.clear()
     session.simulator.do("reset")
     session.qtbot.waitUntil(
-        lambda: ConnectionState.NOT_RESPONDING in session.links, timeout=PATIENCE
+        lambda: ConnectionState.NOT_RESPONDING in session.links, timeout=LONG_TIMEOUT
     )  # for a second
     session.wait_for(ConnectionState.CONNECTED)
     session.simulator.do("line mute on")
@@ -154,12 +156,12 @@ def test_late_recording_starts_with_known_state(session: Session) -> None:
     session.move(*(500,) * 8)
     session.robot.set_speeds((40,) * 8)
     assert session.robot.move((100,) * 8)  # 4.4 s, in which the recording has to begin
-    session.qtbot.waitUntil(lambda: session.robot.state.moving is not None, timeout=PATIENCE)
+    session.qtbot.waitUntil(lambda: session.robot.state.moving is not None, timeout=LONG_TIMEOUT)
     moving, speeds = session.robot.state.moving, session.robot.state.speeds
     assert moving is not None
     assert speeds is not None
     session.recorder.start(session.path)
-    session.qtbot.waitUntil(lambda: session.robot.state.moved is not None, timeout=PATIENCE)
+    session.qtbot.waitUntil(lambda: session.robot.state.moved is not None, timeout=LONG_TIMEOUT)
     known = session.robot.state
     first, second, third, *rest = without_markers(session.stop())
     assert isinstance(first, Passed)
@@ -179,7 +181,7 @@ def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: Q
     ending = session.stop()[-1]
     assert ending.time > session.reported[-1].time
     playback = RobotPlayback.open(session.path)
-    with qtbot.waitSignal(playback.loaded, timeout=PATIENCE):
+    with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
         pass
     last = playback.traces.samples(playback.start, playback.end)[0][-1]
     assert playback.end == last == ending.time

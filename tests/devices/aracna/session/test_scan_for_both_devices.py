@@ -19,13 +19,13 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.line import TrexLine
 
 VIRTUAL = ConnectionSettings("virtual")
-SEEKS = {"trex": TREX_PROBER, "aracna": ARACNA_PROBER}
+PROBERS = {"trex": TREX_PROBER, "aracna": ARACNA_PROBER}
 
 __all__ = ["orders"]  # a fixture
 
 
 def search(wire: Transport, first: str | None = None) -> PortScan:
-    return scan_port(VIRTUAL, SEEKS, first=first, open_wire=lambda _settings: wire)
+    return scan_port(VIRTUAL, PROBERS, first=first, open_wire=lambda _settings: wire)
 
 
 # --- What is found, and how soon ------------------------------------------------------------
@@ -94,7 +94,7 @@ def test_progress_names_probed_device() -> None:
     stage = AracnaStage()
     stage.do("power off")
     steps: list[ScanProgress] = []
-    scan_port(VIRTUAL, SEEKS, progress=steps.append, open_wire=lambda _settings: stage.transport)
+    scan_port(VIRTUAL, PROBERS, progress=steps.append, open_wire=lambda _settings: stage.transport)
     assert [step.kind for step in steps] == ["TReX"] * 5 + ["Aracna"] * 5 + ["TReX"] * 83
     assert [step.done for step in steps] == list(range(93))
     assert {step.total for step in steps} == {93}
@@ -150,7 +150,7 @@ def test_reply_to_aracna_probe_is_reported_first() -> None:
         stage.transport.write = writes  # type: ignore[method-assign]
         return stage.transport
 
-    aracna, trex = scan_port(VIRTUAL, SEEKS, open_wire=hear_something).lines
+    aracna, trex = scan_port(VIRTUAL, PROBERS, open_wire=hear_something).lines
     assert sent == 5
     assert "not as an Aracna does" in aracna
     assert trex.startswith("No TReX answers")

@@ -68,12 +68,12 @@ def test_truncated_first_line_is_ignored(tail: bytes) -> None:
 
 
 @pytest.mark.parametrize(
-    ("motors", "tells", "version"), [(2, True, 0), (2, False, 0), (8, True, 1), (8, False, 1)]
+    ("motors", "describes", "version"), [(2, True, 0), (2, False, 0), (8, True, 1), (8, False, 1)]
 )
 def test_motor_count_is_reported_or_derived_from_version(
-    *, motors: int, tells: bool, version: int
+    *, motors: int, describes: bool, version: int
 ) -> None:
-    session = ScriptedSession(motors=motors, reports_motors=tells, version=version).until(1.0)
+    session = ScriptedSession(motors=motors, reports_motors=describes, version=version).until(1.0)
     session.run()
     assert [connected.motors for connected in session.of(Connected)] == [motors]
 

@@ -51,7 +51,7 @@ class SessionRunner:
         self.reports: list[object] = []
         settings = PortSettings(url, timeouts=Timeouts(extra=3.0))
         self.worker = LineWorker(
-            lambda inbox, tell: AracnaSession(settings, inbox, tell, open_transport)
+            lambda inbox, notify: AracnaSession(settings, inbox, notify, open_transport)
         )
         self.worker.reported.connect(self.reports.append)
         self.worker.start()

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.support.talk import STRANGE_TALK, Said, assert_sayable, pieces_of, told
+from tests.support.talk import STRANGE_TALK, Said, assert_sayable, pieces_of, reports
 from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 
@@ -45,7 +45,7 @@ ARACNA: list[tuple[Said, str, bool]] = [
 
 @pytest.mark.parametrize(("said", "text", "is_fault"), ARACNA, ids=lambda value: str(value)[:40])
 def test_exchange_is_decoded_as_text(said: Said, text: str, is_fault: bool) -> None:
-    assert told(AracnaDecoder(), pieces_of([said])) == [(text, is_fault)]
+    assert reports(AracnaDecoder(), pieces_of([said])) == [(text, is_fault)]
 
 
 @given(st.lists(st.sampled_from(ARACNA), max_size=8), st.integers(1, 5))
@@ -53,14 +53,14 @@ def test_chunk_size_does_not_change_decoded_rows(
     talk: list[tuple[Said, str, bool]], cut: int
 ) -> None:
     said = [one[0] for one in talk if one[0][0]]
-    whole = told(AracnaDecoder(), pieces_of(said))
-    assert told(AracnaDecoder(), pieces_of(said, cut)) == whole
+    whole = reports(AracnaDecoder(), pieces_of(said))
+    assert reports(AracnaDecoder(), pieces_of(said, cut)) == whole
 
 
 def test_only_version_query_is_routine() -> None:
-    wording = AracnaDecoder()
-    assert wording.is_routine(b".q\n")
-    assert not any(map(wording.is_routine, [b".c1,2\n", b".v1,2\n", b"\n", b".l1\n"]))
+    decoder = AracnaDecoder()
+    assert decoder.is_routine(b".q\n")
+    assert not any(map(decoder.is_routine, [b".c1,2\n", b".v1,2\n", b"\n", b".l1\n"]))
 
 
 @given(STRANGE_TALK, st.integers(1, 24))
@@ -69,7 +69,7 @@ def test_any_bytes_can_be_decoded_as_text(talk: list[Said], cut: int) -> None:
 
 
 def test_late_reply_is_shown_with_its_command() -> None:
-    wording = AracnaDecoder()
+    decoder = AracnaDecoder()
     pieces = [
         TrafficEvent(1.0, TrafficDirection.SENT, b".c5,6\n"),
         TrafficEvent(2.0, TrafficDirection.RECEIVED, b".c5,"),
@@ -79,7 +79,7 @@ def test_late_reply_is_shown_with_its_command() -> None:
         TrafficEvent(9.6, TrafficDirection.RECEIVED, b".q1,2\r\n"),
         TrafficEvent(11.0, TrafficDirection.SENT, b".q\n"),
     ]
-    first, second = told(wording, pieces)
+    first, second = reports(decoder, pieces)
     assert first == (
         "go to 5, 6, then query whether it is free → at 5, 6; firmware 1, 2 motors",
         False,
@@ -94,6 +94,6 @@ def test_command_ended_only_by_next_query_is_a_fault() -> None:
         TrafficEvent(4.1, TrafficDirection.RECEIVED, b".q1,2\r\n"),
         TrafficEvent(5.0, TrafficDirection.LINE, text="Closed."),
     ]
-    ((text, is_fault),) = told(AracnaDecoder(), pieces)
+    ((text, is_fault),) = reports(AracnaDecoder(), pieces)
     assert is_fault
     assert text.endswith("firmware 1, 2 motors; no reply to the command itself")

@@ -13,7 +13,7 @@ from click.testing import CliRunner
 from tests.support.aracna import AracnaProcess
 from trex_gui.cli.simulator import main
 
-PATIENCE = 20.0
+LONG_TIMEOUT = 20.0
 VERSION = b".q1,8\r\n"
 
 needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-terminals")
@@ -35,12 +35,12 @@ def start() -> Iterator[Start]:
 
 
 def open_port(process: AracnaProcess, baud: int = 38400) -> serial.Serial:
-    return serial.serial_for_url(process.url, baudrate=baud, timeout=PATIENCE)
+    return serial.serial_for_url(process.url, baudrate=baud, timeout=LONG_TIMEOUT)
 
 
 def wait_until(condition: Callable[[], bool]) -> None:
     """Poll a condition that asks the simulator, which takes a round trip each time."""
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + LONG_TIMEOUT
     while not condition():
         assert time.monotonic() < end
 
@@ -112,7 +112,7 @@ def test_rfc2217_port_passes_parity_of_host(start: Start) -> None:
     with serial.serial_for_url(robot.url, baudrate=38400, parity="E", timeout=1.5) as port:
         port.write(b".q\n")
         assert VERSION not in port.read(50)
-    with serial.serial_for_url(robot.url, baudrate=38400, timeout=PATIENCE) as port:
+    with serial.serial_for_url(robot.url, baudrate=38400, timeout=LONG_TIMEOUT) as port:
         port.timeout = 1.5
         answer = b""
         while VERSION not in answer:  # its board may still be starting
@@ -124,14 +124,14 @@ def test_rfc2217_port_passes_parity_of_host(start: Start) -> None:
 def test_unplug_closes_connection_and_plug_reopens_port(start: Start) -> None:
     robot = start("--tcp", "127.0.0.1:0")
     host, number = robot.url.removeprefix("socket://").split(":")
-    with socket.create_connection((host, int(number)), PATIENCE) as other:
+    with socket.create_connection((host, int(number)), LONG_TIMEOUT) as other:
         assert robot.do("line unplug") == "unplugged"
         while other.recv(100):
             pass
     with pytest.raises(ConnectionRefusedError):
-        socket.create_connection((host, int(number)), PATIENCE)
+        socket.create_connection((host, int(number)), LONG_TIMEOUT)
     assert robot.do("line plug") == f"plugged {robot.url}"
-    socket.create_connection((host, int(number)), PATIENCE).close()
+    socket.create_connection((host, int(number)), LONG_TIMEOUT).close()
 
 
 @pytest.mark.realtime
@@ -142,7 +142,7 @@ def test_quit_ends_process() -> None:
         capture_output=True,
         input="warp\nquit\n",
         text=True,
-        timeout=PATIENCE,
+        timeout=LONG_TIMEOUT,
     )
     ready, refused, bye = done.stdout.splitlines()
     assert ready.startswith("ready socket://")

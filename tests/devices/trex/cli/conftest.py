@@ -16,7 +16,7 @@ from trex_gui.ui.runtime import runtime
 
 StartProcess = Callable[..., "subprocess.Popen[str]"]
 
-PATIENCE = 1.0
+LONG_TIMEOUT = 1.0
 """Seconds for which a process waits for an answer: a simulator may be slow on a busy computer."""
 
 
@@ -52,7 +52,7 @@ def start_process(quick_simulator: SimulatedDevice) -> Iterator[StartProcess]:
 
     def begin(*words: str) -> subprocess.Popen[str]:
         process = subprocess.Popen(
-            [sys.executable, "-m", "trex_gui.cli", *words, f"--timeout={PATIENCE:g}"],
+            [sys.executable, "-m", "trex_gui.cli", *words, f"--timeout={LONG_TIMEOUT:g}"],
             env={**os.environ, "TREX_PORT": quick_simulator.url},
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,

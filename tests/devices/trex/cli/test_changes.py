@@ -216,8 +216,8 @@ def test_baud_rate_that_port_lacks_prints_warning(
     words = ("uart_settings", "10") if command == "set" else (str(file),)
     result = trexcmd(*command.split(), *words)
     assert result.exit_code == 0, result.stderr
-    told = "This computer's serial port does not support 115200 baud" in result.stderr
-    assert told is (rates is not None)
+    reports = "This computer's serial port does not support 115200 baud" in result.stderr
+    assert reports is (rates is not None)
 
 
 def test_port_rates_are_queried_before_anything_is_sent(
@@ -226,14 +226,14 @@ def test_port_rates_are_queried_before_anything_is_sent(
     happened: list[str] = []
 
     def rates(_: VirtualTransport, _wanted: object) -> None:
-        happened.append("asked")
+        happened.append("queried")
 
     assert isinstance(quick_simulator, VirtualSimulator)
     monkeypatch.setattr(VirtualTransport, "rates", rates)
     quick_simulator.on_write = lambda _: happened.append("sent")
     assert trexcmd("set", "serial_timeout", "15").exit_code == 0
-    assert happened.count("asked") == 1
-    assert happened[0] == "asked"
+    assert happened.count("queried") == 1
+    assert happened[0] == "queried"
     assert "sent" in happened
 
 

@@ -193,13 +193,13 @@ def test_printed_options_reach_the_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     said = given(trexcmd, tmp_path / "line.txt", uart_settings=0x3A, crc7_polynomial=0x15)
-    (told,) = re.findall("is reached with (.*)", said)
+    (reports,) = re.findall("is reached with (.*)", said)
     quick_simulator.do("power cycle")
-    assert trexcmd("get", "crc7_polynomial", *told.split()).exit_code == 0
-    restored = trexcmd("restore-defaults", "--yes", *told.split())
-    (told,) = re.findall("is reached with (.*)", restored.stderr)
+    assert trexcmd("get", "crc7_polynomial", *reports.split()).exit_code == 0
+    restored = trexcmd("restore-defaults", "--yes", *reports.split())
+    (reports,) = re.findall("is reached with (.*)", restored.stderr)
     quick_simulator.do("power cycle")
-    assert trexcmd("get", "crc7_polynomial", *told.split()).exit_code == 0
+    assert trexcmd("get", "crc7_polynomial", *reports.split()).exit_code == 0
 
 
 def test_baud_rate_halved_by_old_firmware_is_printed_halved(

@@ -448,13 +448,13 @@ def test_crc_rejects_replies_with_few_corrupted_bytes(
     client = stage.client(ConnectionSettings("virtual", settings.line, device_number=number))
     for question, right, drop, miss in zip(questions, expected, drops, lost, strict=False):
         stage.line.faults.to_drop, stage.line.faults.to_drop_sent = drop, miss
-        spoilt = stage.line.faults.counters["corrupted"]
+        corrupted = stage.line.faults.counters["corrupted"]
         try:
             answer = client.request(question)
         except (NoReply, BadReply):
             continue
         # Seven bits tell of every one or two wrong bits; of more, of all but one in 128.
-        assert answer == right or stage.line.faults.counters["corrupted"] - spoilt > 2
+        assert answer == right or stage.line.faults.counters["corrupted"] - corrupted > 2
 
 
 @modest

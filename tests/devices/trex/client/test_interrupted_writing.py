@@ -326,9 +326,9 @@ def require_order(attempt: Attempt, *, lost: int) -> None:
     """Every value is the old or the new one; at most so many are the factory's instead."""
     case, stored = attempt.case, attempt.stored
     before, after = case.before, case.after
-    odd = {name for name in stored if stored[name] not in {before[name], after[name]}}
-    assert len(odd) <= lost, odd
-    assert all(stored[name] == factory_value(name, case.specs) for name in odd)
+    unexpected = {name for name in stored if stored[name] not in {before[name], after[name]}}
+    assert len(unexpected) <= lost, unexpected
+    assert all(stored[name] == factory_value(name, case.specs) for name in unexpected)
     untouched = {name for name in before if before[name] == after[name]}
     assert {name: stored[name] for name in untouched} == {name: before[name] for name in untouched}
     assert attempt.claimed.items() <= stored.items()

@@ -10,7 +10,7 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
-PATIENCE = 15.0
+LONG_TIMEOUT = 15.0
 """Seconds after which what should have happened will not, however loaded the machine."""
 
 _ON_ITS_WAY = 0.05

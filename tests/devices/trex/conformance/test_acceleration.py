@@ -20,7 +20,7 @@ def test_motor_speed_is_updated_100_times_per_second(
 ) -> None:
     """CMD10 0xC4; an acceleration of 10 adds 1 an update."""
     trex.set_up(**{f"motor{motor}_acceleration": 10})
-    trex.tell(f"{forward} 7F")
+    trex.report(f"{forward} 7F")
     for state in trex.watch(0.1):
         speed = state["motors"][motor - 1]["speed"]
         assert min(127, trex.fewest_updates) <= speed <= trex.most_updates
@@ -30,8 +30,8 @@ def test_motor_speed_is_updated_100_times_per_second(
 def test_update_adds_a_tenth_of_acceleration_below_target(trex: Trex, acceleration: int) -> None:
     """CMD10 0xC4: motor speed = motor speed + acceleration/10."""
     trex.set_up(motor1_acceleration=acceleration)
-    trex.tell("C2 0A")
-    trex.tell("C6 7F")
+    trex.report("C2 0A")
+    trex.report("C6 7F")
     for state in trex.watch(0.1):
         speed = state["motors"][0]["speed"]
         assert speed >= min(127, 10 + int(trex.fewest_updates * acceleration / 10))
@@ -41,7 +41,7 @@ def test_update_adds_a_tenth_of_acceleration_below_target(trex: Trex, accelerati
 def test_tenths_of_a_count_accumulate(trex: Trex) -> None:
     """CMD10 0xC4: acceleration/10 of 5 is half a count an update, not none."""
     trex.set_up(motor1_acceleration=5)
-    trex.tell("C6 7F")
+    trex.report("C6 7F")
     trex.wait(0.1)
     speed = trex.motor(1)[1]
     assert min(127, trex.fewest_updates // 2) <= speed <= trex.most_updates / 2
@@ -50,7 +50,7 @@ def test_tenths_of_a_count_accumulate(trex: Trex) -> None:
 def test_acceleration_ends_at_target_speed(trex: Trex) -> None:
     """CMD10 0xC4: if motor speed > target speed, motor speed = target speed."""
     trex.set_up(motor1_acceleration=100)
-    trex.tell("C6 23")
+    trex.report("C6 23")
     trex.wait(0.06)
     assert trex.motor(1) == ("forward", 0x23)
     trex.wait(0.03)
@@ -60,8 +60,8 @@ def test_acceleration_ends_at_target_speed(trex: Trex) -> None:
 def test_update_sets_lower_target_speed_at_once(trex: Trex) -> None:
     """CMD10 0xC4: "there is no deceleration"."""
     trex.set_up(motor1_acceleration=1)
-    trex.tell("C2 7F")
-    trex.tell("C6 20")
+    trex.report("C2 7F")
+    trex.report("C6 20")
     trex.wait(0.012)
     assert trex.motor(1) == ("forward", 0x20)
 
@@ -72,8 +72,8 @@ def test_reversal_brakes_fully_for_brake_duration(
 ) -> None:
     """CMD10 0xC4: "brake the motor at 100% duty cycle"; in 10 ms (forum thread 624)."""
     trex.set_up(**{f"motor{motor}_brake_duration": 8})
-    trex.tell(f"{set_} 40")
-    trex.tell(f"{reverse} 30")
+    trex.report(f"{set_} 40")
+    trex.report(f"{reverse} 30")
     seen = set()
     for state in trex.watch(0.13):
         output = state["motors"][motor - 1]["direction"], state["motors"][motor - 1]["speed"]
@@ -91,8 +91,8 @@ def test_reversal_brakes_fully_for_brake_duration(
 def test_motor_accelerates_from_zero_after_reversal_brake(trex: Trex) -> None:
     """CMD10 0xC4: "set the motor speed to zero and accelerate from there"."""
     trex.set_up(motor1_acceleration=20, motor1_brake_duration=3)
-    trex.tell("C2 7F")
-    trex.tell("C5 7F")
+    trex.report("C2 7F")
+    trex.report("C5 7F")
     for state in trex.watch(0.12):
         motor = state["motors"][0]
         if motor["direction"] == "reverse":
@@ -104,8 +104,8 @@ def test_motor_accelerates_from_zero_after_reversal_brake(trex: Trex) -> None:
 def test_reversal_without_brake_duration_starts_at_zero(trex: Trex) -> None:
     """CMD10 0xC4: "for the amount of time specified by its brake duration parameter"."""
     trex.set_up(motor1_acceleration=10, motor1_brake_duration=0)
-    trex.tell("C2 7F")
-    trex.tell("C5 7F")
+    trex.report("C2 7F")
+    trex.report("C5 7F")
     trex.wait(0.025)
     direction, speed = trex.motor(1)
     assert direction == "reverse"
@@ -116,7 +116,7 @@ def test_acceleration_commands_are_current_limited(trex: Trex) -> None:
     """CMD10 0xC4: the "fixed update cycle that also takes care of the current-limiting logic"."""
     trex.set_up(motor1_current_limit=10, motor1_current_limit_p=1)
     trex.do("current 1 6")
-    trex.tell("C6 7F")
+    trex.report("C6 7F")
     trex.wait(0.1)
     assert trex.motor(1)[1] < 127
     assert trex.number("84") & 0x20
@@ -126,10 +126,10 @@ def test_set_commands_override_current_limit_temporarily(trex: Trex) -> None:
     """CMD10 0xC4: "set the motor speed the instant they're received"."""
     trex.set_up(motor1_current_limit=10, motor1_current_limit_p=1)
     trex.do("current 1 6")
-    trex.tell("C6 7F")
+    trex.report("C6 7F")
     trex.wait(0.15)
     limited = trex.motor(1)[1]
-    trex.tell("C2 7F")
+    trex.report("C2 7F")
     assert trex.motor(1)[1] > limited
     trex.wait(0.1)
     assert trex.motor(1)[1] < 127
@@ -138,7 +138,7 @@ def test_set_commands_override_current_limit_temporarily(trex: Trex) -> None:
 def test_zero_acceleration_reaches_target_in_one_update(trex: Trex) -> None:
     """CMD10 0xC4: "set the acceleration parameter to zero"."""
     assert trex.number("9F 0E") == trex.number("9F 0F") == 0
-    trex.tell("EA 7F 70", "F1 7F")
+    trex.report("EA 7F 70", "F1 7F")
     trex.wait(0.012)
     assert (trex.motor(1), trex.motor(2)) == (("forward", 127), ("forward", 0x70))
     assert trex.show()["aux"]["speed"] == 127
@@ -148,11 +148,11 @@ def test_zero_acceleration_reaches_target_in_one_update(trex: Trex) -> None:
 def test_acceleration_does_not_apply_to_braking(trex: Trex, brake: str) -> None:
     """CMD10 0xC4, note."""
     trex.set_up(motor1_acceleration=1, motor1_brake_duration=20)
-    trex.tell("C2 40")
-    trex.tell(f"{brake} 7F")
+    trex.report("C2 40")
+    trex.report(f"{brake} 7F")
     trex.wait(0.012)
     assert trex.motor(1) == ("brake", 127)
-    trex.tell(f"{brake} 20")
+    trex.report(f"{brake} 20")
     trex.wait(0.012)
     assert trex.motor(1) == ("brake", 0x20)
 
@@ -160,8 +160,8 @@ def test_acceleration_does_not_apply_to_braking(trex: Trex, brake: str) -> None:
 def test_acceleration_does_not_apply_to_deceleration(trex: Trex) -> None:
     """CMD10 0xC4, note."""
     trex.set_up(motor2_acceleration=1)
-    trex.tell("C9 7F")
-    trex.tell("CD 00")
+    trex.report("C9 7F")
+    trex.report("CD 00")
     trex.wait(0.012)
     assert trex.motor(2) == ("reverse", 0)
 
@@ -169,7 +169,7 @@ def test_acceleration_does_not_apply_to_deceleration(trex: Trex) -> None:
 def test_accelerate_both_handles_each_motor_independently(trex: Trex) -> None:
     """CMD10 0xE0: each has a target direction of its own, and its own parameters."""
     trex.set_up(motor1_acceleration=20, motor2_acceleration=0)
-    trex.tell("E6 40 40")
+    trex.report("E6 40 40")
     trex.wait(0.03)
     direction, speed = trex.motor(1)
     assert direction == "forward"

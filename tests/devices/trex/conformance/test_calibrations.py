@@ -189,7 +189,7 @@ def test_wrong_format_bytes_get_no_reply_within_100_ms(trex: Trex) -> None:
     before = stored(trex, 1)
     packet = calibration(1, *GIVEN[1])
     for ending in ("2A 55", "55 55", "00 00", "55 2B"):
-        trex.tell(packet.replace("55 2A", ending))
+        trex.report(packet.replace("55 2A", ending))
         assert trex.ask("85") == "40", ending
     assert trex.unanswered(packet.replace("55 2A", "54 2A"), seconds=0.1)
     assert trex.ask("85") == "40"

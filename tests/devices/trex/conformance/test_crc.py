@@ -58,9 +58,9 @@ def test_crc_follows_reply_to_set_command(trex: Trex) -> None:
 @only(with_crc)
 def test_motor_commands_need_a_crc(trex: Trex) -> None:
     """CMD10 General Overview: "every command packet"."""
-    trex.tell("F0 55")
+    trex.report("F0 55")
     assert trex.show()["aux"]["speed"] == 0x55
-    trex.tell(trex.head("F0 2A"))
+    trex.report(trex.head("F0 2A"))
     assert trex.show()["aux"]["speed"] == 0x55
 
 
@@ -70,9 +70,9 @@ def test_packet_with_flipped_data_bit_is_discarded(trex: Trex) -> None:
     packet = trex.packet("F0 7F")
     for index in range(1, len(packet)):
         for bit in range(7):
-            spoilt = bytearray(packet)
-            spoilt[index] ^= 1 << bit
-            trex.tell(bytes(spoilt))
+            corrupted = bytearray(packet)
+            corrupted[index] ^= 1 << bit
+            trex.report(bytes(corrupted))
     assert trex.show()["aux"]["speed"] == 0
 
 

@@ -39,7 +39,7 @@ def test_motor_current_ranges_from_0_to_255(trex: Trex) -> None:
 def test_running_motor_draws_current_of_its_load(trex: Trex) -> None:
     """CMD10 0x8D: "the approximate current drawn by the motor"."""
     trex.do("load 1 6")
-    trex.tell("C2 7F")
+    trex.report("C2 7F")
     trex.wait(0.3)
     assert trex.number("8D") == pytest.approx(6 / 0.150, abs=4)
     assert trex.number("8E") == 0
@@ -50,7 +50,7 @@ def test_current_reads_0_in_joint_motor_mode(trex: Trex) -> None:
     trex.set_up(motor_mode=1)
     trex.do("load 1 6")
     draw(trex, 8.25, 8.25)
-    trex.tell("C2 7F")
+    trex.report("C2 7F")
     trex.wait(0.03)
     assert [trex.ask(query) for query in ("8D", "8E", "8F")] == ["00", "00", "00 00"]
 
@@ -61,7 +61,7 @@ def test_current_is_updated_at_rate_of_input_source(trex: Trex, source: int, per
     trex.do("load 1 10")
     trex.do("load 2 10")
     trex.set_up(channel_input_source=source, motor1_acceleration=40, motor2_acceleration=40)
-    trex.tell("EA 7F 7F")
+    trex.report("EA 7F 7F")
     trex.wait(0.03)
     begun = trex.now()
     readings = [trex.ask("8F")]

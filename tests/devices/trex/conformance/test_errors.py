@@ -42,7 +42,7 @@ def test_host_waiting_for_replies_causes_no_overrun(trex: Trex) -> None:
     for acceleration in (1, 2, 3):
         assert trex.ask(f"AF 0E {acceleration:02X} 55 2A") == "00"
         assert trex.ask(CALIBRATION) == "00"
-        trex.tell("C2 10", "CA 10", "F0 10")
+        trex.report("C2 10", "CA 10", "F0 10")
     assert trex.ask("85") == "00"
 
 
@@ -63,7 +63,7 @@ def test_impatient_host_overruns_read_and_send_buffer(trex: Trex) -> None:
 def test_uart_hardware_error_sets_its_bit(trex: Trex, name: str, bit: int) -> None:
     """CMD10 0x85: bits 4 and 3, "passed on to the user via the UART error byte"."""
     trex.do(f"line error {name} 1")
-    trex.tell(b"\xff")
+    trex.report(b"\xff")
     assert trex.ask("84") == "01"
     assert trex.number("85") == bit
 
@@ -75,7 +75,7 @@ def test_parity_mismatch_sets_parity_error(trex: Trex, parity: int) -> None:
     trex.run_at(115200, parity)
     assert trex.ask("85") == "00"
     trex.do("line error parity 1")
-    trex.tell(b"\xff")
+    trex.report(b"\xff")
     assert trex.ask("85") == "04"
 
 
@@ -83,7 +83,7 @@ def test_parity_mismatch_sets_parity_error(trex: Trex, parity: int) -> None:
 def test_no_parity_error_occurs_without_parity(trex: Trex) -> None:
     """CMD10 0x85."""
     trex.do("line error parity 1")
-    trex.tell(b"\xff")
+    trex.report(b"\xff")
     assert trex.ask("85") == "00"
 
 
@@ -118,21 +118,21 @@ def test_packet_without_crc_is_not_executed(trex: Trex) -> None:
 
 def test_crc_error_occurs_only_if_crc_is_enabled(trex: Trex) -> None:
     """CMD10 0x85: "when you have enabled cyclic-redundancy checking"."""
-    trex.tell(trex.head("F0 10"), b"\x55\x2a")  # a wrong CRC, or two bytes of nonsense
+    trex.report(trex.head("F0 10"), b"\x55\x2a")  # a wrong CRC, or two bytes of nonsense
     assert bool(trex.number("85") & 0x20) is trex.variant.crc
 
 
 def test_unknown_command_is_a_format_error(trex: Trex) -> None:
     """CMD10 0x85: cause 1."""
     for command in sorted(set(range(0x80, 0x100)) - KNOWN):
-        trex.tell(trex.head(f"{command:02X}"))
+        trex.report(trex.head(f"{command:02X}"))
         assert trex.ask("85") == "40", f"{command:02X}"
 
 
 def test_command_byte_inside_packet_is_a_format_error(trex: Trex) -> None:
     """CMD10 0x85: cause 2."""
     for begun in ("86", "AF 0E 05", "D6 30", "F0"):
-        trex.tell(trex.head(begun))
+        trex.report(trex.head(begun))
         assert trex.ask("85") == "40", begun  # its first byte is that command byte
     assert trex.ask("9F 0E") == "00"
     assert trex.motor(1)[0] == "brake"
@@ -155,8 +155,8 @@ def test_invalid_data_byte_is_a_format_error(trex: Trex) -> None:
 
 def test_packet_with_format_error_is_discarded(trex: Trex) -> None:
     """CMD10 0x85: "discarded as untrustworthy"."""
-    trex.tell(trex.head("C2") + b"\xff")
-    trex.tell(trex.head("F0") + b"\xff")
+    trex.report(trex.head("C2") + b"\xff")
+    trex.report(trex.head("F0") + b"\xff")
     assert trex.motor(1)[0] == "brake"
     assert trex.show()["aux"]["speed"] == 0
     assert trex.unanswered("AF 0E 05 55 55")
@@ -166,7 +166,7 @@ def test_packet_with_format_error_is_discarded(trex: Trex) -> None:
 def test_serial_timeout_stops_motors_and_sets_its_bit(trex: Trex) -> None:
     """CMD10 0x85: bit 7; the unit of 100 ms is that of two clients, see trex.md."""
     assert trex.ask("AF 07 01 55 2A") == "00"
-    trex.tell("DA 20 20", "F0 20")
+    trex.report("DA 20 20", "F0 20")
     trex.wait(0.13)
     state = trex.show()
     assert [motor["direction"] for motor in state["motors"]] == ["brake", "brake"]
@@ -178,7 +178,7 @@ def test_serial_timeout_stops_motors_and_sets_its_bit(trex: Trex) -> None:
 def test_timely_packets_prevent_serial_timeout(trex: Trex) -> None:
     """CMD10 0x85: "too much time goes by between TReX serial receptions"."""
     assert trex.ask("AF 07 02 55 2A") == "00"
-    trex.tell("DA 20 20")
+    trex.report("DA 20 20")
     for _ in range(3):  # longer in all than the timeout of 200 ms
         trex.wait(0.08)
         trex.ask("82")
@@ -189,7 +189,7 @@ def test_timely_packets_prevent_serial_timeout(trex: Trex) -> None:
 def test_timeout_parameter_0_disables_serial_timeout(trex: Trex) -> None:
     """CMD10 0x85."""
     assert trex.ask("AF 07 00 55 2A") == "00"
-    trex.tell("DA 20 20")
+    trex.report("DA 20 20")
     trex.wait(0.15)  # one count of the parameter is 100 ms
     assert trex.motor(1) == ("forward", 0x20)
     assert trex.ask("85") == "00"
@@ -198,8 +198,8 @@ def test_timeout_parameter_0_disables_serial_timeout(trex: Trex) -> None:
 def test_uart_error_bits_are_latched_until_read(trex: Trex) -> None:
     """CMD10 0x85: "latched"."""
     trex.do("line error framing 1")
-    trex.tell(b"\xff")
-    trex.tell(b"\x88")
+    trex.report(b"\xff")
+    trex.report(b"\x88")
     for query in ("81", "82", "83", "84", "84", "86 1F", "87 1F", "8F", "95", "9F 00"):
         trex.ask(query)
     assert trex.ask("85") == "50"
@@ -209,7 +209,7 @@ def test_reading_uart_error_byte_clears_all_its_bits(trex: Trex) -> None:
     """CMD10 0x85."""
     trex.do("line error framing 1")
     trex.do("line error overrun 1")
-    trex.tell(b"\xff\xff")
-    trex.tell(b"\x88")
+    trex.report(b"\xff\xff")
+    trex.report(b"\x88")
     assert trex.ask("85") == "58"
     assert trex.ask("85") == "00"

@@ -46,7 +46,7 @@ def test_current_limit_is_twice_its_parameter(
     trex.set_up(motor2_current_limit=wire)
     for counts, status in ((below, "00"), (above, "80")):
         trex.do(f"current 2 {counts * 0.150:.3f}")
-        trex.tell("CE 01")
+        trex.report("CE 01")
         trex.wait(0.025)
         assert trex.ask("84") == status
 
@@ -54,7 +54,7 @@ def test_current_limit_is_twice_its_parameter(
 def test_serial_timeout_counts_tenths_of_a_second(trex: Trex) -> None:
     """Two clients: "x0.1 s, max 13 s"."""
     trex.set_up(serial_timeout=2)
-    trex.tell("C2 20")
+    trex.report("C2 20")
     for state in trex.watch(0.24):
         direction = state["motors"][0]["direction"]
         if trex.most_updates <= 19:
@@ -94,7 +94,7 @@ def check_that_a_stick_keeps_the_motors_off(trex: Trex, channel: int) -> None:
 
 
 def check_that_channel_5_keeps_safe_start(trex: Trex) -> None:
-    trex.tell("D6 30 40")
+    trex.report("D6 30 40")
     trex.do("channel 5 1000us")
     trex.restart_in("rc")
     for state in trex.watch(0.15):
@@ -153,7 +153,7 @@ def test_silent_required_channel_starts_safe_start_after_500_ms(
 def test_mix_jumper_never_alters_serial_motor_commands(trex: Trex) -> None:
     """FV9053; it does alter remapped values in serial mode."""
     trex.do("jumper mix on")
-    trex.tell("D6 30 40")
+    trex.report("D6 30 40")
     trex.connect(c2="2000us")
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
     assert trex.ask("87 03") == "7F 7F"
@@ -170,7 +170,7 @@ def test_mix_jumper_can_be_changed_while_running(trex: Trex) -> None:
 def test_joint_mode_accepts_motor_1_and_auxiliary_commands(trex: Trex) -> None:
     """Manual of the TReX Jr, page 6; the auxiliary motor still works."""
     trex.set_up(motor_mode=1)
-    trex.tell("C2 44", "F0 22")
+    trex.report("C2 44", "F0 22")
     assert trex.motor(1) == ("forward", 0x44)
     assert trex.show()["aux"]["speed"] == 0x22
 

@@ -6,7 +6,7 @@ companion program of the maker (C-SHARP).
 
 import pytest
 
-from tests.devices.trex.conformance.ends import PATIENCE, WireEnd
+from tests.devices.trex.conformance.ends import LONG_TIMEOUT, WireEnd
 from tests.devices.trex.conformance.trex import RATES, Trex, Variant, only
 from trex_gui.devices.trex.simulator.command import DeviceOption
 
@@ -31,7 +31,7 @@ def with_crc(variant: Variant) -> bool:
 @pytest.mark.parametrize("example", ["F0 7F", "80 07 70 7F"])
 def test_example_packets_set_auxiliary_motor_to_full_speed(trex: Trex, example: str) -> None:
     """User's Guide 5.b: compact and Pololu protocol."""
-    trex.tell(trex.signed(bytes.fromhex(example)))
+    trex.report(trex.signed(bytes.fromhex(example)))
     assert trex.show()["aux"]["speed"] == 127
 
 
@@ -53,16 +53,16 @@ def test_compact_packet_is_accepted_with_any_device_number(trex: Trex, number: i
 # 5.b, errors
 
 
-def spoil(trex: Trex, error: str) -> None:
+def corrupt(trex: Trex, error: str) -> None:
     """Let a command that drives a motor go wrong."""
     if error == "format":
-        trex.tell(trex.head("C2") + b"\xff")
+        trex.report(trex.head("C2") + b"\xff")
     elif error == "crc":
         packet = trex.packet("C2 7F")
-        trex.tell(packet[:-1] + bytes([packet[-1] ^ 1]))
+        trex.report(packet[:-1] + bytes([packet[-1] ^ 1]))
     else:
         trex.do(f"line error {error} 1")
-        trex.tell(b"\xff")
+        trex.report(b"\xff")
 
 
 ERRORS = ["format", "framing", "overrun"]
@@ -70,8 +70,8 @@ ERRORS = ["format", "framing", "overrun"]
 
 def check_the_shutdown(trex: Trex, error: str) -> None:
     trex.set_up(uart_error_shutdown=1)
-    trex.tell("D6 30 40", "F0 50")
-    spoil(trex, error)
+    trex.report("D6 30 40", "F0 50")
+    corrupt(trex, error)
     trex.wait(0.012)
     state = trex.show()
     assert [motor["direction"] for motor in state["motors"]] == ["brake", "brake"]
@@ -94,8 +94,8 @@ def test_crc_error_stops_motors_if_shutdown_is_enabled(trex: Trex) -> None:
 def test_serial_error_keeps_motors_if_shutdown_is_disabled(trex: Trex, error: str) -> None:
     """User's Guide 5.b."""
     trex.set_up(uart_error_shutdown=0)
-    trex.tell("D6 30 40", "F0 50")
-    spoil(trex, error)
+    trex.report("D6 30 40", "F0 50")
+    corrupt(trex, error)
     trex.wait(0.012)
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
     assert trex.show()["aux"]["speed"] == 0x50
@@ -106,9 +106,9 @@ def test_serial_error_keeps_motors_if_shutdown_is_disabled(trex: Trex, error: st
 def test_board_accepts_commands_after_serial_error(trex: Trex, error: str) -> None:
     """User's Guide 5.b."""
     trex.set_up(uart_error_shutdown=1)
-    spoil(trex, error)
+    corrupt(trex, error)
     assert trex.ask("82") == "72"
-    trex.tell("C2 22")
+    trex.report("C2 22")
     assert trex.motor(1) == ("forward", 0x22)
     assert trex.ask("AF 0E 05 55 2A") == "00"
 
@@ -119,7 +119,7 @@ def test_board_accepts_commands_after_serial_error(trex: Trex, error: str) -> No
 def test_board_never_sends_unsolicited_bytes(trex: Trex) -> None:
     """User's Guide 5."""
     trex.set_up(serial_timeout=1)
-    trex.tell("D6 30 40", "F0 50", b"\x88", b"\x01\x02")
+    trex.report("D6 30 40", "F0 50", b"\x88", b"\x01\x02")
     trex.do("fault 1 on")
     assert trex.unanswered(seconds=0.13)
     trex.restart()
@@ -128,7 +128,7 @@ def test_board_never_sends_unsolicited_bytes(trex: Trex) -> None:
 
 def test_null_command_has_no_reply_and_no_effect(trex: Trex) -> None:
     """C-SHARP; inferred: that it raises no error."""
-    trex.tell("D6 30 40")
+    trex.report("D6 30 40")
     assert trex.unanswered(b"\xff" * 20)
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
     assert trex.ask("84") == "00"
@@ -259,7 +259,7 @@ def test_only_board_with_the_device_number_replies(
     At the wire alone: in the parser there is one board. CRC has no part in it.
     """
     chain.write(packet)
-    assert chain.read(len(answer), PATIENCE) + chain.read(1, 0.1) == answer
+    assert chain.read(len(answer), LONG_TIMEOUT) + chain.read(1, 0.1) == answer
 
 
 def test_packets_for_several_boards_cause_no_errors(chain: WireEnd) -> None:
@@ -269,4 +269,4 @@ def test_packets_for_several_boards_cause_no_errors(chain: WireEnd) -> None:
         chain.write(bytes([0x80, 0x09, 0x42, motor_speed]))
     for number in (0x07, 0x09, 0x7F):
         chain.write(bytes([0x80, number, 0x04]))
-        assert chain.read(1, PATIENCE) == b"\x00"
+        assert chain.read(1, LONG_TIMEOUT) == b"\x00"

@@ -69,7 +69,7 @@ def test_motor_commands_have_no_reply_in_any_mode(trex: Trex, mode: str) -> None
 
 def test_motors_respond_in_serial_mode(trex: Trex) -> None:
     """CMD10 General Overview."""
-    trex.tell("D6 30 40", "F0 50")
+    trex.report("D6 30 40", "F0 50")
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
     assert trex.show()["aux"]["speed"] == 0x50
 
@@ -78,7 +78,7 @@ def test_motors_respond_in_serial_mode(trex: Trex) -> None:
 def test_motors_ignore_commands_without_serial_control(trex: Trex, mode: str) -> None:
     """CMD10 General Overview: "only respond in serial mode or when serial override is active"."""
     trex.start(mode)
-    trex.tell("D6 30 40", "F0 50")
+    trex.report("D6 30 40", "F0 50")
     trex.wait(0.03)
     assert trex.motor(1)[0] == trex.motor(2)[0] == "brake"
     assert trex.show()["aux"] == {"speed": 0, "target_speed": 0}
@@ -89,7 +89,7 @@ def test_motors_respond_during_serial_override(trex: Trex, mode: str, low: str) 
     """CMD10 General Overview; that channel 5 acts when it is low: User's Guide 4.a."""
     trex.start(mode)
     trex.connect(c5=low)
-    trex.tell("D6 30 40", "F0 50")
+    trex.report("D6 30 40", "F0 50")
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
     assert trex.show()["aux"]["speed"] == 0x50
 
@@ -99,7 +99,7 @@ def test_override_applies_motor_commands_received_before_it(
 ) -> None:
     """CMD10 General Overview."""
     trex.start("rc")
-    trex.tell("D6 30 40", "F0 50", "C2 31")
+    trex.report("D6 30 40", "F0 50", "C2 31")
     trex.connect(c5="1000us")
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x31), ("reverse", 0x40))
     assert trex.show()["aux"]["speed"] == 0x50
@@ -109,7 +109,7 @@ def test_channel_5_ends_override_and_channels_control_again(trex: Trex) -> None:
     """CMD10 General Overview: motors only respond "when serial override is active"."""
     trex.start("rc")
     trex.connect(c5="1000us")
-    trex.tell("D6 30 40")
+    trex.report("D6 30 40")
     trex.connect(c5="1500us")
     assert trex.number("83") == 0
     assert trex.motor(1)[0] == trex.motor(2)[0] == "brake"

@@ -24,7 +24,7 @@ def test_parameter_reply_has_one_byte(trex: Trex) -> None:
 def test_written_parameters_read_back(trex: Trex) -> None:
     """CMD10 0x9F; every one that acts at once gets a value of its own."""
     for number, value in IMMEDIATE.items():
-        trex.tell(b"\xff")
+        trex.report(b"\xff")
         assert trex.ask(write(number, value)) == "00", f"{number:02X}"
         if number == 0x00:
             trex.device = value
@@ -89,7 +89,7 @@ def test_board_is_ready_for_next_command_after_reply(trex: Trex) -> None:
 def test_wrong_format_bytes_get_no_reply_within_50_ms(trex: Trex) -> None:
     """CMD10 0xAF: "made it untrustworthy"; the UART error byte has "useful information"."""
     for ending in ("2A 55", "55 55", "2A 2A", "00 00"):
-        trex.tell(f"AF 0E 05 {ending}")
+        trex.report(f"AF 0E 05 {ending}")
         assert trex.ask("85") == "40", ending
     assert trex.unanswered("AF 0E 05 55 2B", seconds=0.05)
     assert trex.ask("85") == "40"
@@ -113,7 +113,7 @@ def test_parameters_0_to_16_take_effect_at_once(trex: Trex) -> None:
     assert trex.ask(write(0x03, 0b11)) == "00"
     assert trex.ask("87 03") != before
     assert trex.ask(write(0x0E, 10)) == "00"
-    trex.tell("C6 7F")
+    trex.report("C6 7F")
     trex.wait(0.03)
     assert 0 < trex.motor(1)[1] <= trex.most_updates
     assert trex.ask(write(0x07, 1)) == "00"

@@ -70,12 +70,12 @@ def test_rc_value_is_ffff_100_ms_after_last_pulse(trex: Trex) -> None:
     begun = trex.now()
     trex.do("channel 1 silent")
     surely_silent = trex.now()
-    asked = last_good = begun
+    requested = last_good = begun
     while words(trex.ask("86 01")) == [2750]:
-        last_good = asked
-        assert asked < begun + 1.0, "the value stays"
+        last_good = requested
+        assert requested < begun + 1.0, "the value stays"
         trex.wait(0.005)
-        asked = trex.now()
+        requested = trex.now()
     assert trex.ask("86 1F").startswith("FF FF")
     assert trex.now() >= begun - 0.020 + 0.100  # the last pulse was up to 20 ms before
     assert last_good <= surely_silent + 0.110

@@ -183,9 +183,9 @@ def test_serial_program_can_mimic_rc_mode(trex: Trex) -> None:
         trex.connect(c1="1700us", c2="1300us", c3="1900us")
         if mode == "serial":
             first, second, third = bytes.fromhex(trex.ask("87 07"))
-            trex.tell(f"{0xC5 if first & 0x80 else 0xC6:02X} {first & 0x7F:02X}")
-            trex.tell(f"{0xCD if second & 0x80 else 0xCE:02X} {second & 0x7F:02X}")
-            trex.tell(f"F1 {third & 0x7F:02X}")
+            trex.report(f"{0xC5 if first & 0x80 else 0xC6:02X} {first & 0x7F:02X}")
+            trex.report(f"{0xCD if second & 0x80 else 0xCE:02X} {second & 0x7F:02X}")
+            trex.report(f"F1 {third & 0x7F:02X}")
         trex.wait(0.02)
         state = trex.show()
         driven.append((trex.motor(1), trex.motor(2), state["aux"]["speed"]))

@@ -16,7 +16,7 @@ def drive_with_limits(trex: Trex) -> None:
     trex.set_up(motor1_current_limit=10, motor2_current_limit=10)
     trex.do("current 1 0")
     trex.do("current 2 0")
-    trex.tell("DA 30 30")
+    trex.report("DA 30 30")
 
 
 def exceed_the_limit(trex: Trex, motor: int) -> None:
@@ -49,7 +49,7 @@ def test_status_bits_3_to_1_are_unused(trex: Trex) -> None:
     for motor in (1, 2):
         exceed_the_limit(trex, motor)
         trex.do(f"fault {motor} on")
-    trex.tell(b"\x88")
+    trex.report(b"\x88")
     trex.wait(0.02)
     assert trex.ask("84") == "F1"
 
@@ -57,7 +57,7 @@ def test_status_bits_3_to_1_are_unused(trex: Trex) -> None:
 def test_status_bit_0_is_a_uart_error(trex: Trex) -> None:
     """CMD10 0x84: "read UART error byte for more information"."""
     assert trex.ask("84") == "00"
-    trex.tell(b"\x88")
+    trex.report(b"\x88")
     assert trex.ask("84") == "01"
     assert trex.ask("85") == "40"
 
@@ -65,7 +65,7 @@ def test_status_bit_0_is_a_uart_error(trex: Trex) -> None:
 def test_status_bits_are_latched_until_read(trex: Trex) -> None:
     """CMD10 0x84: "latched"."""
     trex.do("fault 1 on")
-    trex.tell(b"\x88")
+    trex.report(b"\x88")
     trex.wait(0.02)
     trex.do("fault 1 off")
     trex.wait(0.05)
@@ -81,7 +81,7 @@ def test_reading_status_byte_clears_all_its_bits(trex: Trex) -> None:
         exceed_the_limit(trex, motor)
         trex.do(f"fault {motor} on")
         trex.do(f"fault {motor} off")
-    trex.tell(b"\x88")
+    trex.report(b"\x88")
     assert trex.ask("84") == "F1"
     assert trex.ask("84") == "00"
 

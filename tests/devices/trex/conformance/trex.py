@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.devices.trex.conformance.ends import PATIENCE, End
+from tests.devices.trex.conformance.ends import LONG_TIMEOUT, End
 
 QUIET = 0.02
 """Seconds of silence after which no answer comes, where the documents name no other time."""
@@ -46,10 +46,10 @@ VARIANTS = [
 
 def in_gate(variants: Sequence[Variant]) -> list[Any]:
     """Mark variants slow whose traits are an odd combination; each pair of traits is left."""
-    odd = [(one.end == "wire") ^ one.expanded ^ one.crc for one in variants]
+    unexpected = [(one.end == "wire") ^ one.expanded ^ one.crc for one in variants]
     return [
-        pytest.param(one, marks=pytest.mark.slow) if is_odd and not all(odd) else one
-        for one, is_odd in zip(variants, odd, strict=True)
+        pytest.param(one, marks=pytest.mark.slow) if is_unexpected and not all(unexpected) else one
+        for one, is_unexpected in zip(variants, unexpected, strict=True)
     ]
 
 
@@ -121,7 +121,7 @@ class Trex:
         self.polynomial = 0x89
         self.took = 0.0
         self._end = end
-        self._told = self._shown = (0.0, 0.0)
+        self._reports = self._shown = (0.0, 0.0)
         self.do("factory")
         self.run_at(115200)
 
@@ -162,7 +162,7 @@ class Trex:
         self.nothing_more_comes(0.0)
         begun = self._end.now()
         self._end.write(packet)
-        reply = self._end.read(size, PATIENCE)
+        reply = self._end.read(size, LONG_TIMEOUT)
         self.took = self._end.now() - begun - self._end.on_the_wire(len(packet) + len(reply))
         return text_of(self._checked(reply))
 
@@ -172,24 +172,24 @@ class Trex:
         assert len(reply) == 2, f"{packet}: {reply!r}"
         return int(reply, 16)
 
-    def tell(self, *packets: str | bytes) -> None:
+    def report(self, *packets: str | bytes) -> None:
         """Send packets that have no answer; the board has heard them when this returns."""
         begun = self._end.now()
         self._end.write(
             b"".join(self.packet(each) if isinstance(each, str) else each for each in packets)
         )
         self._end.settle()
-        self._told = begun, self._end.now()
+        self._reports = begun, self._end.now()
 
     def unanswered(self, *packets: str | bytes, seconds: float = QUIET) -> bool:
         """Send packets and wait; return whether the board stays silent."""
         self.nothing_more_comes(0.0)
-        self.tell(*packets)
+        self.report(*packets)
         return self._end.read(1, seconds) == b""
 
     def everything(self, *packets: str | bytes) -> bytes:
         """Send packets, return all that comes until it is quiet."""
-        self.tell(*packets)
+        self.report(*packets)
         data = b""
         while more := self._end.read(1, QUIET) or self._end.late():
             data += more
@@ -249,7 +249,7 @@ class Trex:
         """Restart with this mode jumper and sticks at rest; safe-start is over then."""
         self.restart_in(mode)
         self.wait(0.025)
-        end = self.now() + PATIENCE
+        end = self.now() + LONG_TIMEOUT
         while self.show()["safe_start"]:
             assert self.now() < end, "safe-start does not end"
             self.wait(0.01)
@@ -297,12 +297,12 @@ class Trex:
     @property
     def fewest_updates(self) -> int:
         """How many updates of 10 ms there were at least between the last tell and show."""
-        return max(0, math.floor(round((self._shown[0] - self._told[1]) / 0.01, 6)))
+        return max(0, math.floor(round((self._shown[0] - self._reports[1]) / 0.01, 6)))
 
     @property
     def most_updates(self) -> int:
         """How many updates of 10 ms there were at most between the last tell and show."""
-        return math.ceil(round((self._shown[1] - self._told[0]) / 0.01, 6))
+        return math.ceil(round((self._shown[1] - self._reports[0]) / 0.01, 6))
 
 
 _SIZES = {

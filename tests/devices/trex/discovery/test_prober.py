@@ -194,8 +194,8 @@ def words(packet: bytes, host: SerialFormat, own: LineSettings) -> frozenset[Wor
         heard.add(word)
         for index, value in enumerate(word):
             if 0x81 <= value <= 0x9F:  # is answered
-                rests = range(index + 1, len(word) + 1)
-                heard |= {word[: index + 1] + word[rest:] for rest in rests}
+                is_at_rest = range(index + 1, len(word) + 1)
+                heard |= {word[: index + 1] + word[rest:] for rest in is_at_rest}
     sampling._SAMPLE_AT = _SAMPLE_AT
     return frozenset(heard)
 
@@ -317,9 +317,9 @@ def test_likely_line_settings_are_probed_first() -> None:
 
 
 def test_every_line_setting_is_probed_once() -> None:
-    asked = [attempt.line for attempt in attempts()]
-    assert len(asked) == len(set(asked)) == len(BOARDS)
-    assert set(asked) == set(BOARDS)
+    requested = [attempt.line for attempt in attempts()]
+    assert len(requested) == len(set(requested)) == len(BOARDS)
+    assert set(requested) == set(BOARDS)
 
 
 def test_search_requests_only_signatures() -> None:

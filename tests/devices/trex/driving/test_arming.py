@@ -138,12 +138,12 @@ def test_heartbeat_timeout_stops_motors_during_reload() -> None:
 def test_stop_is_repeated_until_confirmed(stage: Stage) -> None:
     """A line that spoils what it carries to the board, but not what it brings back."""
 
-    def spoil(number: int) -> None:
+    def corrupt(number: int) -> None:
         stage.line.faults.to_drop_sent = number
 
     stage.script.at(1.0, SetMotor(1, Drive.at(80)))
     for step in range(100):  # a byte of each packet is lost, for two seconds
-        stage.script.at(1.5 + step * 0.02, lambda: spoil(2))
+        stage.script.at(1.5 + step * 0.02, lambda: corrupt(2))
     stage.script.at(3.6, Stop(2))
     run_for(stage, 5.0)
     assert outcomes(stage.reports)[2].error is None

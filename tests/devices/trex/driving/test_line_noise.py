@@ -36,14 +36,14 @@ def swap(stage: Stage, wanted: str, instead: str, times: int = 1) -> None:
     write = stage.transport.write
     left = times
 
-    def spoil(data: bytes) -> None:
+    def corrupt(data: bytes) -> None:
         nonlocal left
         if left and data == bytes.fromhex(wanted):
             left -= 1
             data = bytes.fromhex(instead)
         write(data)
 
-    stage.transport.write = spoil  # type: ignore[method-assign] # a knob
+    stage.transport.write = corrupt  # type: ignore[method-assign] # a knob
 
 
 def is_braked(stage: Stage) -> bool:
@@ -290,9 +290,9 @@ def test_setpoint_repetition_ends_at_time_limit() -> None:
         stage.script.at(1.01 + step * 0.02, harm)
     middle = seen_at(stage, 1.2 + LONGEST_REPEATING, lambda: len(stage.transport.sent))
     run_for(stage, 8.9)
-    wish = DriveMotor(1, Drive.at(50))
-    assert moving(stage.transport.sent[: middle[0]]).count(wish) > 10
-    assert wish not in moving(stage.transport.sent[middle[0] :])
+    setpoint = DriveMotor(1, Drive.at(50))
+    assert moving(stage.transport.sent[: middle[0]]).count(setpoint) > 10
+    assert setpoint not in moving(stage.transport.sent[middle[0] :])
 
 
 # --- Arming and silence -----------------------------------------------------------------

@@ -26,7 +26,7 @@ SOURCES = {"rc": InputSource.RC, "analog": InputSource.ANALOG}
 MASKS = ("ignored_channels", "reversed_channels", "parabolic_channels")
 CALIBRATIONS = range(0xA0, 0xA5)
 TALKATIVE = [command for command in COMMANDS if command < 0xC0] + [0x9F, 0xAF] * 3
-TELLING = [0x0007, 0x0009, 0x7B00, 0x7B01, 0x7C00, 0x7C01, 0x7E05, 0x7E25, 0x7F7F]  # to write
+REPORTED = [0x0007, 0x0009, 0x7B00, 0x7B01, 0x7C00, 0x7C01, 0x7E05, 0x7E25, 0x7F7F]  # to write
 READABLE_SETTINGS = {0x05, 0x25}  # at the rate and in the shape that the line here has
 
 # No wait here ends near a multiple of 0.1 s after the last byte: that is where timeouts fall.
@@ -254,7 +254,7 @@ class Cook:
             return bytes([random.choice(list(known)) if self.chance(0.8) else self.byte()])
         if command == 0xAF:
             if self.chance(0.3):
-                return random.choice(TELLING).to_bytes(2) + closing
+                return random.choice(REPORTED).to_bytes(2) + closing
             if self.chance(0.2):
                 return bytes([self.byte(), self.byte()]) + closing
             one = random.choice(list(known.values()))
@@ -335,8 +335,10 @@ def test_remapped_channels_match_oracle_over_full_range(mix: bool, joint: int, s
         "reversed_channels": 0b01001 if mix else 0b00010,
         "parabolic_channels": 0b00110,
     }
-    odd = Calibration(1800, 3600, 5900, 11) if source == "rc" else Calibration(60, 300, 999, 0)
-    calibrations = {(source, 2): odd, (source, 3): odd}
+    unexpected = (
+        Calibration(1800, 3600, 5900, 11) if source == "rc" else Calibration(60, 300, 999, 0)
+    )
+    calibrations = {(source, 2): unexpected, (source, 3): unexpected}
     duel = Duel(Setup(mix=mix, parameters=parameters, calibrations=calibrations))
     for step in range(101):
         parts = [(step * stride % 101) / 100 for stride in (1, 7, 11, 13, 17)]

@@ -31,11 +31,11 @@ def test_channel_mask_is_named(mask: int, words: str) -> None:
     assert describe(GetRawChannels(mask)) == f"get raw inputs of {words}"
 
 
-@pytest.mark.parametrize(("board", "whose"), [(None, "no TReX"), (TREX_JR, "no TReX Jr 1.2")])
-def test_unknown_parameter_names_board_that_lacks_it(board: Signature | None, whose: str) -> None:
-    assert describe(GetParameter(0x6F), board) == f"get parameter 0x6f, which {whose} has"
+@pytest.mark.parametrize(("board", "lacking"), [(None, "no TReX"), (TREX_JR, "no TReX Jr 1.2")])
+def test_unknown_parameter_names_board_that_lacks_it(board: Signature | None, lacking: str) -> None:
+    assert describe(GetParameter(0x6F), board) == f"get parameter 0x6f, which {lacking} has"
     assert describe(SetParameter(0x6F, 5), board) == (
-        f"set parameter 0x6f, which {whose} has to 0x05"
+        f"set parameter 0x6f, which {lacking} has to 0x05"
     )
 
 

@@ -138,8 +138,8 @@ def test_line_settings_and_polynomial_stay_together(name: str) -> None:
         pair = tuple(stored[key] for key in PAIR)
         whole = [tuple(values[key] for key in PAIR) for values in (case.before, case.after)]
         assert pair in whole
-        told = [writing.results[key].error is None for key in PAIR]
-        assert told == [pair == whole[1]] * 2
+        notes = [writing.results[key].error is None for key in PAIR]
+        assert notes == [pair == whole[1]] * 2
         writing.attempt.board.power_cycle()
         require_reachable(writing.attempt)
 

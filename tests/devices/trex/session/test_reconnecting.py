@@ -239,17 +239,17 @@ def test_counters_continue_after_reconnect(orders: list[str]) -> None:
 def test_round_of_reconnect_probes_takes_at_most_1500_ms() -> None:
     place = Place().go(replace(OLD, line=CRC), new=OLD)
     place.transport.latency = 0.06  # as of a local port
-    asked: list[tuple[float, SerialFormat | None]] = []
+    requested: list[tuple[float, SerialFormat | None]] = []
     write = place.transport.write
 
     def note(data: bytes) -> None:
-        asked.append((place.line.now, place.line.host))
+        requested.append((place.line.now, place.line.host))
         write(data)
 
     place.transport.write = note  # type: ignore[method-assign] # a knob
     place.script.at(ON + 0.01, place.board.power_off)
     place.end(12.0)
-    rounds = [moment for moment, host in asked if host == CRC]
+    rounds = [moment for moment, host in requested if host == CRC]
     lengths = [after - before for before, after in pairwise(rounds)]
     assert len(lengths) > 4
     assert max(lengths) < 1.5

@@ -129,13 +129,13 @@ def test_requeued_setpoint_does_not_replace_newer_one() -> None:
         SetAuxiliary(1),
     ]
     newer: list[SetMotor | SetAuxiliary] = [SetMotor(1, Drive.at(9)), SetAuxiliary(0)]
-    for wish in newer:
-        slots.put(wish)
+    for setpoint in newer:
+        slots.put(setpoint)
     slots.put_back(damaged)
     assert slots.take() == [newer[0], damaged[1], newer[1]]
 
 
-wishes = st.one_of(
+all_setpoints = st.one_of(
     st.builds(
         SetMotor,
         st.sampled_from([1, 2]),
@@ -147,15 +147,15 @@ wishes = st.one_of(
 
 
 @modest
-@given(st.lists(wishes, max_size=20))
+@given(st.lists(all_setpoints, max_size=20))
 def test_packets_contain_newest_setpoint_of_each_motor(
-    given_wishes: list[SetMotor | SetAuxiliary],
+    given_setpoints: list[SetMotor | SetAuxiliary],
 ) -> None:
     slots = SetpointSlots()
     newest: dict[int, object] = {}
-    for wish in given_wishes:
-        slots.put(wish)
-        newest[wish.motor if isinstance(wish, SetMotor) else 0] = wish
+    for setpoint in given_setpoints:
+        slots.put(setpoint)
+        newest[setpoint.motor if isinstance(setpoint, SetMotor) else 0] = setpoint
     sent: dict[int, object] = {}
     for command in packets(slots.take()):
         match command:
@@ -206,9 +206,9 @@ def test_stop_discards_earlier_setpoints() -> None:
 
 
 def test_stop_discards_later_setpoints_until_armed() -> None:
-    wish = SetMotor(2, Drive.at(5))
-    assert not collected(SetMotor(1, Drive.at(9)), Stop(1), wish).motors.setpoints
-    queue = collected(SetMotor(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), wish)
+    setpoint = SetMotor(2, Drive.at(5))
+    assert not collected(SetMotor(1, Drive.at(9)), Stop(1), setpoint).motors.setpoints
+    queue = collected(SetMotor(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), setpoint)
     assert queue.motors.setpoints.take() == [SetMotor(2, Drive.at(5))]
 
 

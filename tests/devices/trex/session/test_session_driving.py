@@ -139,8 +139,8 @@ def test_stop_is_sent_without_earlier_setpoint(stage: Stage) -> None:
 @pytest.mark.parametrize(("baud", "within"), [(1200, 0.35), (9600, 0.05), (115200, 0.01)])
 def test_stop_is_sent_within_one_transaction(baud: int, within: float) -> None:
     stage, settings = staged(baud)
-    asked = [4.5 + number * 1.017 for number in range(1, 5)]
-    for number, moment in enumerate(asked):
+    requested = [4.5 + number * 1.017 for number in range(1, 5)]
+    for number, moment in enumerate(requested):
         stage.script.at(moment - 0.5, SetMotor(1, Drive.at(50)))
         stage.script.at(moment, Stop(number))
     moments: list[float] = []
@@ -153,7 +153,7 @@ def test_stop_is_sent_within_one_transaction(baud: int, within: float) -> None:
 
     stage.transport.write = note  # type: ignore[method-assign] # to see when
     run_for(stage, 9.0, settings)
-    for sent, wanted in zip(moments[: 2 * len(asked) : 2], asked, strict=True):
+    for sent, wanted in zip(moments[: 2 * len(requested) : 2], requested, strict=True):
         assert 0 <= sent - wanted <= within
 
 
@@ -175,10 +175,10 @@ def test_stop_overtakes_remaining_parameter_writes(stage: Stage) -> None:
 
 
 def test_stop_overtakes_remaining_calibration_writes(stage: Stage) -> None:
-    wishes = tuple(
+    given_setpoints = tuple(
         (key, Calibration(2400, 3700, 5100, 80)) for key in CalibrationKey if "rc" in key
     )
-    stage.script.at(1.1, Write(1, calibrations=wishes)).at(1.2, Stop(2))
+    stage.script.at(1.1, Write(1, calibrations=given_setpoints)).at(1.2, Stop(2))
     run_for(stage, 2.0)
     sent = commands(stage.transport.sent)
     writes = [index for index, one in enumerate(sent) if isinstance(one, SetCalibration)]
@@ -259,20 +259,20 @@ def test_stop_succeeds_on_noisy_line(seed: int, detection: Detection) -> None:
     stage, settings = staged(detection=detection)
     stage.line.faults._random.seed(seed)
 
-    def spoil() -> None:
+    def corrupt() -> None:
         stage.line.faults.noise = 0.05
 
     def look() -> None:
         seen.append(is_stopped(stage.board))
 
     seen: list[bool] = []
-    stage.script.at(1.0, spoil).at(1.0, Stop(1))
+    stage.script.at(1.0, corrupt).at(1.0, Stop(1))
     for step in range(50):
         stage.script.at(1.0 + step / 100, look)
     run_for(stage, 1.5, settings)
     seen.append(is_stopped(stage.board))
-    is_proved = outcomes(stage.reports)[1].error is None
-    assert is_proved or detection is Detection.NONE, "with a CRC nothing goes by unnoticed"
+    is_confirmed = outcomes(stage.reports)[1].error is None
+    assert is_confirmed or detection is Detection.NONE, "with a CRC nothing goes by unnoticed"
     assert any(seen)
     assert seen[-1] or detection is Detection.NONE
 

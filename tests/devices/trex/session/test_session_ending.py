@@ -53,7 +53,7 @@ GONE = PortUnavailable("The line is gone. Plug it in again.")
 
 
 @pytest.mark.parametrize(
-    "wish",
+    "setpoint",
     [
         SetMotor(1, Drive.at(100)),
         SetMotor(2, Drive.at(-100), accelerate=True),
@@ -62,8 +62,8 @@ GONE = PortUnavailable("The line is gone. Plug it in again.")
     ],
     ids=str,
 )
-def test_driven_motors_are_stopped_on_close(stage: Stage, wish: Request) -> None:
-    stage.script.at(1.0, wish)
+def test_driven_motors_are_stopped_on_close(stage: Stage, setpoint: Request) -> None:
+    stage.script.at(1.0, setpoint)
     assert run_for(stage, 2.0)[-1] == Closed(None, may_move=False)
     assert commands(stage.transport.sent)[-6:] == [*STOP, GetStatus(), *STOP, GetStatus()]
     assert [motor.speed for motor in stage.board.motors] == [127, 127]
@@ -161,14 +161,14 @@ def test_each_request_has_one_outcome_when_port_is_lost(
 ) -> None:
     stage = stage_that_fails(calls, GONE, requests)
     reports = stage.run()
-    asked = {
+    requested = {
         request.id
         for request in requests
         if isinstance(request, RunCommand | Stop | Write | Reload)
     }
     if stage.line.now > 1.0:  # else those that nobody had taken from the inbox have none
-        assert set(outcomes(reports)) == asked
-    assert set(outcomes(reports)) <= asked
+        assert set(outcomes(reports)) == requested
+    assert set(outcomes(reports)) <= requested
     (closed,) = among(reports, Closed)
     assert closed.error is GONE
     assert reports[-1] is closed
@@ -224,9 +224,9 @@ def test_port_is_closed_when_last_samples_cannot_be_sent(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     def fail(*_: object) -> None:
-        raise RuntimeError("nobody listens")
+        raise RuntimeError("no listener")
 
-    stage.script.at(1.0, lambda: monkeypatch.setattr(SampleBatcher, "tell", fail))
+    stage.script.at(1.0, lambda: monkeypatch.setattr(SampleBatcher, "flush", fail))
     with caplog.at_level(logging.CRITICAL):
         reports = stage.run()
     assert isinstance(reports[-1], Closed)

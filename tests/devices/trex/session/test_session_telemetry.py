@@ -158,11 +158,11 @@ def test_fault_is_reported_once_each_time_it_is_latched(stage: Stage) -> None:
 
 
 def test_uart_error_is_reported_with_its_bits(stage: Stage) -> None:
-    def spoil() -> None:
+    def corrupt() -> None:
         stage.board.report_error(UartError.FRAMING)
         stage.board.report_error(UartError.PARITY)
 
-    stage.script.at(1.0, spoil)
+    stage.script.at(1.0, corrupt)
     (news,) = samples(run_for(stage, 2.0), LatchedStatus)
     assert news.status == Status.UART_ERROR
     assert news.uart == UartError.FRAMING | UartError.PARITY
@@ -184,7 +184,7 @@ def test_simultaneous_faults_are_reported_together(stage: Stage) -> None:
 def test_status_bits_survive_lost_uart_error_byte(stage: Stage) -> None:
     board = stage.board
 
-    def spoil() -> None:
+    def corrupt() -> None:
         board.set_fault(2, fault=True)
         board.set_fault(2, fault=False)
         board.report_error(UartError.CRC)
@@ -196,19 +196,19 @@ def test_status_bits_survive_lost_uart_error_byte(stage: Stage) -> None:
         seen(data)
 
     stage.transport.write = lose_uart_errors  # type: ignore[method-assign] # one byte is lost
-    stage.script.at(1.0, spoil)
+    stage.script.at(1.0, corrupt)
     news = samples(run_for(stage, 2.0), LatchedStatus)
     assert news[0].status == Status.MOTOR2_FAULT | Status.UART_ERROR
 
 
 def test_lost_uart_error_request_is_repeated(stage: Stage) -> None:
     send = stage.transport.write
-    asked: list[bytes] = []
+    requested: list[bytes] = []
 
     def lose_the_first_question(data: bytes) -> None:
         if data == b"\x85":
-            asked.append(data)
-            stage.line.faults.to_drop_sent = int(len(asked) == 1)
+            requested.append(data)
+            stage.line.faults.to_drop_sent = int(len(requested) == 1)
         send(data)
 
     stage.transport.write = lose_the_first_question  # type: ignore[method-assign] # a knob
@@ -222,12 +222,12 @@ def test_lost_uart_error_request_is_repeated(stage: Stage) -> None:
 
 def test_uart_error_is_read_after_lost_status_reply(stage: Stage) -> None:
     send = stage.transport.write
-    asked: list[bytes] = []
+    requested: list[bytes] = []
 
     def lose_the_first_answer(data: bytes) -> None:
         if data == b"\x84" and stage.line.now > 1.0:
-            asked.append(data)
-            stage.line.faults.to_drop = int(len(asked) == 1)
+            requested.append(data)
+            stage.line.faults.to_drop = int(len(requested) == 1)
         send(data)
 
     stage.transport.write = lose_the_first_answer  # type: ignore[method-assign] # a knob
@@ -255,8 +255,8 @@ def test_telemetry_continues_during_single_requests(stage: Stage) -> None:
 
 def test_telemetry_continues_after_long_write(stage: Stage) -> None:
     keys = [spec.key for spec in stage.board.memory.parameters if not spec.needs_power_cycle]
-    wishes = tuple((key, stage.board.eeprom[key]) for key in keys if key != "factory_reset")
-    stage.script.at(1.0, Write(1, wishes))
+    setpoints = tuple((key, stage.board.eeprom[key]) for key in keys if key != "factory_reset")
+    stage.script.at(1.0, Write(1, setpoints))
     run_for(stage, 3.0)
     late = [one for one in samples(stage.reports, Currents) if 2.0 < one.time < 3.0]
     assert len(late) == pytest.approx(80, abs=3)

@@ -238,13 +238,13 @@ def test_file_in_braces_is_edited_in_braces() -> None:
 
 def test_invalid_value_becomes_comment_only_once() -> None:
     broken = Calibration(9, 9, 9, 9)
-    odd = Settings(TREX, None, {"uart_settings": 12, "motor_mode": 1}, {RC_1: broken})
-    after = amend("product: TReX\nuart_settings: 5\nmotor_mode: 0\n", odd)
+    unexpected = Settings(TREX, None, {"uart_settings": 12, "motor_mode": 1}, {RC_1: broken})
+    after = amend("product: TReX\nuart_settings: 5\nmotor_mode: 0\n", unexpected)
     lines = after.splitlines()
     assert lines[:3] == ["product: TReX", "# uart_settings: 5", "motor_mode: 1"]
     assert lines[3].startswith("# uart_settings: 12  # left out: ")
     assert lines[4].startswith("# rc_channel_1: {minimum: 9, ")
-    assert amend(after, odd) == after
+    assert amend(after, unexpected) == after
 
 
 # Refusals

@@ -423,7 +423,7 @@ VALUES = {
 
 
 @st.composite
-def any_odd_settings(draw: st.DrawFn) -> Settings:
+def any_unusual_settings(draw: st.DrawFn) -> Settings:
     """Settings, thick with what rules look at."""
     key = st.sampled_from(sorted(JUDGED & set(CALIBRATION_KEYS)))
     calibrations = draw(st.dictionaries(key, any_calibration(), max_size=2))
@@ -454,7 +454,7 @@ def is_reported(found: LintFinding, after: tuple[LintFinding, ...]) -> bool:
 
 
 @thorough
-@given(given_settings=any_odd_settings(), context=any_context())
+@given(given_settings=any_unusual_settings(), context=any_context())
 def test_any_proposal_is_valid_and_clears_its_finding(
     given_settings: Settings, context: Context
 ) -> None:
@@ -470,7 +470,7 @@ def test_any_proposal_is_valid_and_clears_its_finding(
 
 
 @thorough
-@given(given_settings=any_odd_settings(), context=any_context())
+@given(given_settings=any_unusual_settings(), context=any_context())
 def test_accepting_all_proposals_leaves_no_proposal(
     given_settings: Settings, context: Context
 ) -> None:
@@ -481,7 +481,7 @@ def test_accepting_all_proposals_leaves_no_proposal(
 
 
 @thorough
-@given(given_settings=any_odd_settings(), context=any_context())
+@given(given_settings=any_unusual_settings(), context=any_context())
 def test_findings_do_not_depend_on_order_of_settings(
     given_settings: Settings, context: Context
 ) -> None:

@@ -126,12 +126,12 @@ def test_invalid_value_is_written_as_comment() -> None:
     settings = factory()
     broken = Calibration(0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF)
     key = CalibrationKey.RC_CHANNEL_2
-    odd = replace(
+    unexpected = replace(
         settings,
         parameters={**settings.parameters, "uart_settings": 12},
         calibrations={**settings.calibrations, key: broken},
     )
-    text = write_settings(odd)
+    text = write_settings(unexpected)
     assert "\n# uart_settings: 12  # left out: " in text
     assert "\n# rc_channel_2: {minimum: 65535, " in text
     read, findings = read_settings(text)

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 import serial
 
-from tests.devices.trex.simulator.patience import PATIENCE
+from tests.devices.trex.simulator.extra_time import LONG_TIMEOUT
 from tests.support.simulator import StartSimulator
 
 Start = StartSimulator
@@ -23,8 +23,10 @@ pytestmark = [
 ]
 
 
-def asked(url: str, **settings: Any) -> bytes:
-    with serial.serial_for_url(url, timeout=PATIENCE, **{"baudrate": 19200, **settings}) as port:
+def requested(url: str, **settings: Any) -> bytes:
+    with serial.serial_for_url(
+        url, timeout=LONG_TIMEOUT, **{"baudrate": 19200, **settings}
+    ) as port:
         port.write(b"\x81")
         answer: bytes = port.read(7)
         return answer
@@ -37,7 +39,7 @@ def test_reopened_port_discards_bytes_queued_by_slow_host(
     simulator = start_simulator()
     with serial.Serial(simulator.url, 50) as port:
         port.write(b"\xff" * 200)  # 40 s of bytes
-    assert asked(simulator.url) == b"TReX1.2"
+    assert requested(simulator.url) == b"TReX1.2"
 
 
 @pytest.mark.parametrize("kind", ["--rfc2217", "--tcp"])
@@ -45,14 +47,14 @@ def test_bytes_queued_by_disconnected_host_are_discarded(start_simulator: Start,
     simulator = start_simulator(kind, "127.0.0.1:0")
     with serial.serial_for_url(simulator.url, baudrate=300) as port:
         port.write(b"\xff" * 20_000)
-    assert asked(simulator.url) == b"TReX1.2"
+    assert requested(simulator.url) == b"TReX1.2"
 
 
 def test_seven_data_bits_are_rejected(start_simulator: Start) -> None:
     simulator = start_simulator("--rfc2217", "127.0.0.1:0")
     with pytest.raises((serial.SerialException, ValueError)):
-        asked(simulator.url, bytesize=serial.SEVENBITS)
-    assert asked(simulator.url) == b"TReX1.2"
+        requested(simulator.url, bytesize=serial.SEVENBITS)
+    assert requested(simulator.url) == b"TReX1.2"
 
 
 @needs_pty
@@ -63,7 +65,7 @@ def test_writes_take_effect_when_eeprom_cannot_be_saved(
     folder.mkdir()
     simulator = start_simulator("--eeprom", str(folder / "board.json"))
     shutil.rmtree(folder)
-    with serial.Serial(simulator.url, 19200, timeout=PATIENCE) as port:
+    with serial.Serial(simulator.url, 19200, timeout=LONG_TIMEOUT) as port:
         port.write(bytes.fromhex("AF 07 03 55 2A"))
         assert port.read(1) == b"\0"
         port.write(bytes.fromhex("9F 07"))

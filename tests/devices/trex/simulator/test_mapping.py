@@ -62,8 +62,8 @@ def test_joint_mode_does_not_mix() -> None:
 def test_motor_setpoints_stay_within_full_speed(
     first: int, second: int, mix: bool, flip: bool, joint: bool
 ) -> None:
-    asked = motor_values((first, second), mix=mix, flip=flip, joint=joint)
-    assert all(abs(value) <= 127 for value in asked)
+    requested = motor_values((first, second), mix=mix, flip=flip, joint=joint)
+    assert all(abs(value) <= 127 for value in requested)
 
 
 @given(raw=st.lists(st.none() | st.integers(0, 0xFFFE), min_size=5, max_size=5))

@@ -16,7 +16,7 @@ COMPACT = (
 )
 
 
-Asked = dict[tuple[int, int], list[tuple[str, bytes, UartError]]]
+Requested = dict[tuple[int, int], list[tuple[str, bytes, UartError]]]
 """Rates of host and board: packet, reply, errors."""
 
 ANY = ~UartError(0)
@@ -54,44 +54,46 @@ def good() -> dict[str, bytes]:
 
 
 @pytest.fixture(scope="module", params=[True, False], ids=["paced", "unpaced"])
-def asked(request: pytest.FixtureRequest) -> Asked:
+def requested(request: pytest.FixtureRequest) -> Requested:
     """Every query asked once by a host at every wrong rate: the replies, the errors."""
     rates = baud_rates()
-    asked: Asked = {}
+    requested: Requested = {}
     for code, host in permutations(range(len(rates)), 2):
         line = a_line(code, paced=request.param)
         line.host = LineSettings(rates[host])
         serial = line.boards[0].serial
-        asked[rates[host], rates[code]] = [
+        requested[rates[host], rates[code]] = [
             (packet, ask(line, packet), serial.take_uart_errors()) for packet in QUERIES
         ]
-    assert len(asked) == 110
-    return asked
+    assert len(requested) == 110
+    return requested
 
 
-def share(asked: Asked, kind: UartError, pairs: Iterable[tuple[int, int]]) -> float:
+def share(requested: Requested, kind: UartError, pairs: Iterable[tuple[int, int]]) -> float:
     """Return the share of the packets after which errors of this kind were latched."""
-    errors = [errors for pair in pairs for _, _, errors in asked[pair]]
+    errors = [errors for pair in pairs for _, _, errors in requested[pair]]
     return sum(bool(each & kind) for each in errors) / len(errors)
 
 
-def test_host_at_wrong_rate_never_gets_correct_reply(asked: Asked, good: dict[str, bytes]) -> None:
-    for pair, replies in asked.items():
+def test_host_at_wrong_rate_never_gets_correct_reply(
+    requested: Requested, good: dict[str, bytes]
+) -> None:
+    for pair, replies in requested.items():
         for packet, reply, _ in replies:
             assert reply != good[packet], (pair, packet)
 
 
-def test_nearly_every_packet_of_slower_host_latches_errors(asked: Asked) -> None:
-    slower = [(host, board) for host, board in asked if host < board]
-    assert share(asked, ANY, slower) > 0.95
-    assert share(asked, UartError.FRAMING, slower) > 0.85
+def test_nearly_every_packet_of_slower_host_latches_errors(requested: Requested) -> None:
+    slower = [(host, board) for host, board in requested if host < board]
+    assert share(requested, ANY, slower) > 0.95
+    assert share(requested, UartError.FRAMING, slower) > 0.85
     for pair in slower:
-        assert share(asked, UartError.FRAMING, [pair]) > 0.25, pair
+        assert share(requested, UartError.FRAMING, [pair]) > 0.25, pair
 
 
-def test_most_packets_at_wrong_rate_latch_errors(asked: Asked) -> None:
-    assert share(asked, ANY, asked) > 0.65
-    assert share(asked, UartError.FRAMING, asked) > 0.45
+def test_most_packets_at_wrong_rate_latch_errors(requested: Requested) -> None:
+    assert share(requested, ANY, requested) > 0.65
+    assert share(requested, UartError.FRAMING, requested) > 0.45
 
 
 def test_reply_at_another_rate_is_garbage_of_varying_length() -> None:

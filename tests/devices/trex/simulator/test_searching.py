@@ -58,7 +58,7 @@ def a_touchy_board(code: int, detection: Detection) -> Board:
     return a_board(settings=code | detection, uart_error_shutdown=0)
 
 
-def alien_rates() -> Iterator[tuple[int, int]]:
+def other_baud_rates() -> Iterator[tuple[int, int]]:
     """Return the code of each board with each wrong rate of the host."""
     for code, host in permutations(range(len(baud_rates())), 2):
         yield code, baud_rates()[host]
@@ -80,7 +80,7 @@ def send_alone(line: TrexLine, packet: bytes) -> None:
 def test_single_packet_never_affects_board_at_another_rate(
     detection: Detection, paced: bool
 ) -> None:
-    for code, baud in alien_rates():
+    for code, baud in other_baud_rates():
         board = a_touchy_board(code, detection)
         stored = board.memory.stored()
         line = TrexLine([board], paced=paced)
@@ -93,7 +93,7 @@ def test_single_packet_never_affects_board_at_another_rate(
 
 @pytest.mark.parametrize("packets", SAFE.values(), ids=SAFE)
 def test_scan_packets_never_affect_board_at_another_rate(packets: Sequence[bytes]) -> None:
-    for code, baud in alien_rates():
+    for code, baud in other_baud_rates():
         board = a_touchy_board(code, Detection.NONE)
         stored = board.memory.stored()
         line = TrexLine([board])
@@ -155,7 +155,7 @@ def test_scan_packets_in_any_order_are_safe_at_other_rates(
 ) -> None:
     board = a_touchy_board(5, detection if detection is Detection.CRC7 else Detection.NONE)
     known: set[frozenset[Word]] = set()
-    for code, baud in alien_rates():
+    for code, baud in other_baud_rates():
         own = LineSettings(baud_rates()[code], detection)
         host = LineSettings(baud)
         heard = frozenset().union(*(words(packet, host, own) for packet in packets))

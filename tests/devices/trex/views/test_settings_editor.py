@@ -299,9 +299,9 @@ def test_file_changed_on_disk_is_overwritten_after_a_question(
     editor: EditorDriver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     editor.path.write_text("product: TReX\n# by another program\n", encoding="utf-8")
-    asked = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    requested = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
     editor.trigger("Save")
-    assert "changed by another program" in asked[0]
+    assert "changed by another program" in requested[0]
     assert "by another program" in editor.path.read_text(encoding="utf-8")
     answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
     editor.trigger("Save")
@@ -313,9 +313,9 @@ def test_file_is_rewritten_after_a_question(
 ) -> None:
     editor = open_text("product: TReX\nfirmware: |\n  1.2")  # cannot be changed in place
     editor.edit("motor_mode", 1)
-    asked = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    requested = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
     editor.trigger("Save")
-    assert "fresh text" in asked[0]
+    assert "fresh text" in requested[0]
     assert editor.document.modified
     answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
     editor.trigger("Save")
@@ -330,9 +330,9 @@ def test_edits_are_kept_until_saved_or_dropped(
     assert "Not saved" in editor.banner
     assert editor.document.modified
 
-    asked = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    requested = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
     assert not editor.editor.close()
-    assert "rover.txt has changes" in asked[0]
+    assert "rover.txt has changes" in requested[0]
     assert editor.document.modified
     answer_questions(monkeypatch, QMessageBox.StandardButton.Save)
     path = editor.path

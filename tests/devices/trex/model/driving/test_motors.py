@@ -99,8 +99,10 @@ def test_setpoints_carry_the_accelerate_option(armed: RequestRecorder, *, accele
     armed.motors.accelerate = accelerate
     armed.motors.set_speed(1, 1)
     armed.motors.set_auxiliary(1)
-    told = [request.accelerate for request in armed.requests if not isinstance(request, SetMotors)]
-    assert told == [accelerate, accelerate]
+    reports = [
+        request.accelerate for request in armed.requests if not isinstance(request, SetMotors)
+    ]
+    assert reports == [accelerate, accelerate]
 
 
 def test_repeated_setpoint_is_sent_once(armed: RequestRecorder) -> None:

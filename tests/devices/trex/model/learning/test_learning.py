@@ -37,7 +37,7 @@ class LearningSetup:
         self.device.connect_to(ConnectionSettings(simulator.url))
         self.until(lambda: self.device.link is ConnectionState.CONNECTED or bool(failures))
         assert not failures, (failures, simulator.show()["power"], simulator.show()["active_uart"])
-        self.until(lambda: self.transmitter.rests(self.device.telemetry.raw_of))
+        self.until(lambda: self.transmitter.is_at_rest(self.device.telemetry.raw_of))
 
     def until(self, condition: Callable[[], bool], timeout: int = 30_000) -> None:
         self._qtbot.waitUntil(condition, timeout=timeout)
@@ -362,17 +362,17 @@ def test_gap_in_telemetry_stalls_the_neutral_step(setup: LearningSetup) -> None:
 
 
 def test_stop_outcome_is_reported_once_per_request(setup: LearningSetup) -> None:
-    told: list[StudioError | None] = []
-    setup.device.driving.stop(told.append)
-    setup.until(lambda: bool(told))
-    assert told == [None]
+    reports: list[StudioError | None] = []
+    setup.device.driving.stop(reports.append)
+    setup.until(lambda: bool(reports))
+    assert reports == [None]
     setup.device.motors.stop()
     setup.until(lambda: not setup.device.may_move)
     setup.device.disconnect_line()
     setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
-    setup.device.driving.stop(told.append)
-    assert len(told) == 2
-    assert "No board is connected" in str(told[1])
+    setup.device.driving.stop(reports.append)
+    assert len(reports) == 2
+    assert "No board is connected" in str(reports[1])
 
 
 # --- Learned values until they are stored ----------------------------------------------

@@ -58,12 +58,12 @@ def test_groups_are_listed_in_order_with_counts(model: ParameterModel) -> None:
 
 def test_heading_counts_modified_parameters(model: ParameterModel, qtbot: QtBot) -> None:
     heading = model.index_of_group("motors")
-    told: list[QModelIndex] = []
-    model.dataChanged.connect(lambda first, _last: told.append(first))
+    reports: list[QModelIndex] = []
+    model.dataChanged.connect(lambda first, _last: reports.append(first))
     model.edit("motor1_current_limit", 9)
     model.edit("motor_mode", 1)
     assert heading.data() == "Motors (17, 2 modified)"
-    assert heading in told
+    assert heading in reports
     model.discard_edits()
     assert heading.data() == "Motors (17)"
 
@@ -218,10 +218,10 @@ def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
     draft.take_settings(Settings(SPECS.model, "1.2", stored))
     draft.parameters.both_motors = True
     linter = SettingsLinter(draft)
-    advice = next(a for a in linter.findings if "motor1_current_limit_p" in a.change)
+    hint = next(a for a in linter.findings if "motor1_current_limit_p" in a.change)
     draft.parameters.edit("motor2_current_limit_p", 9, alone=True)
     steps = draft.undo.count()
-    linter.accept(advice)
+    linter.accept(hint)
     assert draft.parameters.value_of("motor1_current_limit_p") == 5
     assert draft.parameters.value_of("motor2_current_limit_p") == 5
     assert draft.undo.count() == steps + 1
@@ -323,12 +323,12 @@ def test_values_are_shown_in_physical_units(model: ParameterModel) -> None:
 
 
 def test_prescaler_edit_updates_the_pwm_maximum_row(model: ParameterModel) -> None:
-    told: list[str] = []
+    reports: list[str] = []
     model.dataChanged.connect(
-        lambda first, _last: told.append(first.siblingAtColumn(ParameterColumn.NAME).data())
+        lambda first, _last: reports.append(first.siblingAtColumn(ParameterColumn.NAME).data())
     )
     model.edit("motor1_pwm_prescaler", 0)
-    assert "Motor 1 PWM Maximum" in told
+    assert "Motor 1 PWM Maximum" in reports
 
 
 def test_unknown_prescaler_shows_no_frequency(model: ParameterModel) -> None:
@@ -338,14 +338,14 @@ def test_unknown_prescaler_shows_no_frequency(model: ParameterModel) -> None:
 
 
 def test_source_column_names_what_is_inferred(model: ParameterModel) -> None:
-    for key, text, told in (
+    for key, text, reports in (
         ("device_number", "range inferred", "default is confirmed"),
         ("serial_timeout", "default inferred", "range is confirmed"),
         ("motor1_current_limit", "inferred", "the board has the last word"),
         ("uart_settings", "inferred", "So is what a wire value means"),
     ):
         assert said(model, key, ParameterColumn.SOURCE) == text
-        assert told in said(model, key, ParameterColumn.SOURCE, TIP)
+        assert reports in said(model, key, ParameterColumn.SOURCE, TIP)
 
 
 def test_fully_confirmed_parameter_has_vendor_as_source(model: ParameterModel) -> None:

@@ -232,10 +232,10 @@ def test_disabled_model_shows_values_but_rejects_edits(model: ParameterModel) ->
 def test_discard_drops_all_edits(model: ParameterModel) -> None:
     edit(model, "serial_timeout", 9)
     edit(model, "motor_mode", 1)
-    told: list[int] = []
-    model.pending_changed.connect(told.append)
+    reports: list[int] = []
+    model.pending_changed.connect(reports.append)
     model.discard_edits()
-    assert told[-1] == 0
+    assert reports[-1] == 0
     assert model.pending == ()
     assert of(model, "motor_mode", Role.DIRTY) is False
 

@@ -87,13 +87,13 @@ class InterruptedApply:
 
     def require_named(self) -> None:
         """Whatever is not stored was told, and what was told to be stored is."""
-        told = {result.key: result for result in self.results}
-        assert set(told) == {*WANTED, f"rc_channel_{CHANNEL}"}
+        reports = {result.key: result for result in self.results}
+        assert set(reports) == {*WANTED, f"rc_channel_{CHANNEL}"}
         for key, wire in WANTED.items():
-            if told[key].error is None:
+            if reports[key].error is None:
                 assert self.stored[key] == wire
             else:
-                assert str(told[key].error)
+                assert str(reports[key].error)
 
     def require_waiting(self) -> None:
         """The edits that did not stick wait, and no others."""
@@ -121,9 +121,11 @@ def applied(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Interrup
 
 
 def require_old_or_new(stored: dict[str, int], before: Settings, *, lost: int) -> None:
-    odd = {key for key in stored if stored[key] not in {before.parameters[key], WANTED.get(key)}}
-    assert len(odd) <= lost
-    assert all(stored[key] == SPECS[key].default for key in odd)
+    unexpected = {
+        key for key in stored if stored[key] not in {before.parameters[key], WANTED.get(key)}
+    }
+    assert len(unexpected) <= lost
+    assert all(stored[key] == SPECS[key].default for key in unexpected)
 
 
 @every_step
@@ -165,7 +167,7 @@ def connect_after_power_cycle(applied: InterruptedApply) -> None:
     applied.recorder.until_link(ConnectionState.CONNECTED)
 
 
-def require_told(applied: InterruptedApply) -> None:
+def require_report(applied: InterruptedApply) -> None:
     """Each setting is stored or was not tried, and nobody speaks of a failure."""
     applied.require_kept()
     applied.require_named()
@@ -182,7 +184,7 @@ def require_told(applied: InterruptedApply) -> None:
 def test_apply_resumes_after_disconnecting(step: int, applied: InterruptedApply) -> None:
     applied.disturb(step, applied.device.disconnect_line)
     applied.recorder.until_link(ConnectionState.DISCONNECTED)
-    require_told(applied)
+    require_report(applied)
 
     applied.recorder.connect(applied.simulator.url)
     applied.require_waiting()
@@ -195,7 +197,7 @@ def test_apply_resumes_after_disconnect_and_power_cycle(
 ) -> None:
     applied.disturb(step, applied.device.disconnect_line)
     applied.recorder.until_link(ConnectionState.DISCONNECTED)
-    require_told(applied)
+    require_report(applied)
 
     connect_after_power_cycle(applied)
     applied.require_waiting()
@@ -205,16 +207,16 @@ def test_apply_resumes_after_disconnect_and_power_cycle(
 @every_step
 def test_shutdown_reports_the_results_of_an_apply(step: int, applied: InterruptedApply) -> None:
     ended: list[bool] = []
-    told: list[int] = []
+    reports: list[int] = []
 
     def end() -> None:
         ended.append(applied.device.shut_down())
-        told.append(len(applied.recorder.results))
+        reports.append(len(applied.recorder.results))
 
     applied.disturb(step, end)
-    assert (ended, told) == ([True], [1])
+    assert (ended, reports) == ([True], [1])
     assert applied.device.link is ConnectionState.DISCONNECTED
-    require_told(applied)
+    require_report(applied)
 
     connect_after_power_cycle(applied)
     applied.require_waiting()
@@ -229,7 +231,7 @@ def test_reconnecting_during_apply_keeps_only_unwritten_edits(
     again = ConnectionSettings(applied.simulator.url)
     applied.disturb(step, lambda: applied.device.connect_to(again))
     applied.recorder.until_link(ConnectionState.CONNECTED)
-    require_told(applied)
+    require_report(applied)
     applied.finish()
 
 

@@ -28,7 +28,7 @@ LANGUAGE_NAMES = [language.value for language in LANGUAGES]
 SECONDS = 50
 """How long a program may take on a busy machine."""
 
-PATIENCE = 10
+LONG_TIMEOUT = 10
 """Seconds for which a program that is made ready here waits for an answer: a simulator may stand
 still for longer than the second that a board never needs."""
 
@@ -230,7 +230,7 @@ def made_ready(
     language: Language,
     *,
     drive: bool = False,
-    patience: int = PATIENCE,
+    extra_time: int = LONG_TIMEOUT,
 ) -> Program:
     """Export settings, compile them where the language wants that, and say how to run them.
 
@@ -240,7 +240,7 @@ def made_ready(
     path = exported(folder, settings, link, language)
     text, number = re.subn(
         r"(?m)^(TIMEOUT = |#define TREX_TIMEOUT_MS )1(\.0|000) ",
-        rf"\g<1>{patience}\g<2> ",
+        rf"\g<1>{extra_time}\g<2> ",
         path.read_text(encoding="ascii"),
     )
     assert number == 1

@@ -255,9 +255,11 @@ def test_power_cycle_parameters_have_highest_numbers(model: Model) -> None:
 ODD = '*/ "??/ \\ µΩ\n# /* %d {x} """ \' \x00 \u202e @baud@ \\'
 
 
-@pytest.mark.parametrize("odd", ["*/", "/*", "a*/*b", "??/", "????=", "\\", '"', "\n", "\r", "\0"])
-def test_plain_removes_characters_unsafe_in_code(odd: str) -> None:
-    shown = plain(f"before{odd}after")
+@pytest.mark.parametrize(
+    "unexpected", ["*/", "/*", "a*/*b", "??/", "????=", "\\", '"', "\n", "\r", "\0"]
+)
+def test_plain_removes_characters_unsafe_in_code(unexpected: str) -> None:
+    shown = plain(f"before{unexpected}after")
     assert shown.isascii()
     assert shown.isprintable()
     assert not re.search(r'\*/|/\*|\?\?|"|\\', shown)

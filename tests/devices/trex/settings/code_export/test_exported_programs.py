@@ -32,7 +32,7 @@ from tests.devices.trex.settings.code_export.programs import (
     obedient,
     settings_for,
 )
-from tests.devices.trex.simulator.patience import becomes
+from tests.devices.trex.simulator.extra_time import becomes
 from tests.support.matrix import sampled
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -249,7 +249,7 @@ def test_missing_reply_is_reported_with_line_settings(
     )
     if why == "silent":
         board.do("line mute on")
-    program = made_ready(tmp_path, settings_for(line), line, language, drive=True, patience=1)
+    program = made_ready(tmp_path, settings_for(line), line, language, drive=True, extra_time=1)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     assert "No board responds" in process.stdout
@@ -262,7 +262,7 @@ def test_missing_reply_is_reported_with_line_settings(
 def test_unsupported_parameter_is_named(language: Language, boards: Boards, tmp_path: Path) -> None:
     board = boards.board(link(), "trex", "--unpaced", "--firmware", "1.0")
     settings = settings_for(link())
-    program = made_ready(tmp_path, settings, link(), language, drive=True, patience=3)
+    program = made_ready(tmp_path, settings, link(), language, drive=True, extra_time=3)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     named = "0x17" if language is Language.ARDUINO else "Enable UART Response Delay"
@@ -278,7 +278,7 @@ def test_program_follows_new_device_number(
 ) -> None:
     line = link(expanded=True)
     settings = settings_for(line, device_number=42)
-    program = made_ready(tmp_path, settings, line, language, patience=3)
+    program = made_ready(tmp_path, settings, line, language, extra_time=3)
     board = boards.board(line)
     for writes in (True, False):
         process = program.run(board.url)
@@ -309,7 +309,7 @@ def test_board_that_stops_replying_is_reported(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     board = boards.board(link())
-    program = made_ready(tmp_path, settings_for(link()), link(), language, patience=3)
+    program = made_ready(tmp_path, settings_for(link()), link(), language, extra_time=3)
     with obedient(program, board.url) as trex:
         assert "serial mode" in trex.do("check")[0]
         board.do("line mute on")

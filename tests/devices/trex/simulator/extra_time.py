@@ -3,13 +3,13 @@
 import time
 from collections.abc import Callable
 
-PATIENCE = 20.0
+LONG_TIMEOUT = 20.0
 """Seconds after which something that should have happened will not."""
 
 
 def becomes(look: Callable[[], object], wanted: object) -> bool:
     """Look again and again until it is as wanted; return whether that was in time."""
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + LONG_TIMEOUT
     while look() != wanted:
         if time.monotonic() > end:
             return False
