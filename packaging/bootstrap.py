@@ -25,7 +25,7 @@ from xml.etree import ElementTree
 
 OLDEST_PYTHON = (3, 11)
 
-if sys.version_info < OLDEST_PYTHON:  # whoever runs this may well have an older one
+if sys.version_info < OLDEST_PYTHON:  # users may well have an older one
     sys.exit(
         "TReX Studio needs Python {}.{} or newer, and this is Python {}.{} ({}). "
         "Please run this file with a newer one.".format(
@@ -45,7 +45,7 @@ TRANSLATIONS = ROOT / "resources" / "translations"
 CORES = max(2, min(4, os.cpu_count() or 1))
 VIRTUAL = ("-m", "not realtime", "-n", str(CORES), "--dist", "worksteal")
 REALTIME = ("-m", "realtime", "-n", str(CORES + 1), "--dist", "worksteal")
-"""How the tests are shared out: in virtual time they compute, in real time they also wait."""
+"""Distribution of the tests: virtual-time tests compute, real-time tests also wait."""
 
 NO_TESTS = 5
 """The status of pytest where none was selected."""
@@ -99,11 +99,11 @@ QT_START_SECONDS = 60
 
 
 class BootstrapError(Exception):
-    """Ends the command; its text is the sentence that the person reads."""
+    """Ends the command; its text is shown to the user."""
 
 
 def say(text: str) -> None:
-    """Print at once, so that it stands before what the next program prints."""
+    """Print immediately, before the output of the next program."""
     print(text, flush=True)
 
 
@@ -112,7 +112,7 @@ def say(text: str) -> None:
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a program ended and what it wrote."""
+    """Status and output of a program."""
 
     status: int
     output: str = ""
@@ -126,7 +126,7 @@ Runner = Callable[[Sequence[str], Mapping[str, str]], Outcome]
 def run_captured(
     command: Sequence[str], extra_env: Mapping[str, str], timeout: float | None = None
 ) -> Outcome:
-    """Run a command out of sight; one that is not there or never ends has failed."""
+    """Run a command without showing its output; a missing or hanging one has failed."""
     try:
         done = subprocess.run(
             command,
@@ -146,7 +146,7 @@ def run_captured(
 
 
 def run_in_sight(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
-    """Run a command from the project's folder on the person's own terminal; return its status.
+    """Run a command from the project's folder on the user's terminal; return its status.
 
     Ctrl-C reaches the command as well, which gets a few seconds to end in its own way.
     """
@@ -161,7 +161,7 @@ def run_in_sight(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
             raise
 
 
-# --- Libraries of the system, where Debian's tools can tell and install -------------------------
+# --- Libraries of the system, where Debian's tools can find and install them --------------------
 
 
 def packages_in(listing: str) -> set[str]:
@@ -180,7 +180,7 @@ def packages_in(listing: str) -> set[str]:
 
 
 def last_lines(text: str, count: int = 5) -> str:
-    """Return the end of a program's output, where it says what went wrong."""
+    """Return the end of a program's output, which says what went wrong."""
     return "\n".join(text.strip().splitlines()[-count:])
 
 
@@ -210,7 +210,7 @@ class Debian:
             return
         say(f"Installing system packages: {' '.join(missing)}")
         apt = [*prefix, "env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "--quiet"]
-        # A list that could not be renewed may still serve; the installation itself tells.
+        # A list that could not be renewed may still do; the installation shows it.
         self._run([*apt, "update"], {})
         outcome = self._run([*apt, "install", "--yes", "--no-install-recommends", *missing], {})
         if outcome.status != 0:
@@ -218,7 +218,7 @@ class Debian:
             say(f"apt-get could not install them; please do so by hand: {by_hand}")
 
     def _privilege(self) -> list[str] | None:
-        """Return what to put before apt-get, or None if we may not run it."""
+        """Return the command prefix for apt-get (`sudo` or nothing); None if it is not permitted."""
         if self._is_root:
             return []
         sudo = ["sudo", "-n"]  # -n: never ask for a password
@@ -233,7 +233,7 @@ def find_debian() -> Debian | None:
 
 
 def missing_test_programs() -> list[str]:
-    """Return the packages of those programs that are not here."""
+    """Return the packages of missing programs."""
     return [package for program, package in TEST_PROGRAMS.items() if shutil.which(program) is None]
 
 
@@ -242,7 +242,7 @@ def missing_test_programs() -> list[str]:
 
 @dataclass(frozen=True)
 class QtStart:
-    """What an attempt to start Qt came to.
+    """Result of an attempt to start Qt.
 
     Attributes:
         platform: Qt's name of what it draws on ("xcb", "offscreen"), None if it did not start.
@@ -256,12 +256,12 @@ class QtStart:
 
     @property
     def has_window(self) -> bool:
-        """Whether a person could see what is drawn."""
+        """Whether the platform shows windows."""
         return self.platform is not None and self.platform not in PLATFORMS_WITHOUT_WINDOW
 
 
 def read_qt_start(outcome: Outcome) -> QtStart:
-    """Make sense of what the attempt wrote."""
+    """Parse the output of the attempt."""
     started = re.search(r"^started (\S+) (\d+)$", outcome.output, re.MULTILINE)
     if outcome.status == 0 and started:
         return QtStart(started[1], int(started[2]))
@@ -279,7 +279,7 @@ def start_qt(run: Runner, extra_env: Mapping[str, str]) -> QtStart:
 
 
 def require_qt(run: Runner) -> None:
-    """Make sure that Qt starts without a display, which takes all its libraries but a window's.
+    """Make sure that Qt starts without a display, which needs all libraries but those of a window.
 
     Raises:
         BootstrapError: it does not start; says what is missing.
@@ -301,7 +301,7 @@ UNFINISHED = ""  # as a stamp's requirements: interrupted, but the environment i
 
 @dataclass(frozen=True)
 class Stamp:
-    """What `.venv/` was made from; it is up to date as long as this is the same.
+    """Everything `.venv/` was made from; it is up to date while this is unchanged.
 
     Attributes:
         interpreter: version and place of the Python beneath.
@@ -388,7 +388,7 @@ def make_venv(run: Runner) -> None:
 
 
 def pip_commands(pip: Sequence[str]) -> list[list[str]]:
-    """Return what installs the build backend and then, built with it, the project."""
+    """Return the commands that install the build backend and then, built with it, the project."""
     install = [*pip, "install", "--constraint", str(CONSTRAINTS)]
     return [
         [*install, *BUILD_REQUIREMENTS],
@@ -407,9 +407,9 @@ def install_packages() -> None:
     if not sys.stdout.isatty():
         pip.append("-qq")  # errors only
     for command in pip_commands(pip):
-        # A person's own default of installing for the user does not work in an environment.
+        # Installing for the user, which may be the default, does not work in an environment.
         if run_in_sight(command, {"PIP_USER": "0"}) != 0:
-            raise BootstrapError("pip could not install the packages; its message stands above.")
+            raise BootstrapError("pip could not install the packages; see its message above.")
 
 
 def is_set_up(stamp: Stamp) -> bool:
@@ -424,7 +424,7 @@ def set_up(run: Runner = run_captured) -> bool:
         Whether there was anything to do.
 
     Raises:
-        BootstrapError: something is missing that only the person can supply.
+        BootstrapError: something is missing that only the user can supply.
     """
     stamp = current_stamp()
     if is_set_up(stamp):
@@ -446,7 +446,7 @@ def set_up(run: Runner = run_captured) -> bool:
 
 
 def command_setup() -> int:
-    """Make `.venv/` and tell how to start what is in it."""
+    """Make `.venv/` and say how to start the program."""
     if set_up():
         program = venv_program("trex-gui").relative_to(ROOT)
         say(f"Ready: the window starts with {program}, or try it with --demo and no board.")
@@ -599,17 +599,17 @@ def command_bench(pytest_arguments: Sequence[str]) -> int:
     set_up()
     in_order = ("-s", "-p", "no:randomly", "--timeout=0")
     pytest = [str(venv_program("pytest")), str(BENCHMARKS), *in_order, *pytest_arguments]
-    # Offscreen unless the person asks for something else: figures should compare.
+    # Offscreen by default, so that figures can be compared.
     return run_in_sight(pytest, {**OFFSCREEN, **os.environ})
 
 
 def command_mutate(arguments: Sequence[str]) -> int:
-    """Change the program in one place at a time and see what the tests notice."""
+    """Change the program in one place at a time and measure what the tests notice."""
     set_up()
     pip = [str(venv_python()), "-m", "pip", "--disable-pip-version-check", "--no-input", "-qq"]
     wanted = ["install", "--constraint", str(CONSTRAINTS), "cosmic-ray"]
     if run_in_sight([*pip, *wanted], {"PIP_USER": "0"}) != 0:
-        raise BootstrapError("pip could not install cosmic-ray; its message stands above.")
+        raise BootstrapError("pip could not install cosmic-ray; see its message above.")
     return run_in_sight([str(venv_python()), str(MUTATE), *arguments], OFFSCREEN)
 
 
@@ -632,7 +632,7 @@ def command_translations() -> int:
 
 
 def make_parser() -> argparse.ArgumentParser:
-    """Return the parser of the command line, without what stands after `--`."""
+    """Return the parser of the command line, without the arguments after `--`."""
     parser = argparse.ArgumentParser(
         description="Set TReX Studio up in .venv/, then show it, check it or measure it."
     )
@@ -658,7 +658,7 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def split_arguments(arguments: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return what stands before the first `--` and what stands after it."""
+    """Return the arguments before the first `--` and those after it."""
     own = list(arguments)
     if "--" not in own:
         return own, []
