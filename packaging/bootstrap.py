@@ -218,7 +218,7 @@ class Debian:
             say(f"apt-get could not install them; please do so by hand: {by_hand}")
 
     def _privilege(self) -> list[str] | None:
-        """Return the command prefix for apt-get (`sudo` or nothing); None if it is not permitted."""
+        """Return the command prefix for apt-get; None if we may not run it."""
         if self._is_root:
             return []
         sudo = ["sudo", "-n"]  # -n: never ask for a password
