@@ -3,11 +3,7 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtWidgets import (
-    QComboBox,
-    QInputDialog,
-    QWidget,
-)
+from PySide6.QtWidgets import QComboBox, QInputDialog, QWidget
 
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
@@ -37,15 +33,11 @@ class ConnectionBar(QWidget):
     interruption_wanted = Signal(object)
 
     def __init__(
-        self,
-        device_manager: DeviceManager,
-        ports: Ports,
-        parent: QWidget | None = None,
+        self, device_manager: DeviceManager, ports: Ports, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._manager = device_manager
         self._ports = ports
-
         self._dialog: FindDialog | None = None
         self._connected: Port | None = None
         self._chosen: Port | None = None
@@ -105,7 +97,6 @@ class ConnectionBar(QWidget):
 
     @Slot()
     def toggle(self) -> None:
-        """Connect, or disconnect."""
         if self._manager.is_idle:
             self.connect_shown()
         else:
@@ -113,11 +104,11 @@ class ConnectionBar(QWidget):
 
     def leave(self) -> None:
         """Disconnect, after a question while settings are being written."""
-        self._when_nothing_is_cut_off(self._manager.leave)
+        self._unless_busy(self._manager.leave)
 
-    def _when_nothing_is_cut_off(self, then: Callable[[], object]) -> None:
+    def _unless_busy(self, then: Callable[[], object]) -> None:
         if self._manager.current.is_busy:
-            self._on_ports_changed()  # the combo box has the next port already
+            self._on_ports_changed()  # the list already shows the choice
             self.interruption_wanted.emit(then)
         else:
             then()
@@ -135,13 +126,11 @@ class ConnectionBar(QWidget):
 
     @Slot()
     def find_board(self) -> None:
-        """Show the search for a board."""
         if self._dialog is None:
             self._dialog = FindDialog(self._manager, self._ports, self.window())
         self._dialog.look()
 
     def close_dialogs(self) -> None:
-        """Close what stands beside the window, for its end."""
         if self._dialog is not None:
             self._dialog.close()
 
@@ -154,10 +143,9 @@ class ConnectionBar(QWidget):
         elif choice == _OTHER:
             self._ask_for_address()
         elif choice == _NOT_CONNECTED:
-            self._when_nothing_is_cut_off(self._leave_for_good)
+            self._unless_busy(self._leave_for_good)
 
     def _leave_for_good(self) -> None:
-        """Disconnect, and offer no port."""
         self._chosen, self._wants_none = None, True
         self._manager.leave()
 
@@ -181,25 +169,22 @@ class ConnectionBar(QWidget):
             self.connecting.emit()
             self._manager.connect_to(port)
 
-        self._when_nothing_is_cut_off(connect_to)
+        self._unless_busy(connect_to)
 
     # --- What has changed ---------------------------------------------------------------
 
     @Slot()
     def _on_ports_changed(self) -> None:
-        """Show every port; the current one is connected, or what Connect connects to."""
         combo, shown = self._combo, self._port_to_show()
         with QSignalBlocker(combo):
             combo.clear()
             combo.addItem(self.tr("Not connected"), _NOT_CONNECTED)
             for port in self._ports.entries:
                 combo.addItem(port.label, port)
+                if port == shown:
+                    combo.setCurrentIndex(combo.count() - 1)
             combo.insertSeparator(combo.count())
             combo.addItem(self.tr("Other port or address…"), _OTHER)
-            for index in range(combo.count()):
-                if shown is not None and combo.itemData(index) == shown:
-                    combo.setCurrentIndex(index)
-                    break
 
     def _port_to_show(self) -> Port | None:
         connected, chosen = self._manager.current.port, self._chosen
@@ -207,7 +192,7 @@ class ConnectionBar(QWidget):
             return connected
         if chosen is None:
             return None if self._wants_none else self._ports.preferred
-        # As it is in the list now: what it leads to, and so its label, may be another.
+        # As it is in the list now: its kind of device, and so its label, may have changed.
         is_demo = chosen.kind is PortKind.DEMO
         return self._ports.demo_of(chosen.device) if is_demo else self._ports.find(chosen.url)
 

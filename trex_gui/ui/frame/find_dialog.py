@@ -1,11 +1,10 @@
-"""Find a board whose line settings are unknown, on every port."""
+"""Dialog that finds boards with unknown line settings."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import (
     QDialog,
     QFrame,
-    QHBoxLayout,
     QLabel,
     QListWidget,
     QListWidgetItem,
@@ -21,16 +20,15 @@ from trex_gui.ui.devices.scanner import ScanFinding
 from trex_gui.ui.widgets import builders as ui
 
 _PORT = Qt.ItemDataRole.UserRole
+_ENABLED = Qt.ItemFlag.ItemIsEnabled
+_CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
 
 
 class FindDialog(QDialog):
-    """A dialog beside the window; closing it ends the search."""
+    """A dialog beside the window; closing it ends the scan."""
 
     def __init__(
-        self,
-        device_manager: DeviceManager,
-        ports: Ports,
-        parent: QWidget | None = None,
+        self, device_manager: DeviceManager, ports: Ports, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.setObjectName("findDialog")
@@ -39,7 +37,7 @@ class FindDialog(QDialog):
         self._ports = ports
         self._manager = device_manager
         self._scanner = device_manager.scanner
-        self._ticks: dict[Port, bool] = {}
+        self._checked: dict[Port, bool] = {}  # as the user has chosen
         self._shown: tuple[ScanFinding, ...] | None = None
         self._connects: dict[QPushButton, Port] = {}
         self._create_widgets()
@@ -125,7 +123,7 @@ class FindDialog(QDialog):
         )
 
     def look(self) -> None:
-        """Show it; the user starts the search."""
+        """Show it; the user starts the scan."""
         self.show()
         self.activateWindow()
         self._start.setFocus()
@@ -148,7 +146,7 @@ class FindDialog(QDialog):
 
     @Slot()
     def _on_ports_changed(self) -> None:
-        """Offer every port that can be searched; ticks stay."""
+        """Offer every port that can be scanned; check marks stay."""
         with QSignalBlocker(self._list):
             self._list.clear()
             for port in self._ports.entries:
@@ -166,26 +164,23 @@ class FindDialog(QDialog):
         text = self.tr("{0} – connected to this window") if is_open else "{0}"
         item = QListWidgetItem(text.format(port.label))
         item.setData(_PORT, port)
-        item.setFlags(Qt.ItemFlag.ItemIsUserCheckable if is_open else _ENABLED | _CHECKABLE)
-        ticked = self._ticks.get(port, port.kind is not PortKind.TYPED or "://" not in port.url)
-        is_ticked = ticked and not is_open
-        item.setCheckState(Qt.CheckState.Checked if is_ticked else Qt.CheckState.Unchecked)
+        item.setFlags(_CHECKABLE if is_open else _ENABLED | _CHECKABLE)
+        is_likely = port.kind is not PortKind.TYPED or "://" not in port.url
+        is_checked = self._checked.get(port, is_likely) and not is_open
+        item.setCheckState(Qt.CheckState.Checked if is_checked else Qt.CheckState.Unchecked)
         return item
 
     @Slot(QListWidgetItem)
     def _on_item_changed(self, item: QListWidgetItem) -> None:
-        self._ticks[item.data(_PORT)] = item.checkState() is Qt.CheckState.Checked
+        self._checked[item.data(_PORT)] = item.checkState() is Qt.CheckState.Checked
         self._on_actions_changed()
 
     @Slot()
     def _on_actions_changed(self) -> None:
         running, port = self._scanner.running, self._manager.current.port
         if port is not None:
-            self._busy.setText(
-                self.tr("{0} is connected to this window, so it is not searched.").format(
-                    port.url or port.label
-                )
-            )
+            text = self.tr("{0} is connected to this window, so it is not searched.")
+            self._busy.setText(text.format(port.url or port.label))
         elif self._list.count() == 0:
             self._busy.setText(self.tr("This computer has no serial ports. Plug an adapter in."))
         self._busy.setVisible(port is not None or self._list.count() == 0)
@@ -207,13 +202,10 @@ class FindDialog(QDialog):
     def _on_progressed(self) -> None:
         self._progress.setRange(0, self._scanner.total)
         self._progress.setValue(self._scanner.done)
-        self._tried.setText(
-            self._scanner.text
-            or self._scanner.summary
-            or self.tr(
-                "The likely settings come first; a port without a reply takes about half a minute."
-            )
+        hint = self.tr(
+            "The likely settings come first; a port without a reply takes about half a minute."
         )
+        self._tried.setText(self._scanner.text or self._scanner.summary or hint)
 
     @Slot()
     def _on_scanner_changed(self) -> None:
@@ -236,10 +228,9 @@ class FindDialog(QDialog):
         row = QFrame(self._results)
         row.setFrameShape(QFrame.Shape.StyledPanel)
         row.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
-        layout = QHBoxLayout(row)
         text = _text(finding.text, row, f"findText{index}")
         text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        layout.addWidget(text, 1)
+        layout = ui.row((text, 1), into=row)
         if finding.found is not None:
             connect = ui.button(
                 row,
@@ -256,17 +247,12 @@ class FindDialog(QDialog):
         return row
 
     def _connect(self, finding: ScanFinding) -> None:
-        """Connect to what was found; the port leads there from now on."""
+        """Connect to a found device; the port leads to its kind from now on."""
         if finding.found is None:
             return
         port = self._ports.lead_to(finding.port, finding.device)
         self._manager.connect_with(port, finding.found.settings)
 
 
-_ENABLED = Qt.ItemFlag.ItemIsEnabled
-_CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
-
-
 def _text(text: str, parent: QWidget, name: str = "") -> QLabel:
-    """Make a label of plain, wrapped text."""
     return ui.label(parent, name, text, wrap=True, expand=True, plain=True)

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QSettings, Qt, QUrl, Slot
-from PySide6.QtGui import QCloseEvent, QDesktopServices
+from PySide6.QtCore import QByteArray, QEvent, QObject, QSettings, Qt, QTimer, QUrl, Slot
+from PySide6.QtGui import QCloseEvent, QDesktopServices, QGuiApplication, QKeyEvent, QWindow
 from PySide6.QtWidgets import (
     QApplication,
     QDialog,
@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QStackedWidget,
     QTabWidget,
     QTextBrowser,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -23,22 +22,29 @@ from trex_gui import __version__
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Ports
-from trex_gui.ui.frame.actions import build_menus
 from trex_gui.ui.frame.connection_bar import ConnectionBar
-from trex_gui.ui.frame.stopping import EscapeWatch, UnconfirmedStopWarning
-from trex_gui.ui.frame.workspace import Workspace
+from trex_gui.ui.frame.workspace import Workspace, build_menus
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import Scheme, theme
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.banner import Banner
 from trex_gui.ui.widgets.file_drop import AnyFileDrop
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 
 _SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
 
+_LOG_OUT_S = 60.0
+"""Seconds after the start of a log-out within which closing the window is part of it."""
+
 
 class MainWindow(QMainWindow):
-    """Shows the workspace of the device that is connected, or was last; knows no device itself."""
+    """Shows the workspace of the device that is connected, or was last.
+
+    Attributes:
+        question: asks for itself and for the workspaces.
+    """
 
     def __init__(
         self,
@@ -56,14 +62,11 @@ class MainWindow(QMainWindow):
         self._notifier = notifier
         self._store = QSettings(self)
         frame = QWidget(self)
-        self._banner = Banner(frame, notifier)
         self._connection = ConnectionBar(device_manager, ports, frame)
         self.question = InlinePrompt(frame)
         self._stack = QStackedWidget(frame)
-        rows = QVBoxLayout(frame)
-        for widget in (self._connection, self._banner, self.question):
-            rows.addWidget(widget)
-        rows.addWidget(self._stack, 1)
+        banner = Banner(frame, notifier)
+        ui.column(self._connection, banner, self.question, (self._stack, 1), into=frame)
         self.setCentralWidget(frame)
         self._workspaces: tuple[Workspace, ...] = ()
         self._help = HelpDialog(self)
@@ -73,7 +76,7 @@ class MainWindow(QMainWindow):
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 
     def add_workspaces(self, workspaces: Sequence[Workspace]) -> None:
-        """Add a workspace for each kind of device, and fill the menus; once."""
+        """Add the workspaces, one for each kind of device, and fill the menus; once."""
         self._workspaces = tuple(workspaces)
         for workspace in workspaces:
             self._stack.addWidget(workspace)
@@ -101,7 +104,7 @@ class MainWindow(QMainWindow):
 
     @property
     def pages(self) -> QTabWidget:
-        """The pages of the workspace that is shown, in the order of their tabs."""
+        """Those of the workspace that is shown."""
         return self._workspace.pages
 
     @property
@@ -110,7 +113,6 @@ class MainWindow(QMainWindow):
         return next(workspace for workspace in self._workspaces if workspace.key == key)
 
     def _slots(self) -> dict[str, Callable[[], object]]:
-        """Return what each action of the frame does."""
         return {
             "quit": self.close,
             "connect": self._connection.connect_shown,
@@ -140,31 +142,27 @@ class MainWindow(QMainWindow):
 
     def open_file(self, path: Path) -> None:
         """Open a file in the workspace that it belongs to, unless another device is connected."""
-        suffix = path.suffix.lower()
-        for workspace in self._workspaces:
-            for kind in workspace.file_kinds:
-                if suffix in kind.suffixes:
-                    if self._manager.switch_to(workspace.key):
-                        kind.open(path)
-                    else:
-                        self._notifier.error.emit(self._why_elsewhere(path, kind.name))
-                    return
-        kinds = [kind for workspace in self._workspaces for kind in workspace.file_kinds]
-        names = "; ".join(f"{kind.name} ({', '.join(sorted(kind.suffixes))})" for kind in kinds)
-        text = self.tr("{0} was not opened: nothing here opens such files. What can be: {1}.")
+        kinds = [(space.key, kind) for space in self._workspaces for kind in space.file_kinds]
+        for key, kind in kinds:
+            if path.suffix.lower() in kind.suffixes:
+                if self._manager.switch_to(key):
+                    kind.open(path)
+                else:
+                    text = self.tr(
+                        "{0} is {1}. It was not opened, because this window is connected to {2}: "
+                        "disconnect, then drop the file again."
+                    )
+                    device = self._manager.current.plugin.name
+                    self._notifier.error.emit(text.format(path.name, kind.name, device))
+                return
+        names = "; ".join(f"{kind.name} ({', '.join(sorted(kind.suffixes))})" for _, kind in kinds)
+        text = self.tr("{0} was not opened: its type is not supported. Supported: {1}.")
         self._notifier.error.emit(text.format(path.name, names))
-
-    def _why_elsewhere(self, path: Path, what: str) -> str:
-        return self.tr(
-            "{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, "
-            "then drop the file again."
-        ).format(path.name, what, self._manager.current.plugin.name)
 
     # --- State --------------------------------------------------------------------------
 
     @Slot()
     def _on_device_changed(self) -> None:
-        """Show the workspace of the device in use, and its menu entries."""
         self._stack.setCurrentWidget(self._workspace)
         self._actions["stop"].setText(self._workspace.stop_text)
         self._actions["guide"].setText(self._workspace.help_title)
@@ -181,19 +179,14 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _on_actions_changed(self) -> None:
-        """Enable the actions that can be done now."""
         device = self._manager.current
         link = device.link
+        is_open = link not in {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         enabled_actions = {
             "connect": link is ConnectionState.DISCONNECTED,
             "line": link is ConnectionState.DISCONNECTED and device.has_line_settings,
-            "disconnect": link not in {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING},
-            "stop": link
-            in {
-                ConnectionState.CONNECTING,
-                ConnectionState.CONNECTED,
-                ConnectionState.NOT_RESPONDING,
-            },
+            "disconnect": is_open,
+            "stop": is_open,
             **self._workspace.enabled_actions(),
         }
         for key, is_possible in enabled_actions.items():
@@ -202,7 +195,6 @@ class MainWindow(QMainWindow):
 
     @Slot(object)
     def _on_interruption_wanted(self, then: Callable[[], object]) -> None:
-        """Ask before the writing of settings is interrupted."""
         self.question.ask(
             self.tr(
                 "Settings are still being written. Disconnect anyway? Unwritten settings stay "
@@ -288,18 +280,11 @@ class HelpDialog(QDialog):
         self.setObjectName("helpDialog")
         self.resize(560, 620)
         self._shown = ""
-        self._text = QTextBrowser(self)
-        self._text.setObjectName("helpText")
-        self._text.setAccessibleName(self.tr("Help"))
+        self._text = ui.named(QTextBrowser(self), "helpText", accessible=self.tr("Help"))
         self._text.setOpenExternalLinks(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
-        close = buttons.button(QDialogButtonBox.StandardButton.Close)
-        close.setObjectName("helpClose")
-
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._text, 1)
-        layout.addWidget(buttons)
-
+        buttons.button(QDialogButtonBox.StandardButton.Close).setObjectName("helpClose")
+        ui.column((self._text, 1), buttons, into=self)
         buttons.rejected.connect(self.close)
 
     def show_text(self, title: str, text: str) -> None:
@@ -312,3 +297,90 @@ class HelpDialog(QDialog):
         self.show()
         self.activateWindow()
         self._text.setFocus(Qt.FocusReason.PopupFocusReason)
+
+
+class EscapeWatch(QObject):
+    """Event filter that stops on Esc before any widget gets the key.
+
+    Modal dialogs block a shortcut, and editors in a table consume the key. The filter is on the
+    native windows, so only their events pass through Python.
+    """
+
+    def __init__(self, app: QGuiApplication, stop: Callable[[], None], parent: QObject) -> None:
+        super().__init__(parent)
+        self._stop = stop
+        app.focusWindowChanged.connect(self._on_focus_window_changed)
+        self._on_focus_window_changed(app.focusWindow())
+
+    @Slot(QWindow)
+    def _on_focus_window_changed(self, window: QWindow | None) -> None:
+        if window is not None:
+            window.removeEventFilter(self)
+            window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        del watched
+        if (
+            event.type() == QEvent.Type.KeyPress
+            and isinstance(event, QKeyEvent)
+            and event.key() == Qt.Key.Key_Escape
+            and not event.isAutoRepeat()
+        ):
+            self._stop()
+        return False
+
+
+class UnconfirmedStopWarning(QObject):
+    """Warns in the window about an unconfirmed stop when the window is closed.
+
+    It does not block, so that anything else can still end the program. A stop that is confirmed
+    after all closes the window, and so does closing it again. There is no warning on log-out.
+
+    Attributes:
+        given: whether it is shown; closing the window then needs no other question.
+    """
+
+    def __init__(
+        self, device_manager: DeviceManager, question: InlinePrompt, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self._manager = device_manager
+        self._question = question
+        self._window = window
+        self.given = False
+        self._log_out_at: float | None = None
+        app = QApplication.instance()
+        if isinstance(app, QApplication):
+            app.commitDataRequest.connect(self.note_log_out)
+
+    @property
+    def is_due(self) -> bool:
+        """Whether the window, with every line closed, must not close without it."""
+        return bool(self._manager.unconfirmed_stop) and not self.given and not self._is_log_out
+
+    @property
+    def _is_log_out(self) -> bool:
+        return self._log_out_at is not None and now() - self._log_out_at < _LOG_OUT_S
+
+    @Slot()
+    def note_log_out(self) -> None:
+        self._log_out_at = now()
+
+    def give(self) -> None:
+        text = self._manager.unconfirmed_stop
+        self.given = True
+        self._window.setWindowState(self._window.windowState() & ~Qt.WindowState.WindowMinimized)
+        self._window.activateWindow()
+        self._question.ask(
+            text,
+            PromptAnswer("closeUnstopped", self.tr("Close the window"), self._window.close),
+            still=lambda: self._manager.unconfirmed_stop == text,
+            otherwise=self._on_over,
+        )
+
+    def _on_over(self) -> None:
+        """Close the window if the stop was confirmed; else the warning was cancelled."""
+        if self._manager.is_idle and not self._manager.unconfirmed_stop:
+            QTimer.singleShot(0, self._window.close)
+        else:
+            self.given = False

@@ -1,17 +1,49 @@
-"""Workspace: what the frame shows and needs to know of one kind of device."""
+"""Workspace of a device, and the menus that it shares with the frame."""
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from enum import Enum, auto
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Signal
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QTabWidget, QWidget
+from PySide6.QtCore import QCoreApplication, Qt, Signal
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
-from trex_gui.ui.frame.actions import ActionInfo, Menu, Menus
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+SEPARATOR = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ActionInfo:
+    """One entry of a menu; `shortcut` is a portable key sequence."""
+
+    key: str
+    text: str
+    shortcut: str | QKeySequence.StandardKey = ""
+    icon: str = ""
+    checkable: bool = False
+
+
+Entries = Sequence[ActionInfo | str]
+"""Actions and separators of one menu."""
+
+
+class Menu(Enum):
+    """Menus that the frame and the workspaces share, in their order."""
+
+    FILE = auto()
+    EDIT = auto()
+    DEVICE = auto()
+    WINDOW = auto()
+    HELP = auto()
+
+
+Menus = Mapping[Menu | str, Entries]
+"""Entries of a workspace by shared menu, or by the title of one of its own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +82,9 @@ class PageInfo:
 class Workspace(QWidget):
     """The pages of a device, the bar below them, and its menu entries.
 
-    The defaults are for a device that needs no more.
+    A device overrides what it needs: `stop_text` and `help_title` are menu entries, of Esc and F1.
+    `help_url` opens the documentation; without one, `help_text` (rich text) is shown. `docks` are
+    at the right of the window; the workspace shows and hides them.
 
     Signals:
         actions_changed: `enabled_actions`.
@@ -59,7 +93,7 @@ class Workspace(QWidget):
     actions_changed = Signal()
 
     def __init__(self, key: str, notifier: Notifier, parent: QWidget | None = None) -> None:
-        """Show the kind of device with this key."""
+        """`key` is that of the kind of device."""
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
@@ -69,32 +103,27 @@ class Workspace(QWidget):
 
     @property
     def stop_text(self) -> str:
-        """Menu entry of Esc."""
         return self.tr("&Stop motors")
 
     @property
     def help_title(self) -> str:
-        """Menu entry of F1."""
         return self.tr("Online &documentation…")
 
     @property
     def help_url(self) -> str:
-        """URL of the documentation; empty: `help_text` is shown."""
         return ""
 
     @property
     def help_text(self) -> str:
-        """Help as rich text."""
         return ""
 
     @property
     def file_kinds(self) -> Sequence[FileKind]:
-        """The files that are opened here, dropped or named at the start."""
+        """Files that are opened here when they are dropped or named at the start."""
         return ()
 
     @property
     def docks(self) -> Sequence[QDockWidget]:
-        """Docks at the right of the window; the workspace shows and hides them."""
         return ()
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
@@ -104,34 +133,31 @@ class Workspace(QWidget):
             self.pages.addTab(ScrollBox(info.page, self), info.title.replace("&", ""))
 
     def show_page(self, key: str) -> None:
-        """Turn to a page."""
         keys = [info.key for info in self._infos]
         self.pages.setCurrentIndex(keys.index(key))
 
     def page_actions(self) -> tuple[ActionInfo, ...]:
-        """Return the menu entries that show the pages."""
         return tuple(
             ActionInfo(f"{self.key}_{info.key}", info.title, f"Ctrl+{number}", info.icon)
             for number, info in enumerate(self._infos, start=1)
         )
 
     def page_slots(self) -> Mapping[str, Callable[[], object]]:
-        """Return what the entries of `page_actions` do."""
         return {f"{self.key}_{info.key}": partial(self.show_page, info.key) for info in self._infos}
 
     def menus(self) -> Menus:
-        """Return the entries of its own by menu, or by title of an additional menu."""
+        """Return its entries by shared menu, or by the title of one of its own."""
         return {Menu.WINDOW: self.page_actions()}
 
     def slots(self) -> Mapping[str, Callable[[], object]]:
-        """Return what each of its actions does, by key."""
+        """Return the function of each of its actions, by key."""
         return self.page_slots()
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        """Take the actions of its slots by key, once the menus are built."""
+        """Use the actions by key, once the menus are built."""
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        """Return which of its actions can be done now; missing ones can."""
+        """Return whether each of its actions is enabled; missing ones are."""
         return {}
 
     def may_close(self, leave: Callable[[], object]) -> bool:
@@ -143,11 +169,127 @@ class Workspace(QWidget):
         """Close dialogs and windows and save their state."""
 
     def finish(self) -> None:
-        """End what goes on after the line is closed: a disk may be slow."""
+        """End what continues after the line is closed: a disk may be slow."""
 
     def shut_down(self) -> bool:
-        """End every thread, at the end of the program; return whether all ended in time."""
+        """End every thread; return whether all ended in time."""
         return True
 
     def edit_line_settings(self) -> None:
         """Let the user edit how this computer talks to the device."""
+
+
+def tr(text: str) -> str:
+    return QCoreApplication.translate("actions", text)
+
+
+@dataclass(frozen=True, slots=True)
+class _FrameMenu:
+    """A shared menu: its title, and the frame's entries above and below the workspaces'."""
+
+    title: str
+    above: Entries = ()
+    below: Entries = ()
+
+
+def _frame_menus() -> Mapping[Menu, _FrameMenu]:
+    return {
+        Menu.FILE: _FrameMenu(
+            tr("&File"),
+            below=(SEPARATOR, ActionInfo("quit", tr("E&xit"), QKeySequence.StandardKey.Quit)),
+        ),
+        Menu.EDIT: _FrameMenu(tr("&Edit")),
+        Menu.DEVICE: _FrameMenu(
+            tr("&Device"),
+            above=(
+                ActionInfo("connect", tr("&Connect"), "Ctrl+K", "connect"),
+                ActionInfo("disconnect", tr("&Disconnect"), "Ctrl+D", "disconnect"),
+                ActionInfo("line", tr("&Line settings…"), "", "settings"),
+                ActionInfo("find", tr("&Find a board…"), "Ctrl+Shift+F", "find"),
+                SEPARATOR,
+                ActionInfo("stop", tr("&Stop motors"), "Esc", "stop"),
+            ),
+        ),
+        Menu.WINDOW: _FrameMenu(
+            tr("&Window"),
+            below=(
+                SEPARATOR,
+                ActionInfo("system", tr("Colours of the s&ystem"), checkable=True),
+                ActionInfo("light", tr("L&ight colours"), checkable=True),
+                ActionInfo("dark", tr("Dar&k colours"), checkable=True),
+            ),
+        ),
+        Menu.HELP: _FrameMenu(
+            tr("&Help"),
+            above=(
+                ActionInfo("guide", tr("Online &documentation…"), "F1", "help"),
+                ActionInfo("about", tr("&About…"), "", "info"),
+            ),
+        ),
+    }
+
+
+def frame_actions() -> Iterator[ActionInfo]:
+    for menu in _frame_menus().values():
+        yield from (one for one in (*menu.above, *menu.below) if isinstance(one, ActionInfo))
+
+
+def _menu_bar(workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
+    """Yield titles and entries; menus that only one workspace has come before `WINDOW`."""
+    for key, menu in _frame_menus().items():
+        if key is Menu.WINDOW:
+            for menus in workspaces:
+                yield from ((own, menus[own]) for own in menus if isinstance(own, str))
+        middle = [entry for menus in workspaces for entry in (SEPARATOR, *menus.get(key, ()))]
+        yield menu.title, (*menu.above, *middle, *menu.below)
+
+
+def build_menus(
+    window: QMainWindow, slots: Mapping[str, Callable[[], object]], workspaces: Sequence[Menus]
+) -> dict[str, QAction]:
+    """Fill the main window's menu bar; return the actions by key."""
+    actions = fill_menu_bar(window, _menu_bar(workspaces), slots)
+    # Whatever window is in front; the others have their own keys.
+    actions["stop"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
+    schemes = QActionGroup(window)
+    for key in ("system", "light", "dark"):
+        schemes.addAction(actions[key])
+    return actions
+
+
+def fill_menu_bar(
+    window: QMainWindow,
+    menus: Iterable[tuple[str, Entries]],
+    slots: Mapping[str, Callable[[], object]],
+    prefix: str = "",
+) -> dict[str, QAction]:
+    """Add menus by title to a window; return the actions by key.
+
+    Object names are `openAction`, or `editorOpenAction` with a prefix. Qt shows no separator at
+    an end of a menu or behind another one.
+    """
+    actions: dict[str, QAction] = {}
+    for title, entries in menus:
+        menu = window.menuBar().addMenu(title)
+        menu.setToolTipsVisible(True)
+        for entry in entries:
+            if isinstance(entry, str):
+                menu.addSeparator()
+                continue
+            key = entry.key
+            name = f"{prefix}{key[0].upper()}{key[1:]}" if prefix else key
+            actions[key] = ui.action(
+                window,
+                f"{name}Action",
+                entry.text,
+                icon=entry.icon,
+                shortcut=entry.shortcut,
+                checkable=entry.checkable,
+                on_trigger=partial(_call_without_state, slots[key]),
+            )
+            menu.addAction(actions[key])
+    return actions
+
+
+def _call_without_state(slot: Callable[[], object], _checked: bool = False) -> None:
+    slot()

@@ -52,7 +52,7 @@ def test_dropped_files_open_in_their_workspace(
 
     for name in ("photo.png", "noname"):
         assert window.drop(make(name, "what"))
-        reason = f"{name} was not opened: nothing here opens such files."
+        reason = f"{name} was not opened: its type is not supported."
         window.wait_for_text("bannerText", reason)
         assert "a settings file of a TReX (.txt, .yaml, .yml)" in banner(window)
         assert "a pose file of an Aracna (.ppr)" in banner(window)

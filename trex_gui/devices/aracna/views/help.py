@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QKeySequence
 
 from trex_gui.devices.aracna.protocol.commands import BAUD
-from trex_gui.ui.frame.actions import ActionInfo, Menus, frame_actions
+from trex_gui.ui.frame.workspace import ActionInfo, Menus, frame_actions
 
 _OF_THE_FRAME = ("connect", "disconnect", "find")
 

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QKeySequence
 
-from trex_gui.ui.frame.actions import SEPARATOR, ActionInfo, Entries, Menu, Menus
+from trex_gui.ui.frame.workspace import SEPARATOR, ActionInfo, Entries, Menu, Menus
 
 
 def tr(text: str) -> str:

@@ -19,9 +19,8 @@ from trex_gui.devices.aracna.views.poses.page import PosesPage
 from trex_gui.devices.aracna.views.recordings import AracnaRecordings
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.frame.actions import Menus
 from trex_gui.ui.frame.main_window import MainWindow
-from trex_gui.ui.frame.workspace import FileKind, PageInfo, Workspace
+from trex_gui.ui.frame.workspace import FileKind, Menus, PageInfo, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
 
 _PAGE = "aracna/page"

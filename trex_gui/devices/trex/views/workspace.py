@@ -30,9 +30,16 @@ from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.frame.actions import SEPARATOR, ActionInfo, Menu, Menus
 from trex_gui.ui.frame.main_window import MainWindow
-from trex_gui.ui.frame.workspace import FileKind, PageInfo, Workspace
+from trex_gui.ui.frame.workspace import (
+    SEPARATOR,
+    ActionInfo,
+    FileKind,
+    Menu,
+    Menus,
+    PageInfo,
+    Workspace,
+)
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.file_drop import TEXT

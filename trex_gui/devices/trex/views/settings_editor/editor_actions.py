@@ -6,7 +6,7 @@ from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QToolBar
 
-from trex_gui.ui.frame.actions import SEPARATOR, ActionInfo
+from trex_gui.ui.frame.workspace import SEPARATOR, ActionInfo
 from trex_gui.ui.theme.icons import set_icon
 
 _ON_THE_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send", "print")
