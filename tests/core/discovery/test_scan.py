@@ -18,7 +18,7 @@ from trex_gui.core.discovery.scan import PortScan, order, scan_port
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
-from trex_gui.devices.trex.discovery.prober import TREX_PROBER
+from trex_gui.devices.trex.discovery import TREX_PROBER
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 

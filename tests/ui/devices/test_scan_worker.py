@@ -11,7 +11,7 @@ from trex_gui.core.discovery.prober import ScanProgress
 from trex_gui.core.discovery.scan import PortScan
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.discovery.prober import TREX_PROBER
+from trex_gui.devices.trex.discovery import TREX_PROBER
 from trex_gui.devices.trex.protocol.commands import SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings

@@ -12,7 +12,7 @@ def _command(target: str, text: str) -> CommandInfo:
 TREX = DevicePlugin(
     key="trex",
     name="TReX",
-    prober=Lazy(f"{_HERE}.discovery.prober:TREX_PROBER"),
+    prober=Lazy(f"{_HERE}.discovery:TREX_PROBER"),
     port_reports=Lazy(f"{_HERE}.cli.scan:PORT_REPORTS"),
     simulator_arguments=("--demo",),
     controller=Lazy(f"{_HERE}.model.controller:make_controller"),

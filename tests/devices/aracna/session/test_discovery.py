@@ -8,13 +8,14 @@ import pytest
 from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear, orders
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
-from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
+from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE, ScanProgress
+from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.discovery import PROBE, PROBES, AracnaScan, find_aracna
 from trex_gui.devices.aracna.protocol.commands import QUERY
 from trex_gui.devices.aracna.session.client import LINE
-from trex_gui.devices.trex.discovery.prober import ScanProgress, find
+from trex_gui.devices.trex.discovery import TREX_PROBER
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.line import TrexLine
@@ -77,7 +78,12 @@ def test_search_does_not_move_robot() -> None:
 def test_trex_search_does_not_move_robot(*, full: bool, mute: bool) -> None:
     stage = AracnaStage(positions=tuple(range(100, 900, 100)))
     stage.line.faults.mute = mute
-    result = find(ConnectionSettings("virtual"), lambda _settings: stage.transport, full=full)
+    result = scan_port(
+        ConnectionSettings("virtual"),
+        {"trex": TREX_PROBER},
+        full=full,
+        open_wire=lambda _settings: stage.transport,
+    )
     stage.line.advance(5.0)
     assert not result.found
     assert not any(servo.torque for servo in stage.line.servos)

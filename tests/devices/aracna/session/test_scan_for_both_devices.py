@@ -13,7 +13,7 @@ from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.discovery import ARACNA_PROBER, PROBE
 from trex_gui.devices.aracna.session.client import LINE
-from trex_gui.devices.trex.discovery.prober import TREX_PROBER, attempts
+from trex_gui.devices.trex.discovery import TREX_PROBER, attempts
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.line import TrexLine
@@ -203,7 +203,7 @@ def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
     """For any order and number of probes, any device number and any polynomial."""
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
         questions: list[tuple[bytes, SerialFormat]] = [
-            (each.question, each.line) for each in attempts() if each.line != own
+            (each.data, each.line) for each in attempts() if each.line != own
         ]
         questions.append((PROBE, LINE))
         begun: set[State] = {()}

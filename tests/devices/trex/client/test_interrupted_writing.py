@@ -12,10 +12,11 @@ import pytest
 
 from tests.devices.trex.session.helpers import commands
 from tests.support.virtual import Stage
+from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
-from trex_gui.devices.trex.discovery.prober import find
+from trex_gui.devices.trex.discovery import TREX_PROBER, FoundBoard
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     DEFAULT_CALIBRATION,
@@ -315,7 +316,12 @@ def require_reachable(attempt: Attempt) -> None:
     assert attempt.board.powered
     if polynomial in {None, DEFAULT_POLYNOMIAL}:  # others need the full search
         stage.line.advance(1.0)
-        (found,) = find(ConnectionSettings("virtual"), lambda _settings: stage.transport).found
+        (found,) = scan_port(
+            ConnectionSettings("virtual"),
+            {"trex": TREX_PROBER},
+            open_wire=lambda _settings: stage.transport,
+        ).found
+        assert isinstance(found, FoundBoard)
         assert found.device_number == number
         assert answers(stage, found.settings)
     assert any(answers(stage, place) for place in places(case)), state

@@ -6,7 +6,7 @@ nobody knows and whose clock is off. What the full search adds is proved with `-
 """
 
 from collections import deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 from itertools import product
 
@@ -15,19 +15,13 @@ import pytest
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
 from tests.support.virtual import VirtualTransport
-from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
+from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE, ScanProgress
+from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.simulator import sampling
 from trex_gui.core.simulator.sampling import _SAMPLE_AT, Receiver
 from trex_gui.core.transport.settings import SerialFormat
-from trex_gui.devices.trex.discovery.probe import Attempt
-from trex_gui.devices.trex.discovery.prober import (
-    FoundBoard,
-    ScanProgress,
-    TrexScan,
-    attempts,
-    find,
-)
+from trex_gui.devices.trex.discovery import TREX_PROBER, Attempt, FoundBoard, attempts
 from trex_gui.devices.trex.protocol.commands import COMMANDS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
@@ -67,13 +61,36 @@ def wire_of(*boards: Board, echo: bool = False) -> Wire:
     return Wire(line)
 
 
-def search(wire: Wire, *, full: bool = False) -> TrexScan:
-    return find(VIRTUAL, lambda _settings: wire, full=full)
+def never() -> bool:
+    return False
 
 
-def only(result: TrexScan) -> FoundBoard:
+def search(
+    wire: Wire,
+    *,
+    full: bool = False,
+    progress: Callable[[ScanProgress], None] = lambda _: None,
+    cancelled: Callable[[], bool] = never,
+) -> PortScan:
+    return scan_port(
+        VIRTUAL,
+        {"trex": TREX_PROBER},
+        full=full,
+        progress=progress,
+        cancelled=cancelled,
+        open_wire=lambda _settings: wire,
+    )
+
+
+def only(result: PortScan) -> FoundBoard:
     (found,) = result.found
+    assert isinstance(found, FoundBoard)
     return found
+
+
+def diagnosis_of(wire: Wire) -> str:
+    (line,) = search(wire).lines
+    return line
 
 
 @pytest.fixture
@@ -260,7 +277,7 @@ def orders_obeyed(questions: Sequence[Attempt], own: LineSettings, *, crc: bool)
         for attempt in questions:
             if attempt.line == own:
                 continue  # it is understood, and found
-            left, more = hear(rinsed, attempt.question, attempt.line, own, crc=crc)
+            left, more = hear(rinsed, attempt.data, attempt.line, own, crc=crc)
             obeyed |= more
             waiting.extend(left - begun)
             begun |= left
@@ -302,7 +319,7 @@ def test_probes_without_flush_byte_can_start_motors() -> None:
         obeyed: set[str] = set()
         for attempt in questions * 2:
             if attempt.line != own:
-                left, more = hear(begun, attempt.question, attempt.line, own, crc=False)
+                left, more = hear(begun, attempt.data, attempt.line, own, crc=False)
                 begun |= left
                 obeyed |= more
         assert order in obeyed
@@ -323,9 +340,9 @@ def test_every_line_setting_is_probed_once() -> None:
 
 
 def test_search_requests_only_signatures() -> None:
-    assert {attempt.question[:1] for attempt in attempts(full=True)} == {b"\x81"}
+    assert {attempt.data[:1] for attempt in attempts(full=True)} == {b"\x81"}
     plain = [attempt for attempt in attempts() if attempt.line.detection is not Detection.CRC7]
-    assert {attempt.question for attempt in plain} == {b"\x81"}
+    assert {attempt.data for attempt in plain} == {b"\x81"}
 
 
 def test_flush_byte_precedes_each_probe() -> None:
@@ -333,15 +350,15 @@ def test_flush_byte_precedes_each_probe() -> None:
     wire.line.faults.mute = True
     search(wire)
     assert bytes(wire.sent).startswith(FLUSH_BYTE + b"\x81" + FLUSH_BYTE + b"\x81")
-    assert wire.sent.count(FLUSH_BYTE) == len(BOARDS)
-    assert wire.tuned[0:-1:2] == [FLUSH_LINE] * len(BOARDS)
+    assert wire.sent.count(FLUSH_BYTE) == len(BOARDS) + 1  # one before the port is closed
+    assert wire.tuned[0:-1:2] == [FLUSH_LINE] * (len(BOARDS) + 1)
 
 
 def test_search_leaves_port_at_default_line_settings() -> None:
     wire = wire_of(a_board())
     wire.line.faults.mute = True
     search(wire)
-    assert wire.tuned[-1] == LineSettings()
+    assert wire.tuned[-1] == SerialFormat()
 
 
 # --- What it tells ----------------------------------------------------------------------
@@ -350,7 +367,7 @@ def test_search_leaves_port_at_default_line_settings() -> None:
 def test_progress_names_next_probe() -> None:
     steps: list[ScanProgress] = []
     wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
-    find(VIRTUAL, lambda _settings: wire, steps.append)
+    search(wire, progress=steps.append)
     assert [(step.done, step.line.baud) for step in steps] == [(0, 19200), (1, 115200), (2, 9600)]
     assert {step.total for step in steps} == {88}
 
@@ -359,7 +376,7 @@ def test_search_can_be_cancelled() -> None:
     steps: list[ScanProgress] = []
     wire = wire_of(a_board())
     wire.line.faults.mute = True
-    result = find(VIRTUAL, lambda _settings: wire, steps.append, lambda: len(steps) == 4)
+    result = search(wire, progress=steps.append, cancelled=lambda: len(steps) == 4)
     assert result.cancelled
     assert len(steps) == 4
     assert wire.closed
@@ -368,8 +385,7 @@ def test_search_can_be_cancelled() -> None:
 def test_device_number_scan_reports_progress_and_cancels() -> None:
     steps: list[ScanProgress] = []
     wire = wire_of(a_board(9))
-    result = find(VIRTUAL, lambda _settings: wire, steps.append, lambda: len(steps) > 11, full=True)
-    assert result.cancelled
+    result = search(wire, full=True, progress=steps.append, cancelled=lambda: len(steps) > 11)
     assert only(result).device_number == 9
     assert [step.number for step in steps] == [None, *range(11)]
 
@@ -377,9 +393,8 @@ def test_device_number_scan_reports_progress_and_cancels() -> None:
 def test_fixed_rate_port_is_probed_once() -> None:
     wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
     wire.is_configurable = False
-    result = search(wire)
+    assert "set at the other end" in diagnosis_of(wire)
     assert bytes(wire.sent) == FLUSH_BYTE + b"\x81"
-    assert "set at the other end" in result.diagnosis()
 
 
 def test_trex_jr_on_rs232_side_is_found_with_its_number() -> None:
@@ -418,9 +433,9 @@ def test_full_search_distinguishes_boards_of_two_models() -> None:
     boards = [a_board(9), a_board(12, model="trexjr")]
     result = search(wire_of(*boards))
     assert not result.found
-    assert "Several boards" in result.diagnosis()
+    assert "Several boards" in result.lines[0]
     found = search(wire_of(*boards), full=True).found
-    assert [(str(each.signature), each.settings.device_number) for each in found] == [
+    assert [(each.name, each.device_number) for each in found] == [
         ("TReX 1.2", 9),
         ("TReX Jr 1.2", 12),
     ]
@@ -435,15 +450,13 @@ def test_board_with_unique_number_is_found_among_duplicates() -> None:
 def test_echo_without_reply_is_reported() -> None:
     board = a_board()
     board.power_off()
-    result = search(wire_of(board, echo=True))
-    assert result.echo
-    assert "comes back" in result.diagnosis()
+    assert "comes back" in diagnosis_of(wire_of(board, echo=True))
 
 
 def test_missing_reply_diagnosis_suggests_checking_power() -> None:
     board = a_board()
     board.power_off()
-    diagnosis = search(wire_of(board)).diagnosis()
+    diagnosis = diagnosis_of(wire_of(board))
     assert "No TReX answers on virtual" in diagnosis
     assert "power" in diagnosis
 
@@ -454,7 +467,7 @@ def test_unknown_device_is_reported_with_its_bytes() -> None:
     wire = wire_of(board)
     read = wire.read
     wire.read = lambda size, seconds: read(size, seconds) or b"ERR"  # type: ignore[method-assign]
-    diagnosis = search(wire).diagnosis()
+    diagnosis = diagnosis_of(wire)
     assert "not answer as a TReX does: 45 52 52" in diagnosis
 
 
@@ -469,22 +482,21 @@ def test_board_waiting_for_firmware_is_reported() -> None:
         return heard + b"?" if heard else b""
 
     wire.read = loader  # type: ignore[method-assign]
-    assert "waits for new firmware" in search(wire).diagnosis()
+    assert "waits for new firmware" in diagnosis_of(wire)
 
 
 def test_unsupported_baud_rates_are_skipped() -> None:
     wire = wire_of(a_board(settings=LineSettings(4800).to_wire()))
     wire.unable = frozenset({14400, 76800})
-    result = search(wire)
-    assert only(result).settings.line == LineSettings(4800)
-    assert {line.baud for line in result.skipped} == {14400, 76800}
+    assert only(search(wire)).settings.line == LineSettings(4800)
+    wire.line.faults.mute = True
+    assert "cannot be set to 14400, 76800 baud" in diagnosis_of(wire)
 
 
 def test_port_loss_ends_search() -> None:
     wire = wire_of(a_board())
     wire.fail = PortUnavailable("It is gone.")
-    with pytest.raises(PortUnavailable):
-        search(wire)
+    assert isinstance(search(wire).error, PortUnavailable)
     assert wire.closed
 
 

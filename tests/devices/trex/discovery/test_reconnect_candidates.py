@@ -3,13 +3,13 @@
 import pytest
 
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.discovery.reconnect_candidates import (
-    after_power_cycle,
-    reconnect_candidates,
-)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.session.reconnecting import (
+    after_power_cycle,
+    reconnect_candidates,
+)
 
 NOW = ConnectionSettings("/dev/ttyUSB0", name="adapter", timeouts=Timeouts(extra=0.1))
 FACTORY = {spec.key: spec.default for spec in parameters_of("trex", "1.2").readable}

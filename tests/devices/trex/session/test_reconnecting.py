@@ -14,8 +14,6 @@ from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
 from trex_gui.core.session import Close, Closed
 from trex_gui.core.transport.settings import SerialFormat
-from trex_gui.devices.trex.discovery.probe import is_board_at, reconnect_places
-from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
 from trex_gui.devices.trex.driving.requests import SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import STOP, GetMode, GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -32,6 +30,11 @@ from trex_gui.devices.trex.session.messages import (
     RunCommand,
     SetReconnectCandidates,
     Write,
+)
+from trex_gui.devices.trex.session.reconnecting import (
+    after_power_cycle,
+    is_board_at,
+    reconnect_places,
 )
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection, SerialControl

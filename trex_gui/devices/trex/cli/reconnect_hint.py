@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 from trex_gui.core.cli import say
 from trex_gui.devices.trex.cli.common import as_options
-from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.session.reconnecting import after_power_cycle
 
 
 def say_how_to_reach(used: ConnectionSettings, stored: Mapping[str, int], firmware: str) -> None:

@@ -9,7 +9,7 @@ from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.devices.trex.cli.common import as_options, link_settings
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import query
-from trex_gui.devices.trex.discovery.results import FoundBoard
+from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetSignature
 
 

@@ -11,7 +11,6 @@ from trex_gui.devices.trex.client.explanations import who_controls
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.discovery.reconnect_candidates import reconnect_candidates
 from trex_gui.devices.trex.model.board_state import in_force
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.drive_controller import DriveController, why_the_board_stopped
@@ -35,6 +34,7 @@ from trex_gui.devices.trex.session.messages import (
     Write,
     Written,
 )
+from trex_gui.devices.trex.session.reconnecting import reconnect_candidates
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection_state import ConnectionState

@@ -4,9 +4,9 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.session.reconnecting import after_power_cycle
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime

@@ -1,13 +1,22 @@
-"""Whether the board responds; where it does not, when and where to look for it."""
+"""Where a board may be that does not respond, and looking for it there."""
 
 import logging
 from collections import deque
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
-from trex_gui.core.errors import BadRequest
+from trex_gui.core.discovery.prober import flush
+from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.discovery.probe import is_board_at, reconnect_places
+from trex_gui.devices.trex.client.reading import query
+from trex_gui.devices.trex.discovery import Attempt, ReplyKind, send_probe
+from trex_gui.devices.trex.protocol.commands import GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.framing import check_polynomial
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
 
 log = logging.getLogger(__name__)
 
@@ -102,3 +111,127 @@ def _probe(client: TrexClient, place: ConnectionSettings) -> TrexClient | None:
     there = TrexClient(transport, place, echo=client.echo)
     there.counters = client.counters
     return there
+
+
+# --- Where it may be --------------------------------------------------------------------
+
+REACH = (ParameterKey.DEVICE_NUMBER, ParameterKey.CRC7_POLYNOMIAL, ParameterKey.UART_SETTINGS)
+"""The parameters that decide how a board is reached."""
+
+POLYNOMIAL_BIT = 0x80
+"""The highest bit of a CRC-7 polynomial; it is always set, and a board does not store it."""
+
+
+def reconnect_candidates(
+    link: ConnectionSettings, before: Mapping[str, int], after: Mapping[str, int], firmware: str
+) -> tuple[ConnectionSettings, ...]:
+    """Return the settings at which a board may be if its power fails during a write.
+
+    A value that was being stored is the factory default then. The default line settings are left
+    out, since they are always probed.
+
+    Args:
+        link: how it is reached now.
+        before: wire values by key that it stores.
+        after: those that it is to store.
+        firmware: version.
+    """
+    specs = {spec.key: spec for spec in parameters_of("trex", firmware).readable}
+    changed = [key for key in REACH if key in before and after.get(key) not in {None, before[key]}]
+    ends = [before, {**before, **after}]
+    half_way = [{**end, key: specs[key].default} for end in ends for key in changed]
+    places = dict.fromkeys(
+        place
+        for stored in [*reversed(ends), *half_way]
+        if (place := after_power_cycle(link, stored, firmware)) is not None
+    )
+    places.pop(link, None)
+    return tuple(places)
+
+
+def after_power_cycle(
+    link: ConnectionSettings, stored: Mapping[str, int], firmware: str
+) -> ConnectionSettings | None:
+    """Return how to reach a board that stores these parameters from its next start on.
+
+    Args:
+        link: how it is reached now; what `stored` does not say stays as it is.
+        stored: wire values by key.
+        firmware: version; before 1.2 two baud rates come out at half.
+
+    Returns:
+        The settings, with the rate that really is on the line; `None` when the board stores a
+        value that names no baud rate or no polynomial.
+    """
+    line, polynomial = link.line, link.polynomial
+    try:
+        if ParameterKey.UART_SETTINGS in stored:
+            kept = LineSettings.from_wire(stored[ParameterKey.UART_SETTINGS])
+            line = replace(kept, baud=kept.real_baud(firmware))
+        if ParameterKey.CRC7_POLYNOMIAL in stored:
+            polynomial = check_polynomial(stored[ParameterKey.CRC7_POLYNOMIAL] | POLYNOMIAL_BIT)
+    except BadRequest:
+        return None
+    number = link.device_number
+    if number is not None:
+        number = stored.get(ParameterKey.DEVICE_NUMBER, number)
+    return replace(link, line=line, polynomial=polynomial, device_number=number)
+
+
+def reconnect_places(
+    used: ConnectionSettings, expected: Iterable[ConnectionSettings]
+) -> tuple[ConnectionSettings, ...]:
+    """Return the settings at which a silent board may be, those in use first.
+
+    The factory default comes last: a power cut while UART settings were being stored leaves it. A
+    board answers with one stop bit as well as with two, so candidates that differ only in these
+    replace the settings in use. A probe that a board at another of these places could take for a
+    motor command is left out.
+    """
+    here = [replace(one, url=used.url, name=used.name, timeouts=used.timeouts) for one in expected]
+    first = next((one for one in here if _differ_in_stop_bits(one, used)), used)
+    places: dict[object, ConnectionSettings] = {}
+    for place in (first, *here, replace(first, line=LineSettings())):
+        places.setdefault((place.line, place.framing), place)
+    return tuple(
+        place
+        for place in places.values()
+        if not (Attempt.at(place).is_unsafe and _may_mishear(place.line, places.values()))
+    )
+
+
+def _differ_in_stop_bits(one: ConnectionSettings, other: ConnectionSettings) -> bool:
+    """Whether two settings differ in the stop bits only."""
+    stop_bits = other.line.stop_bits
+    alike = replace(one, line=replace(one.line, stop_bits=stop_bits)) == other
+    return alike and one.line.stop_bits != stop_bits
+
+
+def _may_mishear(line: LineSettings, places: Iterable[ConnectionSettings]) -> bool:
+    """Whether a board at one of the places may take an unsafe probe for a motor command."""
+    return any(
+        place.line.detection is Detection.ODD and place.line.baud * 3 == line.baud * 8
+        for place in places
+    )
+
+
+def is_board_at(wire: Transport, settings: ConnectionSettings, *, echo: bool) -> bool:
+    """Return whether the board answers at these settings; the line is set to them then.
+
+    Without a reply it takes about 0.3 s on a local port. A board that is addressed by number gets
+    a second query with it.
+
+    Raises:
+        BadRequest: the port cannot be set so.
+        PortUnavailable: the line is gone.
+    """
+    flush(wire, settings.timeouts.extra)
+    wire.reconfigure(settings.line)
+    reply = send_probe(wire, Attempt.at(settings), settings.timeouts.extra)
+    if reply.kind not in {ReplyKind.BOARD, ReplyKind.SEVERAL}:
+        return False
+    try:
+        query(TrexClient(wire, settings, echo=echo).request, GetSignature())
+    except (NoReply, BadReply):
+        return False
+    return True

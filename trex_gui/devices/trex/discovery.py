@@ -1,0 +1,395 @@
+"""Finding a TReX whose line settings are unknown, without moving a motor.
+
+A board at another rate receives other bytes than those that were sent, and takes some of them for
+the start of a packet: two probes, each harmless by itself, could form a motor command. Two rules
+prevent that.
+
+- The only probe is 81, alone or with its checksum: the signature, which changes nothing.
+- Before each probe `core.discovery.flush` ends every packet that may have begun, so the effect
+  of a probe depends neither on what was sent before nor on the order of the rates.
+
+The tests send every probe to every board: none receives a motor command, at any rate, with any
+polynomial and any device number.
+"""
+
+import contextlib
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from enum import Enum, auto
+from itertools import product
+
+from trex_gui.core.discovery.prober import (
+    Diagnosis,
+    Evidence,
+    ProberInfo,
+    ScanProgress,
+    flush,
+)
+from trex_gui.core.errors import BadReply, BadRequest, NoReply
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.reading import query
+from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, crc7
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
+
+# --- One probe --------------------------------------------------------------------------
+
+QUIET = 0.13
+"""Seconds after a probe in which nothing is sent: a misread probe may be answered, and a board that
+answers is deaf. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
+
+UNSAFE = frozenset(product((14400, 28800), (0x2E, 0x4E)))
+"""Rates and checksums that are not probed where the board may be anywhere: at 8/3 of the rate
+(38400, 76800 baud) with odd parity it may receive 81 2E as F0 0E, which starts the auxiliary
+motor; 81 4E likewise."""
+
+_PROBE = GetSignature().opcode.to_bytes()
+_NAME = b"TReX"
+
+
+def checksum(polynomial: int) -> int:
+    """Return the checksum of the probe under a CRC polynomial."""
+    return crc7(_PROBE, polynomial)
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """One probe: its line settings, and the polynomials that give its checksum."""
+
+    line: LineSettings
+    polynomials: tuple[int, ...] = ()
+
+    @classmethod
+    def at(cls, settings: ConnectionSettings) -> "Attempt":
+        """Return the probe for a board with these settings."""
+        crc = settings.line.detection is Detection.CRC7
+        return cls(settings.line, (settings.polynomial,) if crc else ())
+
+    @property
+    def data(self) -> bytes:
+        if not self.polynomials:
+            return _PROBE
+        return _PROBE + bytes([checksum(self.polynomials[0])])
+
+    @property
+    def is_unsafe(self) -> bool:
+        """Whether a board at some other settings may take the probe for a motor command."""
+        return bool(self.polynomials) and (self.line.baud, self.data[-1]) in UNSAFE
+
+
+class ReplyKind(Enum):
+    """What was received after a probe."""
+
+    NOTHING = auto()
+    ECHO = auto()
+    STRANGE = auto()
+    SEVERAL = auto()
+    BOARD = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class ProbeReply:
+    """The bytes that were received after a probe and its echo."""
+
+    kind: ReplyKind
+    data: bytes = b""
+    echo: bool = False
+
+
+def send_probe(wire: Transport, attempt: Attempt, extra: float = 0.0) -> ProbeReply:
+    """Send a probe on a line that was flushed and set, and classify the reply.
+
+    Raises:
+        PortUnavailable: the line is gone.
+    """
+    with contextlib.suppress(BadReply):
+        wire.discard()
+    wire.write(attempt.data)
+    seconds = attempt.line.seconds(len(attempt.data)) + wire.latency + extra + QUIET
+    received = wire.read(64, seconds)
+    echo = received.startswith(attempt.data)
+    reply = received.removeprefix(attempt.data)
+    if not reply:
+        return ProbeReply(ReplyKind.ECHO if echo else ReplyKind.NOTHING, received, echo)
+    try:
+        GetSignature().parse(reply[:-1] if attempt.polynomials else reply)
+    except BadReply:
+        several = reply.startswith(_NAME)
+        return ProbeReply(ReplyKind.SEVERAL if several else ReplyKind.STRANGE, reply, echo)
+    return ProbeReply(ReplyKind.BOARD, reply, echo)
+
+
+# --- The scan of a line -----------------------------------------------------------------
+
+_LIKELY = (19200, 115200, 9600, 38400, 57600)
+
+_NUMBERS = 128
+
+_LOADER = b"?"
+"""Reply of a board that waits for new firmware to anything, after an echo."""
+
+_SHOWN = 12
+"""Longest excerpt, in bytes, of an unknown reply."""
+
+
+def attempts(*, full: bool = False) -> Iterator[Attempt]:
+    """Return every probe, likely ones first.
+
+    `full` adds every CRC-7 polynomial but the default, which takes some minutes; ten of them cannot
+    be probed safely at two of the rates (`UNSAFE`).
+    """
+    rates = sorted(baud_rates(), key=lambda baud: (baud not in _LIKELY, _rank(baud)))
+    for stop_bits in (1, 2):
+        for detection in (Detection.NONE, Detection.EVEN, Detection.ODD):
+            for baud in rates:
+                yield Attempt(LineSettings(baud, detection, stop_bits))
+        for baud in rates:
+            line = LineSettings(baud, Detection.CRC7, stop_bits)
+            yield Attempt(line, (DEFAULT_POLYNOMIAL,))
+    if not full:
+        return
+    alike: dict[int, list[int]] = {}
+    for polynomial in range(0x80, 0x100):
+        if polynomial != DEFAULT_POLYNOMIAL:
+            alike.setdefault(checksum(polynomial), []).append(polynomial)
+    for stop_bits, baud, polynomials in product((1, 2), rates, alike.values()):
+        attempt = Attempt(LineSettings(baud, Detection.CRC7, stop_bits), tuple(polynomials))
+        if not attempt.is_unsafe:
+            yield attempt
+
+
+def _rank(baud: int) -> int:
+    return _LIKELY.index(baud) if baud in _LIKELY else -baud
+
+
+@dataclass(frozen=True, slots=True)
+class FoundBoard:
+    """A board, and how to reach it.
+
+    Attributes:
+        settings: what to connect with; addressed by number only where several boards share
+            the line.
+        device_number: the number that it stores, if it was read.
+        note: a hint for the user; may be empty.
+    """
+
+    settings: ConnectionSettings
+    signature: Signature
+    device_number: int | None = None
+    echo: bool = False
+    note: str = ""
+
+    @property
+    def name(self) -> str:
+        """Product and firmware, such as `TReX 1.2`."""
+        return str(self.signature)
+
+
+class TrexProber:
+    """Probes one line.
+
+    Attributes:
+        found: boards; more than one only where several share the line.
+    """
+
+    def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
+        """`full` tries every polynomial and each device number."""
+        del known  # a probe moves nothing, whatever is connected
+        self.found: list[FoundBoard] = []
+        self._settings = ConnectionSettings.on(settings)
+        self._full = full
+        self._echo = False
+        self._strange: list[tuple[SerialFormat, bytes]] = []  # other replies
+        self._several: LineSettings | None = None  # where several boards replied at once
+        self._skipped: list[LineSettings] = []  # not supported by the port
+        self._is_fixed = False  # the rate is set at the other end, so only one probe was possible
+        plan = list(attempts(full=full))
+        self._plans = (plan[: len(_LIKELY)], plan[len(_LIKELY) :])
+
+    @property
+    def parts(self) -> tuple[int, ...]:
+        """The likely rates, then everything else."""
+        return tuple(len(plan) for plan in self._plans)
+
+    @property
+    def is_over(self) -> bool:
+        return bool(self.found) or self._several is not None
+
+    def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
+        """Note unsolicited bytes: no TReX sends any."""
+        if data:
+            self._strange.append((line, data))
+
+    def ask(
+        self,
+        wire: Transport,
+        part: int,
+        progress: Callable[[ScanProgress], None],
+        cancelled: Callable[[], bool],
+    ) -> None:
+        """Send the probes of a part until a board responds.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        plan = self._plans[part]
+        if not wire.is_configurable:
+            # A flush byte at the rate of the probes does not separate them.
+            self._is_fixed = True
+            plan = [Attempt(LineSettings())] if part == 0 else []
+        for done, attempt in enumerate(plan):
+            if cancelled():
+                return
+            progress(ScanProgress(done, len(plan), attempt.line))
+            self._probe(wire, attempt)
+            if self.is_over:
+                if self._full:
+                    self._probe_each_number(wire, attempt, progress, cancelled)
+                return
+
+    def _probe(self, wire: Transport, attempt: Attempt) -> None:
+        try:
+            flush(wire, self._settings.timeouts.extra)
+            wire.reconfigure(attempt.line)
+        except BadRequest:
+            self._skipped.append(attempt.line)
+            return
+        reply = send_probe(wire, attempt, self._settings.timeouts.extra)
+        self._echo = self._echo or reply.echo
+        found = self._confirm(wire, attempt) if reply.kind is ReplyKind.BOARD else None
+        if found is not None:
+            self.found.append(found)
+        elif reply.kind is ReplyKind.SEVERAL:
+            self._several = attempt.line
+        elif reply.kind in {ReplyKind.STRANGE, ReplyKind.BOARD}:
+            self._strange.append((attempt.line, reply.data))
+
+    def _confirm(self, wire: Transport, attempt: Attempt) -> FoundBoard | None:
+        """Read more from a board that responded; its line settings are known now."""
+        for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
+            settings = self._settings_at(attempt.line, polynomial, None)
+            client = TrexClient(wire, settings, echo=self._echo)
+            try:
+                signature = query(client.request, GetSignature())
+                number, stored = (
+                    query(client.request, GetParameter(parameter_number(key)))
+                    for key in (ParameterKey.DEVICE_NUMBER, ParameterKey.UART_SETTINGS)
+                )
+            except (NoReply, BadReply):
+                continue
+            note = _note(attempt.line, signature, stored)
+            return FoundBoard(settings, signature, number, self._echo, note)
+        return None
+
+    def _probe_each_number(
+        self,
+        wire: Transport,
+        attempt: Attempt,
+        progress: Callable[[ScanProgress], None],
+        cancelled: Callable[[], bool],
+    ) -> None:
+        """Probe each device number; several that respond replace the board that was found."""
+        polynomial = (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
+        if self.found:
+            polynomial = self.found[0].settings.polynomial
+        by_number: list[FoundBoard] = []
+        for number in range(_NUMBERS):
+            if cancelled():
+                break
+            progress(ScanProgress(number, _NUMBERS, attempt.line, number))
+            settings = self._settings_at(attempt.line, polynomial, number)
+            client = TrexClient(wire, settings, echo=self._echo)
+            with contextlib.suppress(NoReply, BadReply):
+                signature = client.request(GetSignature())
+                by_number.append(FoundBoard(settings, signature, number, self._echo))
+        if len(by_number) > 1 or not self.found:
+            self.found = by_number
+
+    def _settings_at(
+        self, line: LineSettings, polynomial: int, number: int | None
+    ) -> ConnectionSettings:
+        return replace(self._settings, line=line, polynomial=polynomial, device_number=number)
+
+    # --- Diagnosis ----------------------------------------------------------------------
+
+    def diagnosis(self) -> Diagnosis:
+        """Explain why no board was found, and what to check."""
+        evidence, text = self._evidence()
+        if self._skipped:
+            rates = sorted({line.baud for line in self._skipped})
+            text += (
+                f" The port cannot be set to {', '.join(map(str, rates))} baud, so nothing was "
+                "probed there."
+            )
+        return Diagnosis(evidence, text)
+
+    def _evidence(self) -> tuple[Evidence, str]:
+        url = self._settings.label
+        if self._several is not None:
+            return Evidence.KNOWN, (
+                f"Several boards answer at once on {url} at {self._several.text()}. The full scan "
+                "tries each device number."
+            )
+        if self._strange:
+            return self._strange_evidence(url)
+        if self._echo:
+            return Evidence.ECHO, (
+                f"No TReX answers on {url}: everything sent comes back, and nothing else, at "
+                "every rate. Either this is the RS-232 side of a board that is off, or the "
+                "adapter's TX and RX are joined."
+            )
+        if self._is_fixed:
+            return Evidence.SILENCE, (
+                f"No TReX answers on {url}. Its baud rate is set at the other end of the "
+                "network, so only that one could be tried, without parity and without CRC."
+            )
+        return Evidence.SILENCE, (
+            f"No TReX answers on {url} at any baud rate, with any parity or with CRC. Check "
+            "that the board has power (an LED is lit), that the adapter's TX goes to SI and its "
+            "RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board "
+            "with a CRC polynomial of its own is only found by the full scan."
+        )
+
+    def _strange_evidence(self, url: str) -> tuple[Evidence, str]:
+        if all(data == _LOADER for _, data in self._strange):
+            return Evidence.KNOWN, (
+                f"The device on {url} answers as a TReX that waits for new firmware. Take the "
+                "SO-G jumper off, then switch the board off and on."
+            )
+        line, data = self._strange[0]
+        shown = data[:_SHOWN].hex(" ").upper() + (" …" if len(data) > _SHOWN else "")
+        often = f", and something at {more} more" if (more := len(self._strange) - 1) else ""
+        text = (
+            f"Something is connected to {url}, but it does not answer as a TReX does: "
+            f"{shown} came at {line.text()}{often}. It is another device, or the line is noisy."
+        )
+        if self._echo:
+            text += " What is sent comes back, too."
+        return Evidence.STRANGE, text
+
+
+def _note(line: LineSettings, signature: Signature, stored: int) -> str:
+    """Say how the stored line settings differ from those in use."""
+    try:
+        kept = LineSettings.from_wire(stored)
+    except BadRequest:
+        return f"Its UART settings hold {stored:#04x}, which is not a known setting."
+    if kept == line:
+        return ""
+    real = kept.real_baud(signature.firmware)
+    if real != kept.baud and real == line.baud:
+        return (
+            f"It is set to {kept.baud} baud, which firmware {signature.firmware} runs at half "
+            f"the rate: connect at {line.baud}."
+        )
+    if replace(kept, stop_bits=line.stop_bits) == line:
+        return f"It is set to {kept.stop_bits} stop bits; both numbers work on this line."
+    return f"Switched off and on, it will run at {kept.text()}."
+
+
+TREX_PROBER = ProberInfo("TReX", TrexProber)
+"""Finds TReX boards, which send nothing unsolicited."""

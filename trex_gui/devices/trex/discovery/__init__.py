@@ -1,1 +1,0 @@
-"""Finding a TReX whose line settings are unknown, without moving a motor."""
