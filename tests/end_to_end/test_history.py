@@ -46,7 +46,7 @@ def test_snapshots_are_restored_partly_and_completely(
 
     dialog.click("restoreButton")
     assert len(pending(window)) == 3
-    dialog.wait_for_text("comparisonSummary", "is set like this snapshot")
+    dialog.wait_for_text("comparisonSummary", "matches this snapshot")
     assert not dialog.is_enabled("restoreButton")
     window.device.draft.undo.undo()
     assert not pending(window), "restoring is one step"
@@ -135,7 +135,7 @@ def test_history_dialog_follows_connection_state(
 
     quick_simulator.do("line mute on")
     window.wait(lambda: device.link is ConnectionState.NOT_RESPONDING)
-    dialog.wait_for_text("restoreNote", "does not answer")
+    dialog.wait_for_text("restoreNote", "does not respond")
     assert not dialog.is_enabled("restoreButton")
     assert dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")}
     quick_simulator.do("line mute off")

@@ -7,6 +7,7 @@ sit deep in widgets that have no other use for it.
 
 import threading
 import time
+from collections.abc import Callable
 
 from PySide6.QtCore import QDeadlineTimer, QObject, QProcess, QThread, QTimer
 
@@ -33,6 +34,14 @@ class Runtime:
     def timer(self, parent: QObject) -> QTimer:
         """Return a timer that is not started yet."""
         return QTimer(parent)
+
+    def idle_timer(self, parent: QObject, slot: Callable[[], object]) -> QTimer:
+        """Return a timer that calls a slot once when control returns to the event loop."""
+        timer = self.timer(parent)
+        timer.setSingleShot(True)
+        timer.setInterval(0)
+        timer.timeout.connect(slot)
+        return timer
 
     def start(self, thread: QThread, priority: QThread.Priority) -> None:
         """Start a thread."""

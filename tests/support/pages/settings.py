@@ -13,7 +13,7 @@ from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
-from trex_gui.devices.trex.views.history import dialog as history_dialog
+from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt
@@ -160,7 +160,7 @@ class HistoryDialog(ComparisonDialog):
     """The dialog of snapshots and the window from whose menu it opens."""
 
     def __init__(self, window: WidgetDriver) -> None:
-        self.widget = window.find(history_dialog.HistoryDialog, "historyDialog")
+        self.widget = window.find(HistoryWidget, "historyDialog")
         super().__init__(self.widget, window.qtbot)
         self._action = window.find(QAction, "historyAction")
 

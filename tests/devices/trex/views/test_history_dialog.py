@@ -23,7 +23,7 @@ from tests.support.snapshots import take
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound, SettingsHistory
-from trex_gui.devices.trex.views.history import dialog as history_dialog
+from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
 
 MINUTE = timedelta(minutes=1)
 
@@ -37,7 +37,7 @@ def history() -> SettingsHistory:
 def dialog(qtbot: QtBot) -> Iterator[HistoryDialog]:
     window = QWidget()
     qtbot.addWidget(window)
-    dialog = history_dialog.HistoryDialog(Device(), window)
+    dialog = HistoryWidget(Device(), window)
     window.addAction("History", dialog.open_history).setObjectName("historyAction")
     yield HistoryDialog(WidgetDriver(window, qtbot))
     dialog.close()
@@ -222,6 +222,7 @@ def test_deletion_needs_confirmation_in_the_dialog(
     dialog.answer(yes=False)
     assert len(history.snapshots()) == 3
     gone = history.snapshots()[1]
+    dialog.snapshots.setFocus()
     QTest.keyClick(dialog.snapshots, Qt.Key.Key_Delete)
     dialog.answer(yes=True)
     assert gone not in history.snapshots()

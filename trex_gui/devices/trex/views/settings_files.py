@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError, load, save
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.model.settings.document import SettingsDocument, text_of
 from trex_gui.devices.trex.settings.code_export import Language, export_code, file_name
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
@@ -104,7 +104,7 @@ class SettingsFiles(QObject):
         findings: tuple[Finding, ...] = ()
         try:
             data = load(path)
-            text = SettingsDocument.check_text(data, path.name)
+            text, _ = text_of(data, path.name)
         except SettingsError as error:
             self._refuse(path, error)
             return
@@ -259,7 +259,7 @@ class SettingsFiles(QObject):
         if not path.exists():
             return fresh, ""
         try:
-            before = SettingsDocument.check_text(load(path), path.name)
+            before, _ = text_of(load(path), path.name)
             old, _ = read_settings(before, path.name)
         except SettingsError:
             why = self.tr("is not a readable settings file.")

@@ -15,7 +15,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchOpener
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
-from trex_gui.devices.trex.views.history.dialog import HistoryDialog
+from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.calibration.page import CalibrationPage

@@ -232,7 +232,7 @@ def test_arbitrary_bytes_do_not_crash_the_document(
 def test_edited_document_text_parses_to_its_settings(
     qapp: QApplication, before: Settings, after: Settings
 ) -> None:
-    document = SettingsDocument.of_settings(before, "any.txt")
+    document = SettingsDocument.of_settings(before, "any.txt", "")
     for key, wire in after.parameters.items():
         if document.draft.knows(key):
             document.draft.parameters.edit(key, wire)

@@ -1,4 +1,4 @@
-"""One settings file while it is worked on: its text, the edits of it, and what is wrong with it."""
+"""A settings file in an editor: its text, edits and findings."""
 
 from pathlib import Path
 
@@ -18,16 +18,18 @@ _LAYOUT = "\t\n\v\f\r\x1b\xa0"
 
 
 class SettingsDocument(QObject):
-    """The text as it was opened, and a draft of the settings that it gives.
+    """The text as opened, and a draft of its settings.
 
-    A text with errors gives no settings: then the text itself is edited until it can be read.
-    From there on the draft is edited, and `text` follows it, comments and order kept.
+    While a text has errors, the text itself is edited. Then the draft is edited, and `text`
+    follows it with comments and order kept.
 
     Signals:
-        changed: text, findings, file or what can be edited are others now.
+        changed: text, findings, file or `readable`.
 
     Attributes:
-        draft: the settings and the edits of them; empty while the text cannot be read.
+        path: `None` before the file is saved.
+        readable: whether the text has settings.
+        draft: the settings with their edits; empty while the text is not readable.
     """
 
     changed = Signal()
@@ -36,27 +38,23 @@ class SettingsDocument(QObject):
         self,
         text: str,
         name: str,
-        parent: QObject | None = None,
         *,
         path: Path | None = None,
         doubt: Finding | None = None,
     ) -> None:
         """Start with a text; with a `doubt` the user must check it before it is read."""
-        super().__init__(parent)
+        super().__init__()
         self.draft = SettingsDraft(self)
         self._name = name
-        self._path = path
+        self.path = path
         self._base = text
         self._saved = text
         self._text = text
         self._on_disk: bytes | None = None
-        self._readable = False
+        self.readable = False
         self._trouble = ""
         self._findings: tuple[Finding, ...] = ()
-        self._announcing = runtime().timer(self)
-        self._announcing.setSingleShot(True)
-        self._announcing.setInterval(0)
-        self._announcing.timeout.connect(self._look)
+        self._announcing = runtime().idle_timer(self, self._look)
         self._stale = False
 
         if doubt is None:
@@ -67,63 +65,40 @@ class SettingsDocument(QObject):
         self.draft.calibrations.changed.connect(self._on_edited)
 
     @classmethod
-    def open(cls, path: Path, parent: QObject | None = None) -> "SettingsDocument":
-        """Open a file; one with errors opens, too, as text.
+    def open(cls, path: Path) -> "SettingsDocument":
+        """Open a file, also one with errors.
 
         Raises:
-            SettingsError: it cannot be read, is too large, or no text at all.
+            SettingsError: it cannot be read, is too large, or not a text.
         """
         data = load(path)
-        text, doubt = _text_of(data, path.name)
-        document = cls(text, path.name, parent, path=path, doubt=doubt)
+        text, doubt = text_of(data, path.name)
+        document = cls(text, path.name, path=path, doubt=doubt)
         document._on_disk = data
         return document
 
     @classmethod
-    def of_settings(
-        cls, settings: Settings, name: str, parent: QObject | None = None, *, title: str = ""
-    ) -> "SettingsDocument":
-        """Begin a file with settings; what a file cannot hold becomes a comment.
+    def of_settings(cls, settings: Settings, name: str, title: str) -> "SettingsDocument":
+        """Begin a file with settings; invalid values become comments.
 
         Raises:
             BadRequest: the settings hold a key that their model and firmware do not have.
         """
-        return cls(write_settings(settings, title_lines=[title] if title else []), name, parent)
-
-    @staticmethod
-    def check_text(data: bytes, name: str) -> str:
-        """Return the text of a file, byte order mark included.
-
-        Raises:
-            SettingsError: it is too large, or no text at all.
-        """
-        return _text_of(data, name)[0]
-
-    # --- What is there ------------------------------------------------------------------
+        return cls(write_settings(settings, title_lines=[title]), name)
 
     @property
     def name(self) -> str:
-        """The name shown to the user."""
-        return self._name if self._path is None else self._path.name
-
-    @property
-    def path(self) -> Path | None:
-        """The path of the file; `None` before it is saved."""
-        return self._path
-
-    @property
-    def readable(self) -> bool:
-        """Whether the text gives settings; if not, the text itself is to be edited."""
-        return self._readable
+        """The name for the user."""
+        return self._name if self.path is None else self.path.name
 
     @property
     def settings(self) -> Settings | None:
-        """The settings with the edits of them; `None` while the text cannot be read."""
-        return self.draft.shown if self._readable else None
+        """The settings with their edits; `None` while the text is not readable."""
+        return self.draft.shown if self.readable else None
 
     @property
     def text(self) -> str:
-        """What Save writes, byte order mark and line ends included."""
+        """The text that Save writes, byte order mark and line ends included."""
         self._settle()
         return self._text
 
@@ -141,73 +116,69 @@ class SettingsDocument(QObject):
 
     @property
     def modified(self) -> bool:
-        """Whether Save would write something else than what was opened or saved last."""
+        """Whether there are changes since the file was opened or saved."""
         return bool(self.trouble) or self.text != self._saved
 
     def changed_on_disk(self) -> bool:
-        """Whether the file holds something else now than when it was opened or saved."""
-        if self._path is None or not self._path.exists():
+        """Whether another program has changed the file since it was opened or saved."""
+        if self.path is None or not self.path.exists():
             return False
         try:
-            return load(self._path) != self._on_disk
+            return load(self.path) != self._on_disk
         except SettingsError:
             return True
 
-    # --- User actions -----------------------------------------------------------------
-
     def set_text(self, text: str) -> None:
-        """Replace the text while it cannot be read as settings."""
-        if not self._readable and text != self._base:
+        """Replace the text while it is not readable."""
+        if not self.readable and text != self._base:
             self._base = self._text = text
             self.changed.emit()
 
     def check(self) -> bool:
-        """Read the text again; once it has no errors it gives settings. Return whether it does."""
-        if not self._readable:
+        """Read the text again; return whether it has settings now."""
+        if not self.readable:
             try:
                 settings, self._findings = read_settings(self._base, self._name)
             except SettingsError as error:
                 self._findings = error.findings
             else:
-                self._readable = True
+                self.readable = True
                 self.draft.take_settings(settings)
             self.changed.emit()
-        return self._readable
+        return self.readable
 
     def save(self, path: Path | None = None, *, fresh: bool = False) -> None:
-        """Write the file, here or elsewhere; it is the file from now on.
+        """Write the file, to another path if given, which becomes its own.
 
         With `fresh`, in the program's own layout, without the user's comments.
 
         Raises:
-            SettingsError: it cannot be written, or the edits cannot be put into its text.
+            SettingsError: it cannot be written, or the edits do not fit into its text.
         """
-        target = path or self._path
+        target = path or self.path
         if target is None:
-            raise SettingsError(self.name, [Finding(None, None, "it has no place on disk yet")])
+            raise SettingsError.of(self.name, "it has no place on disk yet")
         settings = self.settings
         if fresh and settings is not None:
             text = write_settings(settings)
         elif self.trouble:
-            raise SettingsError(self.name, [Finding(None, None, self.trouble)])
+            raise SettingsError.of(self.name, self.trouble)
         else:
             text = self.text
         save(target, text)
-        self._path = target
+        self.path = target
         self._on_disk = text.encode("utf-8")
         self._saved = text
         if fresh:
             self._base = text
         if settings is not None:
-            self.draft.take_settings(settings)  # no edit any more; undoing makes it one again
+            self.draft.take_settings(settings)  # undoing makes it an edit again
         self._stale = True
         self._look()
 
-    # --- Keeping up ---------------------------------------------------------------------
-
     @Slot()
     def _on_edited(self) -> None:
-        if self._readable:
+        if self.readable:
             self._stale = True
             self._announcing.start()
 
@@ -218,13 +189,11 @@ class SettingsDocument(QObject):
         self.changed.emit()
 
     def _settle(self) -> None:
-        """Bring text and findings up to what the draft shows."""
-        if not self._stale:
+        """Update text and findings to the draft."""
+        settings = self.settings
+        if not self._stale or settings is None:
             return
         self._stale = False
-        settings = self.settings
-        if settings is None:
-            return
         try:
             self._text, self._trouble = amend(self._base, settings, self.name), ""
             _, self._findings = read_settings(self._text, self.name)
@@ -234,11 +203,11 @@ class SettingsDocument(QObject):
             self._trouble = str(error)
 
 
-def _text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
-    """Return the text of a file, and what is to be said when it is not quite one.
+def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
+    """Return the text of a file, byte order mark included; a finding if the encoding is a guess.
 
     Raises:
-        SettingsError: it is too large, or no text.
+        SettingsError: it is too large, or not a text.
     """
     try:
         text = decode(data, name)
@@ -249,7 +218,7 @@ def _text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
         found = error.findings[0]
         message = (
             f"{found.message}; it is shown as Western European text. Check the characters that "
-            "are no plain letters; Save writes UTF-8"
+            "are not plain letters; Save writes UTF-8"
         )
         return text, Finding(found.line, found.key, message)
     return (_MARK + text if data.startswith(_MARK.encode()) else text), None

@@ -1,7 +1,6 @@
 """The list of snapshots, and the field that searches it."""
 
 from pathlib import Path
-from typing import cast
 
 from PySide6.QtCore import (
     QItemSelectionModel,
@@ -11,7 +10,7 @@ from PySide6.QtCore import (
     Signal,
     Slot,
 )
-from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QLineEdit,
@@ -29,15 +28,14 @@ from trex_gui.devices.trex.model.settings.snapshots import (
 )
 from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.behaviour import name_headers
-from trex_gui.ui.widgets.builders import column, label
+from trex_gui.ui.widgets import builders as ui
 
-_WIDEST = 34  # characters of a column, to begin with
+_WIDEST = 34
+"""The initial width of a column, in characters."""
 
 
 class _Delegate(QStyledItemDelegate):
-    """Marks what is damaged."""
+    """Marks damaged snapshots."""
 
     def initStyleOption(
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
@@ -48,27 +46,11 @@ class _Delegate(QStyledItemDelegate):
             option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
 
 
-class _View(QTableView):
-    """Tells of the Delete key.
-
-    Signals:
-        delete_pressed: what is selected shall go.
-    """
-
-    delete_pressed = Signal()
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.matches(QKeySequence.StandardKey.Delete):
-            self.delete_pressed.emit()
-        else:
-            super().keyPressEvent(event)
-
-
 class SnapshotList(QWidget):
-    """The newest first; one or several may be chosen.
+    """A search field above the snapshots, of which one or several can be chosen.
 
     Signals:
-        chosen_changed: others are chosen.
+        chosen_changed: the selection.
         delete_requested: the Delete key was pressed.
     """
 
@@ -80,65 +62,52 @@ class SnapshotList(QWidget):
         self._table = table
         self._rows = SnapshotFilter(table, self)
 
-        self._search = QLineEdit(self)
-        self._search.setObjectName("snapshotSearch")
-        self._search.setAccessibleName(self.tr("Search snapshots"))
+        self._search = ui.named(
+            QLineEdit(self), "snapshotSearch", accessible=self.tr("Search snapshots")
+        )
         self._search.setPlaceholderText(self.tr("Search times, boards, adapters (Ctrl+F)"))
         self._search.setClearButtonEnabled(True)
-        self._view = _View(self)
-        self._view.setObjectName("snapshotView")
-        self._view.setAccessibleName(self.tr("Snapshots"))
-        name_headers(self._view)
+        self._view = ui.flat_table(QTableView(self), "snapshotView", self.tr("Snapshots"))
         self._view.setModel(self._rows)
         self._view.setItemDelegate(_Delegate(self._view))
-        self._view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self._view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self._view.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self._view.setAlternatingRowColors(True)
-        self._view.setShowGrid(False)
         self._view.setWordWrap(False)
-        self._view.setTabKeyNavigation(False)
-        self._view.verticalHeader().hide()
-        self._view.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 12)
         header = self._view.horizontalHeader()
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        header.setHighlightSections(False)
         header.setStretchLastSection(True)
-        header.setResizeContentsPrecision(50)  # rows that are looked at for a width
-        self._none = label(self, "snapshotNoMatch", self.tr("No snapshot has these words."))
+        header.setResizeContentsPrecision(50)  # rows that are measured for a width
+        self._none = ui.label(self, "snapshotNoMatch", self.tr("No snapshot has these words."))
 
-        column(self._search, (self._view, 1), self._none, into=self, margins=0)
+        ui.column(self._search, (self._view, 1), self._none, into=self, margins=0)
 
         QShortcut(QKeySequence.StandardKey.Find, self.window(), self._search.setFocus)
-        self._view.delete_pressed.connect(self.delete_requested)
+        delete = QShortcut(QKeySequence.StandardKey.Delete, self._view)
+        delete.setContext(Qt.ShortcutContext.WidgetShortcut)
+        delete.activated.connect(self.delete_requested)
         self._search.textChanged.connect(self._on_search_changed)
         self._view.selectionModel().selectionChanged.connect(self.chosen_changed)
-        theme().changed.connect(self._view.viewport().update)
         self._on_search_changed("")
 
     @property
     def chosen(self) -> tuple[Snapshot, ...]:
-        """What is selected, the newest first."""
-        rows = sorted(index.row() for index in self._view.selectionModel().selectedRows())
-        return tuple(
-            cast("Snapshot", self._rows.index(row, 0).data(SnapshotRole.SNAPSHOT)) for row in rows
-        )
+        """The selected snapshots, the newest first."""
+        rows = sorted(self._rows.mapToSource(index).row() for index in self._selected)
+        return tuple(self._table.snapshots[row] for row in rows)
 
     def choose(self, path: Path) -> None:
-        """Select one snapshot, and nothing else."""
+        """Select only this snapshot."""
         row = self._table.row_of(path)
         if row is not None:
             self._choose_row(self._rows.mapFromSource(self._table.index(row, 0)))
 
     def refresh(self) -> None:
-        """Look at the folder again; where all that was chosen is gone, choose what is there."""
+        """Read the folder again; if all chosen snapshots are gone, choose another one."""
         was_empty = self._table.rowCount() == 0
-        chosen = {snapshot.path for snapshot in self.chosen}
-        place = min((index.row() for index in self._selected), default=0)
+        selected = self._selected
+        place = min((index.row() for index in selected), default=0)
         self._table.refresh()
         if was_empty:
             self._fit_columns()
-        if not self._selected and self._rows.rowCount() and (chosen or was_empty):
+        if not self._selected and self._rows.rowCount() and (selected or was_empty):
             self._choose_row(self._rows.index(min(place, self._rows.rowCount() - 1), 0))
         self._on_search_changed(self._search.text())
 
@@ -148,11 +117,8 @@ class SnapshotList(QWidget):
 
     def _choose_row(self, index: QModelIndex) -> None:
         if index.isValid():
-            self._view.selectionModel().setCurrentIndex(
-                index,
-                QItemSelectionModel.SelectionFlag.ClearAndSelect
-                | QItemSelectionModel.SelectionFlag.Rows,
-            )
+            flags = QItemSelectionModel.SelectionFlag
+            self._view.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
             self._view.scrollTo(index)
 
     @Slot(str)
@@ -161,7 +127,6 @@ class SnapshotList(QWidget):
         self._none.setVisible(bool(text.strip()) and self._rows.rowCount() == 0)
 
     def _fit_columns(self) -> None:
-        """Give each column what it needs, within reason; a person may change that."""
         self._view.resizeColumnsToContents()
         character = self.fontMetrics().averageCharWidth()
         for section in SnapshotColumn:

@@ -1,0 +1,350 @@
+"""The history window: list, compare and restore snapshots."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QEvent, QSettings, Qt, QUrl, Signal, Slot
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QDialog, QFileDialog, QSplitter, QStackedWidget, QWidget
+
+from trex_gui.core.files import SettingsError, load, save
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
+from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory, Snapshot
+from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.devices.trex.views.snapshot_list import SnapshotList
+from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
+from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.runtime import runtime
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.banner import Banner
+from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
+
+_MOST_KEPT = 999_999
+
+
+class HistoryDialog(QDialog):
+    """The settings of boards before each change, compared with the present or with each other.
+
+    It is not modal, has its own stop button, and writes nothing: restored values become pending
+    edits.
+
+    Signals:
+        restore_requested: settings of a snapshot are edits now; they are to be reviewed.
+    """
+
+    restore_requested = Signal()
+
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("historyDialog")
+        self.setWindowTitle(self.tr("History"))
+        self.setWindowFlags(Qt.WindowType.Window)
+        self._history = device.history
+        self._table = SnapshotTable(device.history, self)
+        self._store = QSettings(self)
+        self._bound_problem = ""
+        self._later = runtime().idle_timer(self, self._renew)
+
+        notifier = Notifier(self)
+        self._banner = Banner(self, notifier)
+        self._banner.setObjectName("historyBanner")
+        self._question = InlinePrompt(self)
+        self._question.setObjectName("historyQuestion")
+        self._list = SnapshotList(self._table, self)
+        self._save = ui.button(
+            self,
+            "saveSnapshotButton",
+            self.tr("Save &as…"),
+            icon="save",
+            tip=self.tr("Save a copy as a settings file"),
+            default=False,
+            on_click=self._on_save_clicked,
+        )
+        self._delete = ui.button(
+            self,
+            "deleteSnapshotButton",
+            self.tr("&Delete…"),
+            icon="clear",
+            default=False,
+            on_click=self._on_delete_clicked,
+        )
+        self._pane = SnapshotPane(device, self._table, notifier, self)
+        self._bound = _BoundField(self._history, self._question, notifier, self)
+        self._folder = ui.button(
+            self,
+            "openFolderButton",
+            self.tr("&Open folder"),
+            icon="folder",
+            default=False,
+            on_click=self._on_folder_clicked,
+        )
+        close = ui.button(
+            self, "closeHistoryButton", self.tr("&Close"), default=False, on_click=self.close
+        )
+        empty = ui.label(
+            self,
+            "historyEmpty",
+            self.tr(
+                "There are no snapshots yet.\n\nBefore each Apply and each restoring of defaults, "
+                "in this window or with trexcmd, everything that the board stores is saved here "
+                "first. You can then compare it with the board and restore all or some "
+                "of it."
+            ),
+            wrap=True,
+        )
+        empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        empty.setMaximumWidth(72 * self.fontMetrics().averageCharWidth())
+
+        left = QWidget(self)
+        ui.column(
+            (self._list, 1), ui.row(self._save, self._delete, 1), into=left, margins=(0, 0, 6, 0)
+        )
+        halves = QSplitter(Qt.Orientation.Horizontal, self)
+        halves.setChildrenCollapsible(False)
+        for number, half in enumerate((left, self._pane)):
+            halves.addWidget(half)
+            halves.setStretchFactor(number, number + 2)
+        nothing = QWidget(self)
+        ui.row(empty, into=nothing)
+        self._pages = QStackedWidget(self)
+        self._pages.addWidget(halves)
+        self._pages.addWidget(nothing)
+        stop = StopButton(device, "historyStopButton", self)
+        bottom = ui.row(stop, self._bound, 1, self._folder, close)
+        ui.column(self._banner, self._question, (self._pages, 1), bottom, into=self)
+        self.resize(1180, 640)
+        halves.setSizes([510, 670])
+        geometry = self._store.value("history/geometry")
+        if isinstance(geometry, QByteArray):
+            self.restoreGeometry(geometry)
+
+        self._list.chosen_changed.connect(self._later.start)
+        self._list.delete_requested.connect(self._on_delete_clicked)
+        self._pane.present_chosen.connect(self._on_present_chosen)
+        self._pane.restore_requested.connect(self.restore_requested)
+        self._bound.changed.connect(self.refresh)
+        for changed in (
+            device.draft.pending_changed,
+            device.draft.loaded,
+            device.state_changed,
+            device.link_changed,
+        ):
+            changed.connect(self._on_board_changed)
+        device.applied.connect(self._on_written)
+        device.request_failed.connect(self._on_written)
+
+    def open_history(self) -> None:
+        """Show the window, or bring it forward."""
+        self.refresh()
+        self.show()
+        self.activateWindow()
+
+    @Slot()
+    def refresh(self) -> None:
+        """Read the folder and the bound again."""
+        self._list.refresh()
+        self._bound.refresh()
+        if self._bound.problem:
+            self._banner.show_problem(self._bound.problem)
+        elif self._bound_problem and self._banner.text == self._bound_problem:
+            self._banner.clear()
+        self._bound_problem = self._bound.problem
+        self._renew()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.WindowActivate:
+            self.refresh()
+        return super().event(event)
+
+    @Slot()
+    def _on_board_changed(self) -> None:
+        if self.isVisible():
+            self._later.start()
+
+    @Slot()
+    def _on_written(self) -> None:
+        if self.isVisible():
+            self.refresh()
+
+    @Slot()
+    def _renew(self) -> None:
+        self._later.stop()
+        chosen = self._list.chosen
+        self._pages.setCurrentIndex(int(self._table.rowCount() == 0))
+        self._folder.setEnabled(self._history.folder.is_dir())
+        self._pane.show_chosen(chosen)
+        self._save.setEnabled(len(chosen) == 1 and not self._table.problem_of(chosen[0]))
+        self._delete.setEnabled(bool(chosen))
+
+    # --- User actions -----------------------------------------------------------------
+
+    @Slot()
+    def _on_present_chosen(self) -> None:
+        """Compare the older of two selected snapshots with the user's choice."""
+        chosen = self._list.chosen
+        if len(chosen) == 2:
+            self._list.choose(chosen[-1].path)
+        self._renew()
+
+    @Slot()
+    def _on_save_clicked(self) -> None:
+        chosen = self._list.chosen
+        if len(chosen) != 1:
+            return
+        source = chosen[0].path
+        proposal = file_questions.last_folder(self._store) / source.name
+        name, _ = QFileDialog.getSaveFileName(
+            self,
+            self.tr("Save a copy of the snapshot"),
+            str(proposal),
+            file_questions.file_filter(),
+        )
+        if not name:
+            return
+        path = Path(name)
+        try:
+            save(path, load(source).decode("utf-8"))
+        except (SettingsError, UnicodeDecodeError) as error:
+            self._banner.show_problem(self.tr("Nothing was saved. {0}").format(error))
+            return
+        file_questions.remember_folder(self._store, path)
+        self._banner.show_news(self.tr("A copy was saved in {0}.").format(path))
+
+    @Slot()
+    def _on_delete_clicked(self) -> None:
+        chosen = self._list.chosen
+        if not chosen:
+            return
+        if len(chosen) == 1:
+            text = self.tr("Delete the snapshot of {0} for good?")
+            text = text.format(self._table.time_text(chosen[0]))
+        else:
+            text = self.tr("Delete {0} snapshots for good?").format(len(chosen))
+        self._question.ask(
+            text,
+            PromptAnswer("historyQuestionYes", self.tr("Delete"), lambda: self._remove(chosen)),
+        )
+
+    def _remove(self, snapshots: tuple[Snapshot, ...]) -> None:
+        for snapshot in snapshots:
+            try:
+                self._history.remove(snapshot)
+            except SettingsError as error:
+                self._banner.show_problem(str(error))
+                break
+        self.refresh()
+
+    @Slot()
+    def _on_folder_clicked(self) -> None:
+        folder = self._history.folder
+        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
+            self._banner.show_news(self.tr("The snapshots are in {0}.").format(folder))
+
+    def reject(self) -> None:
+        """Hide the window: Esc, the Close button and the window's cross call this."""
+        self._later.stop()
+        self._store.setValue("history/geometry", self.saveGeometry())
+        self._question.withdraw()
+        super().reject()
+
+
+class _BoundField(QWidget):
+    """`Keep the newest 500 snapshots`; the Set button makes it the bound.
+
+    Signals:
+        changed: the bound was set; snapshots may be gone.
+
+    Attributes:
+        problem: why the bound is not known, as a sentence; empty if it is.
+    """
+
+    changed = Signal()
+
+    def __init__(
+        self, history: SettingsHistory, question: InlinePrompt, notifier: Notifier, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self._notifier = notifier
+        self._history = history
+        self._question = question
+        self.problem = ""
+        self._stored: int | None = KEPT
+
+        self._which = ui.combo_box(
+            self,
+            "keptCombo",
+            self.tr("Which snapshots are kept"),
+            items=[self.tr("the newest"), self.tr("all")],
+            on_change=self._on_edited,
+        )
+        self._count = ui.spin_box(
+            self, "keptField", self.tr("How many snapshots are kept"), 1, _MOST_KEPT, value=KEPT
+        )
+        self._count.setKeyboardTracking(True)
+        self._count.valueChanged.connect(self._on_edited)
+        self._set = ui.button(
+            self, "keptButton", self.tr("&Set"), default=False, on_click=self._on_set_clicked
+        )
+        keep = ui.label(self, text=self.tr("&Keep"), buddy=self._which)
+        snapshots = ui.label(self, text=self.tr("snapshots"))
+        ui.row(keep, self._which, self._count, snapshots, self._set, into=self, margins=0)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Read the bound again; an edit in progress stays."""
+        untouched = self._wanted == self._stored
+        bound = self._history.bound()
+        self.problem = bound.problem
+        self._stored = bound.kept
+        if untouched:
+            self._show(bound.kept)
+        self._on_edited()
+
+    def _show(self, kept: int | None) -> None:
+        self._which.setCurrentIndex(int(kept is None))
+        if kept is not None:
+            self._count.setValue(kept)
+
+    @property
+    def _wanted(self) -> int | None:
+        return None if self._which.currentIndex() else self._count.value()
+
+    @Slot()
+    def _on_edited(self) -> None:
+        self._count.setEnabled(self._which.currentIndex() == 0)
+        self._set.setEnabled(bool(self.problem) or self._wanted != self._stored)
+
+    @Slot()
+    def _on_set_clicked(self) -> None:
+        wanted = self._wanted
+        removed = len(self._history.beyond(wanted))
+        if not removed:
+            self._keep(wanted)
+            return
+        count = len(self._history.snapshots())
+        self._question.ask(
+            self.tr("Remove the oldest {0} of {1} snapshots for good?").format(removed, count),
+            PromptAnswer(
+                "historyQuestionYes",
+                self.tr("Remove {0}").format(removed),
+                lambda: self._keep(wanted),
+            ),
+            otherwise=self._on_cancelled,
+        )
+        self._show(wanted)
+        self._set.setEnabled(False)
+
+    def _on_cancelled(self) -> None:
+        self._show(self._stored)
+        self._on_edited()
+
+    def _keep(self, kept: int | None) -> None:
+        try:
+            self._history.keep(kept)
+        except SettingsError as error:
+            self._notifier.error.emit(str(error))
+            self._on_edited()
+            return
+        self.refresh()
+        self.changed.emit()

@@ -1,0 +1,415 @@
+"""What a snapshot would restore, compared with the board, another snapshot or a file."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from PySide6.QtCore import QSettings, Qt, Signal, Slot
+from PySide6.QtGui import QStandardItemModel
+from PySide6.QtWidgets import QComboBox, QFileDialog, QSizePolicy, QWidget
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.files import SettingsError, load
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.settings.draft import diff_against_draft
+from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.history import Snapshot
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.labels import Note
+
+_BOARD, _FILE = "board", "file"
+
+
+class SnapshotPane(QWidget):
+    """One snapshot beside the present, or two beside each other, with a restore button.
+
+    The left side is the present, the right side the snapshot.
+
+    Signals:
+        present_chosen: the user chose what to compare with.
+        restore_requested: settings of the snapshot are edits now; they are to be reviewed.
+    """
+
+    present_chosen = Signal()
+    restore_requested = Signal()
+
+    def __init__(
+        self, device: Device, table: SnapshotTable, notifier: Notifier, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self._notifier = notifier
+        self._device = device
+        self._table = table
+        self._chosen: tuple[Snapshot, ...] = ()
+        self._shown: tuple[str, _Present] | None = None
+        self._against_board = False
+
+        self._title = ui.label(self, "snapshotTitle", wrap=True, plain=True, bold=True)
+        self._details = ui.label(self, "snapshotDetails", wrap=True, plain=True)
+        self._choice = _PresentChoice(device, table, notifier, self)
+        self._rows = ComparisonView(self)
+        self._note = ui.named(Note(2, self), "restoreNote")
+        self._restore = ui.button(
+            self,
+            "restoreButton",
+            self.tr("&Restore selected as edits"),
+            icon="undo",
+            tip=self.tr(
+                "Turn the selected values into edits and review them; only Apply writes them"
+            ),
+            default=False,
+            on_click=self._on_restore_clicked,
+        )
+
+        below = ui.row((self._note, 1), (self._restore, 0, Qt.AlignmentFlag.AlignTop))
+        ui.column(
+            self._title,
+            self._details,
+            self._choice,
+            (self._rows, 1),
+            below,
+            into=self,
+            margins=(6, 0, 0, 0),
+        )
+
+        self._choice.chosen.connect(self.present_chosen)
+        self._rows.ticked_changed.connect(self._update_restore)
+        self.show_chosen(())
+
+    def show_chosen(self, chosen: tuple[Snapshot, ...]) -> None:
+        """Show one snapshot against the present, or the older of two against the newer.
+
+        The same ones again are updated, and ticks stay.
+        """
+        self._chosen = chosen
+        self._against_board = False
+        match chosen:
+            case (snapshot,):
+                self._compare(snapshot, None)
+            case (newer, older):
+                self._compare(older, newer)
+            case ():
+                self._show_nothing(self.tr("Select a snapshot to see what it would restore."))
+            case _:
+                self._show_nothing(self.tr("Select one snapshot, or two to compare them."))
+        self._update_restore()
+
+    def _show_nothing(self, reason: str) -> None:
+        self._title.clear()
+        self._details.clear()
+        self._show_no_rows(reason)
+
+    def _show_no_rows(self, reason: str) -> None:
+        self._shown = None
+        self._choice.clear()
+        self._rows.show_nothing(reason)
+
+    def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> None:
+        """Compare a snapshot with another one, or with the user's choice."""
+        self._describe(snapshot)
+        settings = self._load(snapshot)
+        if settings is None or (other is not None and self._load(other) is None):
+            return
+        present = self._choice.present_for(snapshot, settings, other)
+        self._choice.offer(snapshot, present)
+        if present.settings is not None:
+            comparison = compare(present.settings, settings)
+            summary = self._counts(comparison, snapshot, present)
+        else:
+            self._against_board = True
+            comparison = diff_against_draft(self._device.draft, settings)
+            summary = self._board_counts(comparison)
+        shown = (str(snapshot.path), present)
+        if shown == self._shown:
+            table = self._rows.table
+            all_ticked = len(table.ticked) == table.comparison.changed
+            self._rows.renew(comparison, summary, tick_new=all_ticked)
+            return
+        self._shown = shown
+        self._rows.show_comparison(
+            comparison,
+            present.title,
+            self.tr("Snapshot of {0}").format(self._table.time_text(snapshot)),
+            with_ticks=self._against_board,
+            summary=summary,
+        )
+
+    def _load(self, snapshot: Snapshot) -> Settings | None:
+        """Return the settings in a snapshot; if it is damaged, show why."""
+        try:
+            return self._table.load(snapshot)
+        except SettingsError:
+            text = self.tr("{0} is damaged and cannot be restored. {1}")
+            problem = self._table.problem_of(snapshot)
+            self._show_no_rows(text.format(snapshot.path.name, problem))
+            return None
+
+    def _describe(self, snapshot: Snapshot) -> None:
+        title = self.tr("{0}, before {1}") if snapshot.reason else "{0}"
+        time = self._table.time_text(snapshot)
+        self._title.setText(title.format(time[:1].upper() + time[1:], snapshot.reason))
+        number = snapshot.device_number
+        parts = (
+            f"{snapshot.product} {snapshot.firmware}".strip(),
+            "" if number is None else self.tr("device number {0}").format(number),
+            snapshot.adapter,
+        )
+        self._details.setText(", ".join(part for part in parts if part))
+        self._details.setVisible(any(parts))
+
+    def _board_counts(self, comparison: Comparison) -> str:
+        if comparison.changed:
+            text = self.tr("{0} would be restored, {1} match.").format(
+                self._settings(comparison.changed), comparison.equal
+            )
+        elif comparison.missing or comparison.left_out:
+            text = self.tr("This snapshot has no differences to restore.")
+        else:
+            text = self.tr("The board, with the edits made here, matches this snapshot.")
+        if comparison.missing:
+            kept = self.tr("Not in the snapshot and therefore unchanged: {0}.")
+            text += " " + kept.format(self._settings(comparison.missing))
+        return text
+
+    def _counts(self, comparison: Comparison, snapshot: Snapshot, present: "_Present") -> str:
+        if present.key == "":
+            return self.tr(
+                "There is no other snapshot of a {0} to compare it with. It holds {1}."
+            ).format(snapshot.product, self._settings(len(comparison.rows)))
+        differing = len(comparison.differing)
+        if differing == 0:
+            return self.tr("Both are the same.")
+        one, several = self.tr("{0} differs, {1} match."), self.tr("{0} differ, {1} match.")
+        text = one if differing == 1 else several
+        return text.format(self._settings(differing), comparison.equal)
+
+    def _settings(self, count: int) -> str:
+        return self.tr("1 setting") if count == 1 else self.tr("{0} settings").format(count)
+
+    # --- Restoring ----------------------------------------------------------------------
+
+    @Slot()
+    def _update_restore(self) -> None:
+        blocker = self._restore_blocker()
+        self._restore.setEnabled(not blocker)
+        self._note.show_note(blocker or self._restore_note(self._chosen[0]))
+
+    def _restore_blocker(self) -> str:
+        """Return why nothing can be restored now; empty if it can."""
+        chosen = self._chosen
+        if not chosen or len(chosen) > 2:
+            return self.tr("Nothing is selected to be restored.")
+        if self._table.problem_of(chosen[-1]):
+            return self.tr("A damaged snapshot cannot be restored.")
+        if len(chosen) == 2:
+            return self.tr("To restore one of the two, select it alone.")
+        if blocker := self._choice.board_blocker(chosen[0]):
+            return blocker
+        if not self._against_board:
+            return self.tr("To restore, compare with the board.")
+        if self._device.link is not ConnectionState.CONNECTED:
+            return self.tr("The board does not respond, so nothing can be restored.")
+        if self._device.applying:
+            return self.tr("Settings are being written; wait until that is done.")
+        if self._rows.table.comparison.changed == 0:
+            return self.tr("There is nothing to restore.")
+        if not self._rows.table.ticked:
+            return self.tr("Select the settings to restore.")
+        return ""
+
+    def _restore_note(self, snapshot: Snapshot) -> str:
+        ticked = len(self._rows.table.ticked)
+        edits = self.tr("an edit") if ticked == 1 else self.tr("edits")
+        text = self.tr("{0} would become {1}; nothing is written before Apply.").format(
+            self._settings(ticked), edits
+        )
+        here = self._device.parameters.stored_of(ParameterKey.DEVICE_NUMBER)
+        number = snapshot.device_number
+        if number is not None and here is not None and number != here:
+            text += " " + self.tr(
+                "Note: this snapshot is of device number {0}, the board here is number {1}."
+            ).format(number, here)
+        return text
+
+    @Slot()
+    def _on_restore_clicked(self) -> None:
+        self.show_chosen(self._chosen)  # the board may have changed since
+        if not self._restore.isEnabled():
+            return
+        when = self._table.time_text(self._chosen[0])
+        text = self.tr("Restore snapshot of {0}").format(when)
+        try:
+            self._device.draft.stage(self._rows.table.ticked, text)
+        except BadRequest as error:
+            self._notifier.error.emit(self.tr("Nothing was restored: {0}").format(error))
+            return
+        self.restore_requested.emit()
+
+
+@dataclass(frozen=True, slots=True)
+class _Present:
+    """The left side of a comparison.
+
+    Attributes:
+        key: the data of its item in the list; empty without anything to compare with.
+        title: the title of its column.
+        settings: `None` for the board with its edits.
+    """
+
+    key: str
+    title: str
+    settings: Settings | None = None
+
+
+class _PresentChoice(QWidget):
+    """`Compare with:` and a list; the user's choice stays for other snapshots.
+
+    By default it is the board, or without one the next snapshot.
+
+    Signals:
+        chosen: the user chose something.
+    """
+
+    chosen = Signal()
+
+    def __init__(
+        self, device: Device, table: SnapshotTable, notifier: Notifier, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self._notifier = notifier
+        self._device = device
+        self._table = table
+        self._store = QSettings(self)
+        self._choice = _BOARD
+        self._file: _Present | None = None
+        self._offered: tuple[str, _Present | None, list[Snapshot]] | None = None
+
+        self._box = ui.combo_box(self, "compareWithCombo", "", on_activate=self._on_activated)
+        self._box.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self._box.setMinimumContentsLength(28)
+        self._box.setMaxVisibleItems(20)
+        self._box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._box.setPlaceholderText(self.tr("nothing"))
+        label = ui.label(self, text=self.tr("Compare &with:"), buddy=self._box)
+        ui.row(label, (self._box, 1), into=self, margins=0)
+
+    def present_for(
+        self, snapshot: Snapshot, settings: Settings, other: Snapshot | None
+    ) -> _Present:
+        """Return the left side: another snapshot, the user's choice, or the default."""
+        if other is not None and (found := self._of_snapshot(other)):
+            return found
+        if self._choice == _FILE and self._file is not None:
+            return self._file
+        if self._choice not in {_BOARD, _FILE, str(snapshot.path)}:
+            row = self._table.row_of(Path(self._choice))
+            if row is not None and (found := self._of_snapshot(self._table.snapshots[row])):
+                return found
+        if not self.board_blocker(snapshot):
+            return _Present(_BOARD, self.tr("Now, with edits"))
+        while (neighbour := self._table.neighbour(snapshot)) is not None:
+            if found := self._of_snapshot(neighbour):
+                return found  # else the table knows now that it is damaged and skips it
+        return _Present("", "–", replace(settings, parameters={}, calibrations={}))
+
+    def _of_snapshot(self, snapshot: Snapshot) -> _Present | None:
+        """Return a snapshot as the left side; `None` if it is damaged."""
+        try:
+            settings = self._table.load(snapshot)
+        except SettingsError:
+            return None
+        title = self.tr("Snapshot of {0}").format(self._table.time_text(snapshot))
+        return _Present(str(snapshot.path), title, settings)
+
+    def board_blocker(self, snapshot: Snapshot) -> str:
+        """Return why a snapshot cannot be compared with the board; empty if it can."""
+        state = self._device.state
+        if state is None or self._device.link in {
+            ConnectionState.DISCONNECTED,
+            ConnectionState.DISCONNECTING,
+        }:
+            return self.tr("No board is connected. Connect one to restore a snapshot.")
+        board = state.signature.model.name
+        if snapshot.product != board:
+            return self.tr(
+                "This snapshot is of a {0}, and the board here is a {1}: it cannot be restored."
+            ).format(snapshot.product, board)
+        return ""
+
+    def clear(self) -> None:
+        """Offer nothing."""
+        self._offered = None
+        self._box.clear()
+        self._box.setEnabled(False)
+
+    def offer(self, snapshot: Snapshot, present: _Present) -> None:
+        """Offer everything that this snapshot can be compared with."""
+        blocker = self.board_blocker(snapshot)
+        others = [
+            other
+            for other in self._table.snapshots
+            if other.path != snapshot.path and not self._table.problem_of(other)
+        ]
+        offered = (blocker, self._file, others)
+        if offered != self._offered:  # hundreds take their time
+            self._offered = offered
+            self._fill(blocker, others)
+        self._box.setCurrentIndex(self._box.findData(present.key) if present.key else -1)
+        self._box.setToolTip(self._box.currentText())
+
+    def _fill(self, blocker: str, others: list[Snapshot]) -> None:
+        box = self._box
+        box.clear()
+        box.setEnabled(True)
+        box.addItem(self.tr("the board as it is now, with edits"), _BOARD)
+        model = box.model()
+        if blocker and isinstance(model, QStandardItemModel):
+            item = model.item(0)
+            item.setEnabled(False)
+            item.setToolTip(blocker)
+        if self._file is not None:
+            box.addItem(self._file.title, self._file.key)
+        box.addItem(self.tr("a settings file…"), "")
+        box.insertSeparator(box.count())
+        plain, with_reason = self.tr("snapshot of {0}"), self.tr("snapshot of {0}, before {1}")
+        for other in others:
+            text = with_reason if other.reason else plain
+            when = self._table.time_text(other)
+            box.addItem(text.format(when, other.reason), str(other.path))
+
+    @Slot(int)
+    def _on_activated(self, index: int) -> None:
+        key = str(self._box.itemData(index) or "")
+        if key or self._ask_for_file():
+            self._choice = key or _FILE
+        self.chosen.emit()
+
+    def _ask_for_file(self) -> bool:
+        """Let the user choose a settings file to compare with; return whether it can be used."""
+        chosen, _ = QFileDialog.getOpenFileName(
+            self,
+            self.tr("Compare with a settings file"),
+            str(file_questions.last_folder(self._store)),
+            file_questions.file_filter(),
+        )
+        if not chosen:
+            return False
+        path = Path(chosen)
+        try:
+            settings, _ = read_settings(load(path), path.name)
+        except SettingsError as error:
+            text = self.tr("{0} cannot be compared with: {1}")
+            self._notifier.error.emit(text.format(path.name, error))
+            return False
+        file_questions.remember_folder(self._store, path)
+        self._file = _Present(_FILE, path.name, settings)
+        return True
