@@ -128,8 +128,8 @@ def test_file_without_permission_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "bench.txt"
     path.write_text("old\n")
     path.chmod(0)
-    assert sentence(path) == "it may not be read; its permissions forbid it"
-    assert sentence(path, "new\n") == "it may not be written; its permissions forbid it"
+    assert sentence(path) == "it cannot be read: permission denied"
+    assert sentence(path, "new\n") == "it cannot be written: permission denied"
 
 
 def test_permission_error_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -139,8 +139,8 @@ def test_permission_error_is_reported(tmp_path: Path, monkeypatch: pytest.Monkey
     path = tmp_path / "bench.txt"
     path.write_text("old\n")
     monkeypatch.setattr(Path, "open", forbidden)
-    assert sentence(path) == "it may not be read; its permissions forbid it"
-    assert sentence(path, "new\n") == "it may not be written; its permissions forbid it"
+    assert sentence(path) == "it cannot be read: permission denied"
+    assert sentence(path, "new\n") == "it cannot be written: permission denied"
 
 
 def test_oversized_file_is_rejected_without_reading_all(tmp_path: Path) -> None:

@@ -1,7 +1,7 @@
-"""list, find: which ports there are, what answers on them, how a lost board is set."""
+"""list, find: the ports, the devices on them, the settings of a board that does not respond."""
 
-import json
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import Any
 
 import click
@@ -14,6 +14,7 @@ from trex_gui.core.cli import (
     ProgressLine,
     json_option,
     port_option,
+    print_json,
     say,
     timeout_option,
 )
@@ -21,6 +22,7 @@ from trex_gui.core.discovery.prober import ScanProgress
 from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.host import host
+from trex_gui.core.plugin import PortAnswer
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.cli.common import link_options
@@ -31,7 +33,7 @@ def _ports(chosen: str | None) -> list[str]:
         return [chosen]
     ports = sorted(port.device for port in list_ports.comports())
     if not ports:
-        say("This computer has no serial ports; give --port for another kind.")
+        say("This computer has no serial ports; use --port for other kinds.")
     return ports
 
 
@@ -39,41 +41,36 @@ def _ports(chosen: str | None) -> list[str]:
 @link_options
 @json_option
 def list_command(as_json: bool, **options: Any) -> None:
-    """List the ports of this computer and what answers on them.
+    """List the ports of this computer and the devices on them.
 
-    Never moves a motor. With --port, looks at that port alone. A board that is not set to these
-    line settings is found by `trexcmd find`. An Aracna has only one setting.
+    Never moves a motor. With --port, looks at that port only. A board with other line settings
+    is found by `trexcmd find`. An Aracna has only one setting.
     """
     rows: list[dict[str, Any]] = []
     unreachable = False
     for url in _ports(options["port"]):
-        row: dict[str, Any] = {"port": url, "product": None, "firmware": None}
         try:
-            row |= _identify(url, options)
+            answer = _identify(url, options)
         except PortUnavailable as error:
-            row["answer"], unreachable = str(error), True
-        rows.append(row)
+            answer, unreachable = PortAnswer(str(error)), True
+        rows.append({"port": url, **asdict(answer)})
         if not as_json:
-            click.echo(f"{url}\t{row['answer']}")
+            click.echo(f"{url}\t{answer.text}")
     if as_json:
-        click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
+        print_json(rows)
     if unreachable and options["port"]:
         raise CommandFailed(f"{options['port']} could not be opened.")
 
 
-def _identify(url: str, options: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what a row says of the first device that answers, else what each kind reports."""
+def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
+    """Return the first device that replies, else what each kind reports."""
     texts = []
     for plugin in PLUGINS:
         answer = plugin.port_reports.load().identify(url, options)
         if answer.product is not None:
-            return {
-                "answer": answer.text,
-                "product": answer.product,
-                "firmware": answer.firmware,
-            }
+            return answer
         texts.append(answer.text)
-    return {"answer": "; ".join(filter(None, texts))}
+    return PortAnswer("; ".join(filter(None, texts)))
 
 
 @click.command("find")
@@ -82,16 +79,16 @@ def _identify(url: str, options: Mapping[str, Any]) -> dict[str, Any]:
     "--full",
     is_flag=True,
     help="Try every CRC polynomial too (some minutes), and every device number where "
-    "something answers. All boards on the line must run at the same rate.",
+    "something replies. All boards on the line must run at the same rate.",
 )
 @timeout_option
 @json_option
 def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bool) -> None:
     """Find a board whose serial settings are unknown.
 
-    Looks for a TReX at the likely baud rates, then for an Aracna, then for a TReX at every baud
-    rate with every parity and with CRC-7, on one port or on all; prints the options that reach
-    the board. Never moves a motor, and changes nothing; a TReX that receives bytes at a wrong rate
+    Probes for a TReX at the likely baud rates, then for an Aracna, then for a TReX at every baud
+    rate with every parity and with CRC-7, on one port or on all. Prints the options that reach
+    the board. Never moves a motor and changes nothing. A TReX that receives bytes at a wrong rate
     latches UART errors, and stops its motors if it is set to do so.
     """
     probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
@@ -124,6 +121,6 @@ def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bo
                 for text in search.lines:
                     say(text)
     if as_json:
-        click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
+        print_json(rows)
     if not rows:
         raise CommandFailed("Search cancelled." if interrupted else "No board was found.")

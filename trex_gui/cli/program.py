@@ -21,7 +21,7 @@ COMMANDS: Mapping[str, CommandInfo] = {
     ),
     **{name: info for plugin in PLUGINS for name, info in plugin.commands.items()},
     "completion": CommandInfo(
-        Lazy("trex_gui.cli.completion:completion"), "Print the completion script of a shell."
+        Lazy("trex_gui.cli.program:completion"), "Print the completion script of a shell."
     ),
 }
 """Every command, in the order of the help text."""
@@ -80,3 +80,22 @@ def main() -> None:
     Data goes to standard output, messages go to standard error. Exit codes: 0 done, 1 the
     device or a file refused, 2 wrong usage.
     """
+
+
+_COMPLETION_HELP = """Print the script that completes commands, parameter names and ports.
+
+\b
+bash:  eval "$(trexcmd completion bash)"    in ~/.bashrc
+zsh:   eval "$(trexcmd completion zsh)"     in ~/.zshrc
+fish:  trexcmd completion fish > ~/.config/fish/completions/trexcmd.fish
+"""
+
+
+@click.command(help=_COMPLETION_HELP)
+@click.argument("shell", type=click.Choice(("bash", "zsh", "fish")))
+def completion(shell: str) -> None:
+    from click.shell_completion import get_completion_class  # noqa: PLC0415 - only for a shell
+
+    maker = get_completion_class(shell)
+    assert maker is not None  # noqa: S101 - click has these three
+    click.echo(maker(main, {}, "trexcmd", "_TREXCMD_COMPLETE").source())

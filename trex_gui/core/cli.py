@@ -1,6 +1,7 @@
 """What every command line shares: messages, errors, progress, common options."""
 
 import contextlib
+import json
 import signal
 import sys
 from collections.abc import Iterator
@@ -18,7 +19,7 @@ has each of them."""
 
 
 class CommandFailed(click.ClickException):
-    """The device, the line or a file said no: exit code 1."""
+    """The device, the line or a file does not permit it: exit code 1."""
 
     exit_code = 1
 
@@ -31,12 +32,15 @@ class UsageError(click.UsageError):
 
 
 def say(message: object) -> None:
-    """Tell a person something beside the data."""
+    """Print a message beside the data, to standard error."""
     click.echo(str(message), err=True)
 
 
+def print_json(value: object) -> None:
+    click.echo(json.dumps(value, indent=2, ensure_ascii=False))
+
+
 def refuse(message: object) -> NoReturn:
-    """End with exit code 1."""
     raise CommandFailed(message)
 
 
@@ -50,7 +54,7 @@ def refusals() -> Iterator[None]:
 
 
 class ProgressLine:
-    """One line on a terminal that says how far something is; nothing elsewhere."""
+    """One line on a terminal that shows progress; nothing elsewhere."""
 
     def __init__(self, what: str) -> None:
         self._what = what
@@ -58,7 +62,6 @@ class ProgressLine:
         self._is_terminal = sys.stderr.isatty()
 
     def __call__(self, done: int, total: int, step: str) -> None:
-        """Show a step."""
         if not self._is_terminal:
             return
         width = 20
@@ -70,7 +73,6 @@ class ProgressLine:
         self._shown = len(text)
 
     def clear(self) -> None:
-        """Take the line away."""
         if self._shown:
             sys.stderr.write("\r" + " " * self._shown + "\r")
             sys.stderr.flush()
@@ -122,11 +124,7 @@ if TYPE_CHECKING:
 
 
 def hexadecimal(text: str) -> int:
-    """Read a hexadecimal number.
-
-    Raises:
-        UsageError: it is none.
-    """
+    """Read a hexadecimal number; UsageError if it is none."""
     try:
         return int(text, 16)
     except ValueError:
@@ -134,11 +132,7 @@ def hexadecimal(text: str) -> int:
 
 
 def required_port(port: str | None) -> str:
-    """Return the URL given with `--port`.
-
-    Raises:
-        UsageError: none was given.
-    """
+    """Return the URL given with `--port`; UsageError if none was given."""
     if not port:
         raise UsageError("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
     return port

@@ -33,6 +33,6 @@ class Host:
 
 
 def host() -> Host:
-    """Return the host of the command that runs."""
+    """Return the host of the running command."""
     context = click.get_current_context(silent=True)
     return (context and context.find_object(Host)) or Host()

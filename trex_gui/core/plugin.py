@@ -1,4 +1,4 @@
-"""What the program needs to know about a kind of device to support it."""
+"""Everything that the program needs to support a kind of device."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -21,7 +21,6 @@ class Lazy(Generic[T_co]):
     target: str
 
     def load(self) -> T_co:
-        """Import the object."""
         module, _, name = self.target.partition(":")
         return cast("T_co", getattr(import_module(module), name))
 
@@ -36,12 +35,7 @@ class CommandInfo:
 
 @dataclass(frozen=True, slots=True)
 class PortAnswer:
-    """What one kind of device is known to be, or not, on a port.
-
-    Attributes:
-        text: for `trexcmd list`; empty if there is nothing worth reporting.
-        product: name of the device; `None` if it is none of this kind.
-    """
+    """What `trexcmd list` reports of a port; `product` is `None` if no device replied."""
 
     text: str
     product: str | None = None
@@ -53,8 +47,8 @@ class PortReports:
     """How `trexcmd list` and `trexcmd find` identify a device and report it.
 
     Attributes:
-        identify: looks on a port (URL, options of the command) without moving anything. Raises
-            PortUnavailable.
+        identify: looks on a port (URL, options of the command) without moving anything; its
+            answer has no text if nothing is worth reporting. Raises PortUnavailable.
         describe: returns the sentences that report a found device to the user.
         row: returns what `find --json` prints for a found device.
     """

@@ -4,11 +4,15 @@ import logging
 import threading
 from collections import deque
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from types import TracebackType
 from typing import Any, Protocol, TypeVar
 
 from trex_gui.core.errors import StudioError
+
+log = logging.getLogger(__name__)
+
+RequestT_co = TypeVar("RequestT_co", covariant=True)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,26 +51,11 @@ class Closed:
     may_move: bool = False
 
 
-class Condition(Protocol):
+class Condition(AbstractContextManager[bool], Protocol):
     """The part of `threading.Condition` that queues need."""
 
-    def __enter__(self) -> bool: ...
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-        /,
-    ) -> None: ...
-
-    def wait(self, timeout: float | None = None) -> bool:
-        """Wait until notified or for `timeout` seconds; return whether it was notified."""
-        ...
-
-    def notify(self) -> None:
-        """Wake one waiting thread."""
-        ...
+    def wait(self, timeout: float | None = None) -> bool: ...
+    def notify(self) -> None: ...
 
 
 class RequestQueue:
@@ -87,27 +76,20 @@ class RequestQueue:
             self._changed.notify()
 
     def get(self, seconds: float) -> Any:
-        """Return the next request, waiting up to `seconds`; `None` if none came."""
         with self._changed:
             if not self._requests and seconds > 0:
                 self._changed.wait(seconds)
             return self._requests.popleft() if self._requests else None
 
 
-log = logging.getLogger(__name__)
-
-RequestT_co = TypeVar("RequestT_co", covariant=True)
-
 SHORTEST_WAIT = 1e-5
 """Seconds; keeps rounding errors of times from causing a busy loop."""
 
 
 class Inbox(Protocol[RequestT_co]):
-    """Source of the requests of a session."""
+    """Source of requests; `get` waits up to `seconds` and returns `None` if none came."""
 
-    def get(self, seconds: float) -> RequestT_co | None:
-        """Return the next request, waiting up to `seconds`; `None` if none came."""
-        ...
+    def get(self, seconds: float) -> RequestT_co | None: ...
 
 
 class Closing(Exception):  # noqa: N818 - no error: the session was closed

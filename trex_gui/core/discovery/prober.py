@@ -43,58 +43,44 @@ class Diagnosis:
 
 
 class FoundDevice(Protocol):
-    """A device that was found, and how to reach it."""
+    """A device that was found, and how to reach it.
+
+    Attributes:
+        device_number: the number that it responds to, if it has one.
+        echo: whether everything sent comes back.
+        note: a remark for the user; may be empty.
+    """
 
     @property
-    def settings(self) -> PortSettings:
-        """Settings to connect with."""
-        ...
-
+    def settings(self) -> PortSettings: ...
     @property
-    def name(self) -> str:
-        """Name of the device."""
-        ...
-
+    def name(self) -> str: ...
     @property
-    def device_number(self) -> int | None:
-        """The number that it responds to, if it has one."""
-        ...
-
+    def device_number(self) -> int | None: ...
     @property
-    def echo(self) -> bool:
-        """Whether everything sent comes back."""
-        ...
-
+    def echo(self) -> bool: ...
     @property
-    def note(self) -> str:
-        """A remark for the user; may be empty."""
-        ...
+    def note(self) -> str: ...
 
 
 class Prober(Protocol):
     """Looks for devices of one kind on one open line, and moves nothing.
 
     Every probe has to end whatever a board may have begun to receive before it.
+
+    Attributes:
+        parts: number of probes in each part of the scan, the likely ones first.
+        is_over: whether it is known by now what is connected.
     """
 
     @property
-    def parts(self) -> Sequence[int]:
-        """Number of probes in each part of the scan, the likely ones first."""
-        ...
-
+    def parts(self) -> Sequence[int]: ...
     @property
-    def found(self) -> Sequence[FoundDevice]:
-        """The devices; more than one only if several share the line."""
-        ...
-
+    def found(self) -> Sequence[FoundDevice]: ...
     @property
-    def is_over(self) -> bool:
-        """Whether it is known by now what is connected."""
-        ...
+    def is_over(self) -> bool: ...
 
-    def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
-        """Take what was received before the first probe, with these line settings."""
-        ...
+    def note_unsolicited(self, line: SerialFormat, data: bytes) -> None: ...
 
     def ask(
         self,
@@ -108,44 +94,30 @@ class Prober(Protocol):
         Raises:
             PortUnavailable: the line is gone.
         """
-        ...
 
     def diagnosis(self) -> Diagnosis:
         """Report what was tried and received, if no device was found."""
-        ...
 
 
 class MakeProber(Protocol):
-    """Creates a prober for a port."""
-
     def __call__(self, settings: PortSettings, *, full: bool, known: bool) -> Prober:
         """Try everything if `full`; `known`: the user has said that the port has this kind."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)
 class ProberInfo:
-    """How to look for one kind of device.
-
-    Attributes:
-        name: name of the kind.
-        begin: creates a prober for a port.
-        announces_at: line settings at which it announces itself when it starts; `None`: it does
-            not.
-    """
+    """One kind of device; `announces_at`: line settings of its start message, if it sends one."""
 
     name: str
     begin: MakeProber
     announces_at: SerialFormat | None = None
 
 
-def ignore_step(step: ScanProgress) -> None:
-    """Report no progress."""
-    del step
+def ignore_step(_step: ScanProgress) -> None:
+    pass
 
 
 def never_cancelled() -> bool:
-    """Return that the scan goes on."""
     return False
 
 

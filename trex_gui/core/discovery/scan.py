@@ -37,11 +37,8 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
-_LISTEN = 0.3
-"""Seconds to listen for unsolicited bytes."""
-
-_KEPT = 48
-"""Unsolicited bytes that are kept for the diagnosis."""
+_LISTEN = 0.3  # seconds
+_KEPT = 48  # unsolicited bytes that are kept for the diagnosis
 
 
 @dataclass(slots=True)
@@ -66,17 +63,12 @@ class PortScan:
 
     @property
     def lines(self) -> list[str]:
-        """Why nothing was found, a paragraph each."""
         first = [str(self.error)] if self.error is not None else []
         return first + [diagnosis.text for diagnosis in self.diagnoses]
 
 
 def listen(wire: Transport) -> bytes:
-    """Return unsolicited bytes.
-
-    Raises:
-        PortUnavailable: the line is gone.
-    """
+    """Return unsolicited bytes; PortUnavailable if the line is gone."""
     return wire.read(_KEPT, _LISTEN)
 
 
@@ -96,7 +88,7 @@ def scan_port(
 
     Args:
         settings: the port and its timeouts; its line settings are ignored.
-        probers: how to look for each kind, by its key, the most common first.
+        probers: by key of the kind, the most common first.
         first: key of the kind that the port is known to have.
         full: try everything, however long it takes.
         progress: called before each probe.
@@ -104,68 +96,42 @@ def scan_port(
         open_wire: opens the port.
     """
     result = PortScan()
+    opened = next((info.announces_at for info in probers.values() if info.announces_at), FLUSH_LINE)
+    running: dict[str, Prober] = {}
+    probed = list(probers)
     try:
-        _scan(
-            result,
-            settings,
-            probers,
-            first=first,
-            full=full,
-            progress=progress,
-            cancelled=cancelled,
-            open_wire=open_wire,
-        )
+        wire = open_wire(settings.at(opened))
+        try:
+            for key, info in probers.items():
+                running[key] = info.begin(settings, full=full, known=key == first)
+            if heard := listen(wire):
+                for prober in running.values():
+                    prober.note_unsolicited(opened, heard)
+            names = {key: info.name for key, info in probers.items()}
+            probed = probe_in_order(
+                wire, running, names, first=first, progress=progress, cancelled=cancelled
+            )
+        except StudioError as error:
+            result.error = error
+        finally:
+            result.device = next((key for key, prober in running.items() if prober.found), "")
+            _release(wire, settings.timeouts.extra, answered=bool(result.device))
+        if result.device:
+            result.found = running[result.device].found
+            return result
+        result.cancelled = result.error is None and cancelled()
+        diagnoses = [running[key].diagnosis() for key in probed if key in running]
+    except PortUnavailable as error:
+        return PortScan(error=error)
     except Exception as error:
         log.exception("scan of %s", settings.url)
         text = f"Internal error while searching {settings.label}"
-        result = PortScan(error=StudioError(f"{text} ({type(error).__name__}: {error})."))
-        result.is_fault = True
-    return result
-
-
-def _scan(
-    result: PortScan,
-    settings: PortSettings,
-    probers: Mapping[str, ProberInfo],
-    *,
-    first: str | None,
-    full: bool,
-    progress: Callable[[ScanProgress], None],
-    cancelled: Callable[[], bool],
-    open_wire: Callable[[PortSettings], Transport],
-) -> None:
-    """Fill in what `scan_port` returns."""
-    opened = next((info.announces_at for info in probers.values() if info.announces_at), FLUSH_LINE)
-    try:
-        wire = open_wire(settings.at(opened))
-    except PortUnavailable as error:
-        result.error = error
-        return
-    running: dict[str, Prober] = {}
-    names = {key: info.name for key, info in probers.items()}
-    probed = list(probers)
-    try:
-        for key, info in probers.items():
-            running[key] = info.begin(settings, full=full, known=key == first)
-        if heard := listen(wire):
-            for prober in running.values():
-                prober.note_unsolicited(opened, heard)
-        probed = probe_in_order(
-            wire, running, names, first=first, progress=progress, cancelled=cancelled
-        )
-    except StudioError as error:
-        result.error = error
-    finally:
-        result.device = next((key for key, prober in running.items() if prober.found), "")
-        _release(wire, settings.timeouts.extra, answered=bool(result.device))
-    if result.device:
-        result.found = running[result.device].found
-        return
-    result.cancelled = result.error is None and cancelled()
-    diagnoses = [running[key].diagnosis() for key in probed if key in running]
+        error = StudioError(f"{text} ({type(error).__name__}: {error}).")
+        return PortScan(error=error, is_fault=True)
     if result.error is not None:  # a search that was cut short says nothing by its silence
         diagnoses = [one for one in diagnoses if one.evidence > Evidence.SILENCE]
     result.diagnoses = sorted(diagnoses, key=lambda diagnosis: -diagnosis.evidence)
+    return result
 
 
 def probe_in_order(
@@ -203,7 +169,7 @@ def probe_in_order(
 
 
 def order(parts: Mapping[str, Sequence[int]], first: str | None) -> list[tuple[str, int]]:
-    """Return the parts of each kind in the order of the scan; see above."""
+    """Return the parts of each kind in the order of the scan."""
     keys = sorted(parts, key=lambda key: key != first)
     most = max((len(each) for each in parts.values()), default=0)
     return [(key, number) for number in range(most) for key in keys if number < len(parts[key])]

@@ -28,11 +28,9 @@ class Backlog(Generic[RecordT]):
 
     @property
     def lost(self) -> int:
-        """Records dropped so far."""
         return self._lost
 
     def put(self, records: Sequence[RecordT | Marker]) -> None:
-        """Add records; does not block."""
         with self._ready:
             if self._closed or not records:
                 return

@@ -19,7 +19,6 @@ ProgressCallback = Callable[[float], None]
 
 
 def has_mcap() -> bool:
-    """Return whether the optional library for MCAP is installed."""
     return find_spec("mcap") is not None
 
 

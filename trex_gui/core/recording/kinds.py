@@ -100,11 +100,9 @@ class SampleKind:
 
     @property
     def exported(self) -> tuple[str, ...]:
-        """Names of all columns, each physical one behind the stored one."""
         return tuple(name for column in self.columns for name in _names(column))
 
     def cells(self, record: Timestamped) -> dict[str, Value]:
-        """Return the values of a record by exported name."""
         cells: dict[str, Value] = {}
         for column, value in zip(self.columns, self.pack(record), strict=True):
             cells[column.name] = value

@@ -32,12 +32,10 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
 
     @property
     def chunks(self) -> int:
-        """Number of chunks in the recording."""
         return -(-self.recording.count // CHUNK)
 
     @property
     def progress(self) -> float:
-        """Share of the recording that was read, 0 to 1."""
         return len(self._starts) / self.chunks if self.chunks else 1.0
 
     def read_next(

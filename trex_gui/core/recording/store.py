@@ -50,7 +50,6 @@ ExportRow = tuple[float, int, tuple[Value, ...]]
 
 
 def reason_of(error: Exception) -> str:
-    """Return the cause of an error of the file system or of SQLite."""
     if getattr(error, "sqlite_errorcode", None) == sqlite3.SQLITE_FULL:
         return os.strerror(errno.ENOSPC)
     return str(getattr(error, "strerror", None) or error)
@@ -58,7 +57,6 @@ def reason_of(error: Exception) -> str:
 
 @contextlib.contextmanager
 def _reported(path: Path, message: str) -> Iterator[None]:
-    """Turn errors of file system and SQLite into RecordingError."""
     try:
         yield
     except (OSError, ValueError, sqlite3.Error) as error:
@@ -153,17 +151,12 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
                 self._database.execute("PRAGMA journal_mode = DELETE")
 
     def close(self) -> None:
-        """Close the file, finished or not."""
         with contextlib.suppress(sqlite3.Error):
             self._database.close()
 
 
 def _replace(path: Path) -> None:
-    """Make an empty file; only regular files are replaced.
-
-    Raises:
-        OSError: that is not possible.
-    """
+    """Make an empty file, or raise OSError; only regular files are replaced."""
     if path.exists() and not path.is_file():
         raise OSError(errno.EINVAL, "it is not a regular file")
     with path.open("wb"):
@@ -330,7 +323,6 @@ class Recording(Generic[HeaderT, RecordT]):
         return Recording(self.path, self.format)
 
     def close(self) -> None:
-        """Close the file."""
         self._database.close()
 
     def read(self, first: int, last: int) -> list[RecordT]:
@@ -382,7 +374,6 @@ class Recording(Generic[HeaderT, RecordT]):
 
 
 def _check_types(kind: SampleKind, types: Sequence[type]) -> None:
-    """Fail where a value is not of the type of its column."""
     clock, *values = types
     if clock is not float:
         raise ValueError("its time is not a number")

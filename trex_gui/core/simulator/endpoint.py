@@ -135,11 +135,9 @@ class TcpEndpoint:
         """Start a connection with a new host."""
 
     def arrivals(self, data: bytes) -> Iterable[Arrival]:
-        """Return the data in received bytes."""
         return [(None, data)]
 
     def drop_client(self) -> None:
-        """Disconnect the host, if there is one."""
         if self._client is not None:
             self._client.close()
             self._client = None

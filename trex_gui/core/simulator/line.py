@@ -56,7 +56,6 @@ class WireFaults:
         self._plugged_at = -math.inf
 
     def plug(self, now: float) -> None:
-        """Plug the cable in; bytes under way are lost."""
         if not self.plugged:
             self.plugged = True
             self._plugged_at = now
@@ -241,7 +240,6 @@ class SimulatedLine:
         self._host_busy_until = self.now
 
     def receive(self) -> bytes:
-        """Return the bytes that have reached the host."""
         data = bytes(self._received)
         self._received.clear()
         return data
@@ -283,7 +281,6 @@ class SimulatedLine:
         return self.timeline.next_event
 
     def advance(self, seconds: float) -> None:
-        """Let time pass."""
         self.advance_to(self.now + seconds)
 
     def advance_to(self, moment: float) -> None:
@@ -322,11 +319,9 @@ class SimulatedLine:
 
     @property
     def byte_time(self) -> float:
-        """Seconds that a byte of the first station takes."""
         return self.byte_time_of(self.stations[0])
 
     def byte_time_of(self, station: Station) -> float:
-        """Return the seconds that a byte of a station takes."""
         return station.line_format.bits_per_byte / station.baud if self.paced else 0.0
 
     def transmit(self, byte: int, station: Station, is_alive: Callable[[], bool]) -> None:
@@ -349,12 +344,10 @@ class SimulatedLine:
             self.timeline.at(start, partial(self._put_at_host_rate, byte, end))
 
     def unplug(self) -> None:
-        """Unplug the cable."""
         self.faults.plugged = False
         self._received.clear()
 
     def plug(self) -> None:
-        """Plug the cable in."""
         self.faults.plug(self.now)
 
     def _host_receiver(self) -> tuple[SerialFormat, float]:

@@ -63,7 +63,6 @@ class _Port:
         """Do nothing: there is no buffer."""
 
     def settings(self) -> HostSettings:
-        """Return how the host has set the port."""
         return HostSettings(self.baudrate, int(self._stopbits), _PARITIES[self._parity])
 
 

@@ -107,7 +107,6 @@ class Server:
         self._unsent += data[: _MAX_UNSENT - len(self._unsent)]
 
     def _report_unsaved(self) -> None:
-        """Report each reason once why a device's memory is not in its file."""
         for reason in self._line.unsaved:
             if reason not in self._reported:
                 self._reported.add(reason)
@@ -123,7 +122,6 @@ class Server:
         self._line.drop_unsent()
 
     def _timeout(self) -> float:
-        """Return the seconds until something is due."""
         event = self._line.next_event
         if event is None:
             return 0.0 if self._unsent else _IDLE

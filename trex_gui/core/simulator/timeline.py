@@ -34,7 +34,6 @@ class Timeline:
 
     @property
     def next_event(self) -> float | None:
-        """Moment of the next action; `None` when the queue is empty."""
         return self._events[0][0] if self._events else None
 
     def step(self, end: float) -> bool:

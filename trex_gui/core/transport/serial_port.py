@@ -84,9 +84,7 @@ class Transport(Protocol):
         """
         ...
 
-    def clock(self) -> float:
-        """Return seconds on a monotonic clock."""
-        ...
+    def clock(self) -> float: ...
 
     def write(self, data: bytes) -> None:
         """Send bytes.
@@ -113,9 +111,7 @@ class Transport(Protocol):
         """
         ...
 
-    def wait(self, seconds: float) -> None:
-        """Let time pass."""
-        ...
+    def wait(self, seconds: float) -> None: ...
 
     def close(self) -> None:
         """Close the port; never raises."""

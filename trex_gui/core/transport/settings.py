@@ -28,7 +28,6 @@ class SerialFormat:
         return 9 + (self.parity is not Parity.NONE) + self.stop_bits
 
     def seconds(self, size: int, baud: int | None = None) -> float:
-        """Return how long `size` bytes take on the wire."""
         return size * self.bits_per_byte / (baud or self.baud)
 
     @property
@@ -63,12 +62,10 @@ class PortSettings:
     timeouts: Timeouts = field(default_factory=Timeouts, kw_only=True)
 
     def at(self, line: SerialFormat) -> "PortSettings":
-        """Return the settings of the same port with the line set like this."""
         return replace(self, line=line)
 
     @property
     def label(self) -> str:
-        """Name of the port in messages."""
         return self.name or self.url
 
     @property
@@ -77,5 +74,4 @@ class PortSettings:
         return self.line.short
 
     def text(self) -> str:
-        """Return port and line settings, for messages."""
         return f"{self.label} at {self.line.text()}"

@@ -11,8 +11,7 @@ from trex_gui.core.errors import StudioError, sentence
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
-_MOST_EVENTS = 50_000
-"""Events that are kept for a reader that is late: at 1,000 a second, nearly a minute."""
+_MOST_EVENTS = 50_000  # kept for a late reader: at 1,000 a second, nearly a minute
 
 
 class TrafficDirection(Enum):
@@ -43,17 +42,15 @@ class TrafficEvent:
 
 @dataclass(slots=True)
 class TrafficLog:
-    """Queue of events from the thread of a line to one reader; bounded, never blocks.
+    """Queue of events from the thread of a line to one reader in another thread.
 
-    Attributes:
-        lost: events that were dropped because the reader was late.
+    It is bounded and never blocks; `lost` counts events dropped because the reader was late.
     """
 
     lost: int = 0
     _events: deque[TrafficEvent] = field(default_factory=deque)
 
     def note(self, event: TrafficEvent) -> None:
-        """Add an event, from the thread of the line."""
         if len(self._events) >= _MOST_EVENTS:
             self.lost += 1
             return
@@ -199,7 +196,6 @@ class Transaction:
 
     @property
     def seconds(self) -> float | None:
-        """Seconds from the first byte sent to the last one received; `None` without a reply."""
         return None if self.ended is None or not self.sent else self.ended - self.time
 
 

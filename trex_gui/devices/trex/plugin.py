@@ -13,7 +13,7 @@ TREX = DevicePlugin(
     key="trex",
     name="TReX",
     prober=Lazy(f"{_HERE}.discovery:TREX_PROBER"),
-    port_reports=Lazy(f"{_HERE}.cli.scan:PORT_REPORTS"),
+    port_reports=Lazy(f"{_HERE}.cli.common:PORT_REPORTS"),
     simulator_arguments=("--demo",),
     controller=Lazy(f"{_HERE}.model.controller:make_controller"),
     workspace=Lazy(f"{_HERE}.views.workspace:TrexWorkspace"),
@@ -33,10 +33,10 @@ TREX = DevicePlugin(
         "diff": _command("files:diff", "Compare settings files, or a file with the board."),
         "history": _command("history:history", "List what boards stored before each change."),
         "calibration": _command("calibration:calibration", "Show or store channel calibrations."),
-        "export": _command(
-            "export:export", "Write the settings as C, Python or an Arduino sketch."
+        "export": _command("files:export", "Write the settings as C, Python or an Arduino sketch."),
+        "restore-defaults": _command(
+            "parameters:restore_defaults", "Go back to factory parameters."
         ),
-        "restore-defaults": _command("defaults:restore_defaults", "Go back to factory parameters."),
         "motor": _command("motor:motor", "Run a motor until Ctrl-C, or for some seconds."),
         "stop": _command("motor:stop", "Stop all motors and wait for confirmation."),
         "raw": _command("packets:raw", "Send bytes and show what comes back."),

@@ -80,14 +80,12 @@ Record = Sample | SetpointRecord | AuxiliarySetpointRecord | Marker | SettingsSn
 def setpoint_record(
     request: SetMotor | SetAuxiliary, time: float
 ) -> SetpointRecord | AuxiliarySetpointRecord:
-    """Return the record of a setpoint that was handed to the line."""
     if isinstance(request, SetMotor):
         return SetpointRecord(time, request.motor, request.drive, request.accelerate)
     return AuxiliarySetpointRecord(time, request.speed, request.accelerate)
 
 
 def settings_snapshot(state: DeviceState, time: float) -> SettingsSnapshot:
-    """Return a snapshot of what a board stores."""
     return SettingsSnapshot(time, _settings_text(state))
 
 
@@ -119,7 +117,6 @@ class Header:
 
     @classmethod
     def of(cls, state: DeviceState, clock: float, device_number: int | None) -> "Header":
-        """Return the header of a recording that starts now."""
         signature, settings = state.signature, _settings_text(state)
         started = datetime.now(UTC)
         return cls(
@@ -328,7 +325,6 @@ class BoardSnapshot:
     auxiliary: int | None = None
 
     def take(self, record: Record) -> None:
-        """Take a record as the newest."""
         match record:
             case Currents(counts=counts):
                 self.currents = counts

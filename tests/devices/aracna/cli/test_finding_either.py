@@ -52,4 +52,4 @@ def test_list_shows_silent_port_as_nothing_answers(
     trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     robot.do("power off")
-    assert trexcmd("list").stdout == f"{robot.url}\tnothing answers\n"
+    assert trexcmd("list").stdout == f"{robot.url}\tno reply\n"

@@ -146,8 +146,10 @@ def test_set_prints_options_that_reach_board_after_restart(
     result = trexcmd("set", "uart_settings", "0x48")
     assert result.exit_code == 0, result.stderr
     url = quick_simulator.url
-    assert "UART Settings: in force when the board is switched off and on." in result.stderr
-    later = f"Switched off and on, it is reached with --port {url} --baud 57600 --parity even\n"
+    assert "UART Settings: takes effect when the board is switched off and on." in result.stderr
+    later = (
+        f"After it is switched off and on, reach it with --port {url} --baud 57600 --parity even\n"
+    )
     assert later in result.stderr
 
 

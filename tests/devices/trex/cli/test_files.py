@@ -99,7 +99,7 @@ def test_set_settings_reads_standard_input(
 def test_set_settings_reports_pending_power_cycle(trexcmd: RunCommand, saved: Path) -> None:
     result = trexcmd("set-settings", str(changed(saved, uart_settings=10)))
     assert result.exit_code == 0
-    assert "UART Settings: in force when the board is switched off and on" in result.stderr
+    assert "UART Settings: takes effect when the board is switched off and on" in result.stderr
     assert "115200 baud" in result.stderr  # the advice
 
 

@@ -191,7 +191,7 @@ def test_json_option_before_subcommand_is_usage_error(trexcmd: RunCommand) -> No
     take()
     result = trexcmd("history", "--json", "show", "1")
     assert result.exit_code == 2
-    assert "behind show" in result.stderr
+    assert "after show" in result.stderr
 
 
 def test_completion_describes_snapshot_numbers() -> None:

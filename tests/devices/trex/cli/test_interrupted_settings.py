@@ -185,7 +185,9 @@ def test_changed_line_settings_print_new_options(
     options: str,
 ) -> None:
     said = given(trexcmd, tmp_path / "line.txt", **values)
-    sentence = f"Switched off and on, it is reached with --port {quick_simulator.url} {options}\n"
+    sentence = (
+        f"After it is switched off and on, reach it with --port {quick_simulator.url} {options}\n"
+    )
     assert sentence in said
 
 
@@ -193,11 +195,11 @@ def test_printed_options_reach_the_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     said = given(trexcmd, tmp_path / "line.txt", uart_settings=0x3A, crc7_polynomial=0x15)
-    (reports,) = re.findall("is reached with (.*)", said)
+    (reports,) = re.findall("off and on, reach it with (.*)", said)
     quick_simulator.do("power cycle")
     assert trexcmd("get", "crc7_polynomial", *reports.split()).exit_code == 0
     restored = trexcmd("restore-defaults", "--yes", *reports.split())
-    (reports,) = re.findall("is reached with (.*)", restored.stderr)
+    (reports,) = re.findall("off and on, reach it with (.*)", restored.stderr)
     quick_simulator.do("power cycle")
     assert trexcmd("get", "crc7_polynomial", *reports.split()).exit_code == 0
 
@@ -209,7 +211,7 @@ def test_baud_rate_halved_by_old_firmware_is_printed_halved(
     file = tmp_path / "line.txt"
     file.write_text("product: TReX\nuart_settings: 6\n", encoding="utf-8")  # 28800 baud
     said = trexcmd("set-settings", str(file), "--port", old.url).stderr
-    assert f"is reached with --port {old.url} --baud 14400\n" in said
+    assert f"reach it with --port {old.url} --baud 14400\n" in said
 
 
 def test_new_device_number_is_printed_for_expanded_protocol(
@@ -220,7 +222,7 @@ def test_new_device_number_is_printed_for_expanded_protocol(
     result = trexcmd("set-settings", str(file), "--protocol", "expanded")
     url = quick_simulator.url
     now = f"Reach the board with --port {url} --baud 19200 --protocol expanded --device 9 from"
-    later = f"it is reached with --port {url} --baud 57600 --protocol expanded --device 9\n"
+    later = f"reach it with --port {url} --baud 57600 --protocol expanded --device 9\n"
     assert now in result.stderr
     assert later in result.stderr
 
@@ -244,13 +246,13 @@ def test_restore_defaults_prints_options_that_reach_board(
     assert result.exit_code == 0, result.stderr
     url = quick_simulator.url
     assert (
-        f"Switched off and on, it is reached with --port {url} --baud 19200 --protocol expanded "
-        "--device 7\n"
+        f"After it is switched off and on, reach it with --port {url} --baud 19200 "
+        "--protocol expanded --device 7\n"
     ) in result.stderr
 
 
 def test_restore_defaults_without_line_change_prints_no_options(trexcmd: RunCommand) -> None:
-    assert "is reached with" not in trexcmd("restore-defaults", "--yes").stderr
+    assert "reach it with" not in trexcmd("restore-defaults", "--yes").stderr
 
 
 # --- check-settings IN OUT --------------------------------------------------------------

@@ -1,6 +1,5 @@
 """The commands query, speeds, pose and play."""
 
-import json
 from pathlib import Path
 
 import click
@@ -11,6 +10,7 @@ from trex_gui.core.cli import (
     UsageError,
     json_option,
     port_option,
+    print_json,
     refusals,
     say,
     timeout_option,
@@ -52,7 +52,7 @@ def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
         robot = session.robot
     if as_json:
         row = {"port": port, "product": "Aracna", "firmware": robot.version, "motors": robot.motors}
-        click.echo(json.dumps(row, indent=2, ensure_ascii=False))
+        print_json(row)
     else:
         click.echo(f"Aracna, firmware {robot.version}, {robot.motors} motors")
 
@@ -229,7 +229,6 @@ def _limits(motors: int, *, lifted: bool) -> tuple[Limits, ...]:
 
 
 def _report_crops(pose: Pose, limits: tuple[Limits, ...]) -> tuple[int, ...]:
-    """Return the goals of a pose within the limits, and report the cropped ones."""
     goals = cropped(pose, limits)
     for motor, (position, goal) in enumerate(zip(pose.first(len(limits)), goals, strict=True)):
         if position != goal:

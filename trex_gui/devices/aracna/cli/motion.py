@@ -100,11 +100,7 @@ def _missed_goals(goals: Sequence[int], present: Sequence[int]) -> list[str]:
 
 
 def check_limits(goals: Sequence[int]) -> None:
-    """Check positions against the joints' limits.
-
-    Raises:
-        UsageError: names each motor and its limits.
-    """
+    """Raise a UsageError that names each motor with a position outside its limits."""
     wrong = [
         f"motor {motor} goes from {limit.low} to {limit.high}, not to {goal}"
         for motor, (goal, limit) in enumerate(zip(goals, factory_limits(len(goals)), strict=True))
@@ -162,11 +158,6 @@ def play(session: CommandSession, monitor: MotionMonitor, request: Play) -> None
 
 
 def report_faults(faults: Sequence[str]) -> None:
-    """Report what went wrong.
-
-    Raises:
-        CommandFailed: there are faults.
-    """
     for fault in faults:
         say(fault)
     if faults:

@@ -1,15 +1,18 @@
-"""A session in its own thread, driven line by line from a command."""
+"""A session driven from a command, and what list and find report of an Aracna."""
 
 import itertools
-from collections.abc import Callable, Iterator
-from typing import Self
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, Self
 
 from trex_gui.core.cli import CommandFailed, required_port
+from trex_gui.core.discovery.prober import Evidence
 from trex_gui.core.errors import StudioError
 from trex_gui.core.host import host
+from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
+from trex_gui.devices.aracna.discovery import FoundRobot, find_aracna
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.aracna.session.messages import (
     Connected,
@@ -25,11 +28,7 @@ _CHECK_INTERVAL = 0.1
 
 
 def port_settings(port: str | None, extra_time: float) -> PortSettings:
-    """Return the settings of a robot's port.
-
-    Raises:
-        UsageError: no port is given.
-    """
+    """Return the settings of a robot's port; UsageError if no port is given."""
     return PortSettings(required_port(port), LINE, timeouts=Timeouts(extra=extra_time))
 
 
@@ -59,11 +58,7 @@ class CommandSession:
         )
 
     def __enter__(self) -> Self:
-        """Connect.
-
-        Raises:
-            CommandFailed: the port cannot be opened, no Aracna answers, or it was interrupted.
-        """
+        """Connect; CommandFailed if that fails or was interrupted."""
         self._join = self._host.start_thread(self._session.run)
         try:
             for report in self._received(self._check_interruption):
@@ -139,3 +134,40 @@ def _check(report: Report) -> None:
             raise CommandFailed(error)
         case _:
             pass
+
+
+def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
+    settings = PortSettings(url, timeouts=Timeouts(extra=options["extra_timeout"]))
+    search = find_aracna(settings, open_wire=host().open_transport)
+    if search.found:
+        [found] = search.found
+        text = f"{found.name}, {found.motors} motors"
+        return PortAnswer(text, "Aracna", str(found.version.version))
+    diagnosis = search.diagnosis()
+    return PortAnswer(diagnosis.text if diagnosis.evidence > Evidence.ECHO else "")
+
+
+def _describe(found: FoundRobot) -> str:
+    text = f"{found.name}, {found.motors} motors, on {found.settings.text()}."
+    return f"{text} {found.note}".strip()
+
+
+def _row(found: FoundRobot) -> dict[str, Any]:
+    """Return the same keys as for a TReX."""
+    line = found.settings.line
+    return {
+        "port": found.settings.url,
+        "product": "Aracna",
+        "firmware": str(found.version.version),
+        "baud": line.baud,
+        "detection": line.parity.name.lower(),
+        "polynomial": None,
+        "stop_bits": line.stop_bits,
+        "device_number": None,
+        "echo": False,
+        "note": found.note,
+        "options": f"--port {found.settings.url}",
+    }
+
+
+PORT_REPORTS = PortReports(_identify, _describe, _row)

@@ -1,15 +1,14 @@
-"""calibration get, calibration set: what the channels' counts mean."""
+"""calibration get, calibration set."""
 
-import json
 import re
-from dataclasses import replace
+from dataclasses import asdict, astuple, replace
 from typing import Any
 
 import click
 
-from trex_gui.core.cli import Interruption, UsageError, json_option
+from trex_gui.core.cli import UsageError, json_option, print_json
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.cli.changes import prepare_one, read_board, say_what_follows
+from trex_gui.devices.trex.cli.changes import change_one, read_board
 from trex_gui.devices.trex.cli.common import (
     PHYSICAL_KEYS,
     identify,
@@ -45,7 +44,7 @@ _VALUE = re.compile(r"(\d+(?:\.\d+)?)\s*([a-zµμ]*)", re.IGNORECASE)
 
 @click.group()
 def calibration() -> None:
-    """Show or store channel calibrations, for the input source in force."""
+    """Show or store channel calibrations, for the active input source."""
 
 
 @calibration.command("get")
@@ -68,15 +67,15 @@ def get_command(as_json: bool, **options: Any) -> None:
                 {
                     "channel": channel,
                     "differs_from_default": channel in learned,
-                    **{name: getattr(row, name) for name in CALIBRATION_FIELDS},
+                    **asdict(row),
                     PHYSICAL_KEYS[source]: {
-                        name: rounded(source, getattr(row, name)) for name in CALIBRATION_FIELDS
+                        name: rounded(source, count) for name, count in asdict(row).items()
                     },
                 }
                 for channel, row in rows.items()
             ],
         }
-        click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+        print_json(report)
         return
     for channel, row in rows.items():
         click.echo(_text(channel, row, source) + ("" if channel in learned else "  (default)"))
@@ -92,9 +91,8 @@ def get_command(as_json: bool, **options: Any) -> None:
 def set_command(channel: int, **options: Any) -> None:
     """Store the calibration of a channel and read it back.
 
-    Values are counts (3750), or have a unit: 1500us for RC pulses, 2.5V for voltages. A
-    snapshot of what the board stores is kept first; a calibration that it has already is not
-    written.
+    Values are counts (3750), or have a unit: 1500us for RC pulses, 2.5V for voltages. Saves a
+    snapshot of what the board stores first. Writes nothing if the board has this calibration.
     """
     given = {name: _parse(name, options.pop(name)) for name in CALIBRATION_FIELDS}
     link = link_settings(options)
@@ -104,31 +102,23 @@ def set_command(channel: int, **options: Any) -> None:
         source = state.source
         counts = {name: _counts(name, value, source) for name, value in given.items()}
         wanted = Calibration(**counts)
-        wanted.encode()  # refuses what no board takes, before anything is said or kept
+        wanted.encode()  # rejects what no board accepts, before a snapshot is saved
         key = CalibrationKey.of(source, channel)
-        there = settings_of(state)
-        is_new = prepare_one(
+        stored = settings_of(state)
+        change_one(
+            client,
             state,
-            replace(there, calibrations={**there.calibrations, key: wanted}),
+            replace(stored, calibrations={**stored.calibrations, key: wanted}),
             Context(port_rates=rates, used_by_line=link.line),
-            link,
+            lambda: write_calibration(client.request, key, wanted),
             what=f"Calibration of channel {channel}",
             command=f"trexcmd calibration set {channel}",
         )
-        if is_new:
-            with Interruption():
-                write_calibration(client.request, key, wanted)
         click.echo(_text(channel, wanted, source))
-        if is_new:
-            say_what_follows(client, link, state, {})
 
 
 def _parse(name: str, text: str) -> tuple[float, str]:
-    """Read a number and its unit, which may be empty.
-
-    Raises:
-        UsageError: it is not a value with a unit.
-    """
+    """Read a number and its unit, which may be empty."""
     found = _VALUE.fullmatch(text.strip())
     unit = found[2].lower() if found else ""
     if found is None or (unit and unit not in _UNITS) or (not unit and "." in found[1]):
@@ -149,6 +139,6 @@ def _counts(name: str, value: tuple[float, str], source: InputSource) -> int:
 
 
 def _text(channel: int, row: Calibration, source: InputSource) -> str:
-    counts = " ".join(str(getattr(row, name)) for name in CALIBRATION_FIELDS)
-    physical = " / ".join(source.text(getattr(row, name)) for name in CALIBRATION_FIELDS)
+    counts = " ".join(map(str, astuple(row)))
+    physical = " / ".join(map(source.text, astuple(row)))
     return f"{channel}\t{counts}\t{physical}"

@@ -1,15 +1,15 @@
 """What every command does before and after it changes what a board stores."""
 
-from collections.abc import Mapping
+from collections.abc import Callable
 from dataclasses import replace
 
-from trex_gui.core.cli import ProgressLine, say
+from trex_gui.core.cli import Interruption, ProgressLine, say
 from trex_gui.devices.trex.cli.common import as_options
-from trex_gui.devices.trex.cli.reconnect_hint import say_how_to_reach
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
+from trex_gui.devices.trex.session.reconnecting import after_power_cycle
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.history import SettingsHistory
@@ -17,71 +17,70 @@ from trex_gui.devices.trex.settings.rules import Context, lint
 
 
 def read_board(client: TrexClient) -> DeviceState:
-    """Read everything, with a line on a terminal that says how far it is."""
+    """Read everything, with a progress line."""
     with ProgressLine("Reading") as line:
         return read_everything(client.request, line)
 
 
 def warn(settings: Settings, context: Context) -> None:
-    """Report the findings of the settings check."""
     for found in lint(settings, context):
         say(f"Warning: {found.message}" + (f" {found.proposal}." if found.proposal else ""))
 
 
 def say_changes(result: Comparison) -> None:
-    """Say what will be written, old → new; what stays as it is has no line."""
     rows = tuple(row for row in result.rows if row.changed)
     if text := replace(result, rows=rows).report():
         say(text)
 
 
 def require_serial_mode(state: DeviceState, what: str) -> None:
-    """Check that the board accepts writes.
-
-    Raises:
-        Rejected: it is not in serial mode.
-    """
+    """Raise Rejected if the board does not accept writes."""
     if not state.mode.is_serial:
         raise Rejected(what, ResultCode.NOT_SERIAL_MODE)
 
 
-def prepare_one(
+def change_one(
+    client: TrexClient,
     state: DeviceState,
     after: Settings,
     context: Context,
-    link: ConnectionSettings,
+    write: Callable[[], object],
     *,
     what: str,
     command: str,
-) -> bool:
-    """Do what comes before the write of one setting; return whether there is one to write.
+) -> None:
+    """Store one setting with `write`, if it differs from what the board stores.
 
     Args:
+        client: the line.
         state: what the board stores.
         after: what it is to store.
         context: for the rules.
-        link: how the board was reached.
+        write: stores it and reads it back.
         what: the setting, for the user.
         command: the snapshot's reason.
 
     Raises:
-        Rejected: the board is not in serial mode.
-        SettingsError: the snapshot cannot be saved; nothing must be written then.
+        Rejected: the board is not in serial mode, or rejects the setting.
+        SettingsError: the snapshot cannot be saved; nothing was written then.
     """
-    before = settings_of(state)
+    before, link = settings_of(state), client.settings
     result = compare(before, after)
     if not result.changed:
         say(f"{what} has this value already; nothing is written.")
-        return False
+        return
     require_serial_mode(state, what)
     warn(after, context)
     say_changes(result)
     keep(before, link, command)
-    return True
+    with Interruption():
+        write()
+    changed = after.parameters.items() - before.parameters.items()
+    say_what_follows(client, link, state, dict(changed))
 
 
 def say_what_follows(
-    client: TrexClient, link: ConnectionSettings, state: DeviceState, stored: Mapping[str, int]
+    client: TrexClient, link: ConnectionSettings, state: DeviceState, stored: dict[str, int]
 ) -> None:
     """Report what needs a power cycle and how to reach the board now and after it.
 
@@ -93,18 +92,26 @@ def say_what_follows(
     """
     specs = state.specs
     if waiting := sorted(specs[key].name for key in stored if specs[key].needs_power_cycle):
-        say(f"{', '.join(waiting)}: in force when the board is switched off and on.")
+        say(f"{', '.join(waiting)}: takes effect when the board is switched off and on.")
     if client.settings != link:
         say(f"Reach the board with {as_options(client.settings)} from now on.")
     say_how_to_reach(client.settings, {**state.parameters, **stored}, state.signature.firmware)
 
 
-def keep(settings: Settings, link: ConnectionSettings, reason: str) -> None:
-    """Save a snapshot where the window keeps its own, and say where.
+def say_how_to_reach(used: ConnectionSettings, stored: dict[str, int], firmware: str) -> None:
+    """Report the options that reach the board from its next start on, if they will change.
 
-    Raises:
-        SettingsError: it cannot be saved; nothing must be written to the board then.
+    `used`: how it is reached now; `stored`: every parameter that it stores, wire values by key.
     """
+    coming = after_power_cycle(used, stored, firmware)
+    if coming is None:
+        say("Its UART settings have an unknown value; find the board with trexcmd find.")
+    elif (options := as_options(coming)) != as_options(used):
+        say(f"After it is switched off and on, reach it with {options}")
+
+
+def keep(settings: Settings, link: ConnectionSettings, reason: str) -> None:
+    """Save a snapshot where the window keeps its own; nothing must be written if that fails."""
     history = SettingsHistory()
     snapshot = history.take(settings, adapter=link.name or link.url, reason=reason)
     say(f"Snapshot of the previous settings: {snapshot.path}.")

@@ -1,4 +1,4 @@
-"""What several commands share: the options that say how to reach a board, and the open line."""
+"""What several commands share: options, the open line, and what list and find report."""
 
 import contextlib
 from collections.abc import Callable, Iterator, Mapping
@@ -17,14 +17,16 @@ from trex_gui.core.cli import (
 )
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.host import host
+from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient, diagnose
 from trex_gui.devices.trex.client.reading import query
+from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
@@ -36,7 +38,6 @@ FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 def complete_parameter(
     ctx: click.Context, param: click.Parameter, incomplete: str
 ) -> list[CompletionItem]:
-    """Offer the keys of all parameters; their names stand beside them."""
     del ctx, param
     from trex_gui.devices.trex.protocol.device_table import device_table  # noqa: PLC0415
 
@@ -51,7 +52,7 @@ def _complete_baud(ctx: click.Context, param: click.Parameter, incomplete: str) 
     return [rate for rate in map(str, baud_rates()) if rate.startswith(incomplete)]
 
 
-crc_option = click.option("--crc", is_flag=True, help="Every packet ends in a CRC-7.")
+crc_option = click.option("--crc", is_flag=True, help="End every packet with a CRC-7.")
 polynomial_option = click.option(
     "--polynomial",
     metavar="HEX",
@@ -74,50 +75,49 @@ _LINK_OPTIONS = (
         type=click.Choice(["none", "even", "odd"]),
         default="none",
         show_default=True,
+        help="Parity bit of each byte; not together with --crc.",
     ),
     crc_option,
     polynomial_option,
-    click.option("--stop-bits", type=click.IntRange(1, 2), default=1, show_default=True),
+    click.option(
+        "--stop-bits",
+        type=click.IntRange(1, 2),
+        default=1,
+        show_default=True,
+        help="Stop bits of each byte.",
+    ),
     click.option(
         "--device",
         type=click.IntRange(0, 127),
         default=7,
         show_default=True,
-        help="Device number, used with the expanded protocol.",
+        help="Device number, for the expanded protocol.",
     ),
     click.option(
         "--protocol",
         type=click.Choice(["compact", "expanded"]),
         default="compact",
         show_default=True,
-        help="Expanded (Pololu) packets reach one board of several.",
+        help="expanded (Pololu) addresses one board of several.",
     ),
     timeout_option,
 )
 
 
 def link_options(function: FunctionT) -> FunctionT:
-    """Add the options that say how to reach the board."""
+    """Add the options with which a board is reached."""
     for option in reversed(_LINK_OPTIONS):
         function = option(function)
     return function
 
 
 def link_settings(options: Mapping[str, Any], url: str | None = None) -> ConnectionSettings:
-    """Make link settings of the common options.
-
-    Raises:
-        Usage: they contradict each other, or there is no port.
-    """
+    """Make settings of the common options; UsageError if they contradict each other."""
     url = url or required_port(options["port"])
     if options["crc"] and options["parity"] != "none":
         raise UsageError("A TReX has either CRC or parity, not both.")
-    detection = {"none": Detection.NONE, "even": Detection.EVEN, "odd": Detection.ODD}
-    line = LineSettings(
-        options["baud"],
-        Detection.CRC7 if options["crc"] else detection[options["parity"]],
-        options["stop_bits"],
-    )
+    detection = Detection["CRC7" if options["crc"] else options["parity"].upper()]
+    line = LineSettings(options["baud"], detection, options["stop_bits"])
     number = options["device"] if options["protocol"] == "expanded" else None
     try:
         line.to_wire()
@@ -134,17 +134,12 @@ def as_options(settings: ConnectionSettings) -> str:
     """Return link settings as options of this program, to paste behind a command."""
     line = settings.line
     words = [f"--port {settings.url}", f"--baud {line.baud}"]
-    match line.detection:
-        case Detection.EVEN:
-            words.append("--parity even")
-        case Detection.ODD:
-            words.append("--parity odd")
-        case Detection.CRC7:
-            words.append("--crc")
-            if settings.polynomial != ConnectionSettings("").polynomial:
-                words.append(f"--polynomial {settings.polynomial:02X}")
-        case _:
-            pass
+    if line.has_crc:
+        words.append("--crc")
+        if settings.polynomial != DEFAULT_POLYNOMIAL:
+            words.append(f"--polynomial {settings.polynomial:02X}")
+    elif line.detection is not Detection.NONE:
+        words.append(f"--parity {line.detection.name.lower()}")
     if line.stop_bits == 2:
         words.append("--stop-bits 2")
     if settings.device_number is not None:
@@ -167,7 +162,7 @@ def rounded(source: InputSource, count: int | None) -> float | None:
 
 @contextlib.contextmanager
 def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
-    """Open the line; whatever goes wrong on it ends the program with a sentence."""
+    """Open the line; any error on it ends the program with its message."""
     with refusals(), _begun(host().open_transport(settings), settings) as client:
         yield client
 
@@ -176,10 +171,7 @@ def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
 def open_line_to_change(
     settings: ConnectionSettings,
 ) -> Iterator[tuple[TrexClient, frozenset[int] | None]]:
-    """Open the line as `open_line` does; tell the baud rates that the port can do as well.
-
-    `None` in their place: nobody knows.
-    """
+    """Open the line; also yield the baud rates that the port supports, `None` if unknown."""
     with refusals():
         transport = host().open_transport(settings)
         rates = transport.rates(baud_rates())  # nothing may have been sent yet
@@ -199,12 +191,54 @@ def _begun(transport: Transport, settings: ConnectionSettings) -> Iterator[TrexC
 
 
 def identify(client: TrexClient) -> Signature:
-    """Return which board answers.
-
-    Raises:
-        NoReply, BadReply: none does; says what to look at.
-    """
+    """Return which board replies; NoReply and BadReply say what to check."""
     try:
         return query(client.request, GetSignature())
     except (NoReply, BadReply) as error:
         raise diagnose(client.settings, echo=client.echo, error=error) from error
+
+
+# --- What list and find report ----------------------------------------------------------
+
+
+def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
+    """Look at the line settings of the options only; `trexcmd find` tries the others."""
+    settings = link_settings(options, url)
+    client = TrexClient(host().open_transport(settings), settings)
+    try:
+        client.detect_echo()
+        signature = query(client.request, GetSignature())
+    except NoReply:
+        return PortAnswer("echo only" if client.echo else "no reply")
+    except BadReply as error:
+        return PortAnswer(f"no TReX: {error}")
+    finally:
+        client.close()
+    return PortAnswer(str(signature), signature.model.name, signature.firmware)
+
+
+def _describe(found: FoundBoard) -> str:
+    number = f", device number {found.device_number}" if found.device_number is not None else ""
+    side = " (RS-232 side)" if found.echo else ""
+    text = f"{found.signature} on {found.settings.text()}{number}{side}."
+    return f"{text}\n{found.note}" if found.note else text
+
+
+def _row(found: FoundBoard) -> dict[str, Any]:
+    line = found.settings.line
+    return {
+        "port": found.settings.url,
+        "product": found.signature.model.name,
+        "firmware": found.signature.firmware,
+        "baud": line.baud,
+        "detection": line.detection.name.lower(),
+        "polynomial": f"{found.settings.polynomial:02X}",
+        "stop_bits": line.stop_bits,
+        "device_number": found.device_number,
+        "echo": found.echo,
+        "note": found.note,
+        "options": as_options(found.settings),
+    }
+
+
+PORT_REPORTS = PortReports(_identify, _describe, _row)

@@ -1,7 +1,8 @@
-"""get-settings, set-settings, check-settings, diff: a board's settings as a file."""
+"""get-settings, set-settings, check-settings, diff, export: a board's settings as a file."""
 
-import json
-from dataclasses import replace
+import sys
+from dataclasses import asdict, replace
+from pathlib import Path
 from typing import Any
 
 import click
@@ -12,11 +13,12 @@ from trex_gui.core.cli import (
     ProgressLine,
     UsageError,
     json_option,
+    print_json,
     refusals,
     refuse,
     say,
 )
-from trex_gui.core.files import Finding, SettingsError, Severity
+from trex_gui.core.files import LARGEST_FILE, Finding, SettingsError, Severity, load, save
 from trex_gui.devices.trex.cli.changes import (
     keep,
     read_board,
@@ -32,24 +34,53 @@ from trex_gui.devices.trex.cli.common import (
     open_line,
     open_line_to_change,
 )
-from trex_gui.devices.trex.cli.settings_io import FILE, content_of, name_of, read_file, save_file
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
 from trex_gui.devices.trex.protocol.calibration import (
-    CALIBRATION_FIELDS,
     CALIBRATION_KEYS,
     Calibration,
     CalibrationKey,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Skipped
+from trex_gui.devices.trex.settings.code_export import Language, export_code
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.rules import Context, lint
 from trex_gui.devices.trex.settings.writer import write_settings
+
+FILE = click.Path(allow_dash=True)  # checked by `load` and `save`, with better messages
+
+
+def name_of(file: str) -> str:
+    return "standard input" if file == "-" else file
+
+
+def content_of(file: str) -> bytes:
+    if file == "-":
+        return sys.stdin.buffer.read(LARGEST_FILE + 1)
+    return load(Path(file))
+
+
+def read_file(file: str) -> Settings:
+    """Return the settings of a file and report its warnings."""
+    with refusals():
+        settings, findings = read_settings(content_of(file), name_of(file))
+    for finding in findings:
+        say(f"{name_of(file)}: {finding}")
+    return settings
+
+
+def save_file(file: str, text: str) -> None:
+    """Write a settings file, whole or not at all."""
+    if file == "-":
+        click.echo(text, nl=False)
+        return
+    with refusals():
+        save(Path(file), text)
 
 
 @click.command("get-settings")
@@ -58,8 +89,8 @@ from trex_gui.devices.trex.settings.writer import write_settings
 def get_settings(file: str, **options: Any) -> None:
     """Save the board's settings to FILE; - is standard output.
 
-    All parameters, and the calibrations of the input source in force: the board does not show
-    the others. A file that is there already is replaced.
+    All parameters, and the calibrations of the active input source: the board does not show
+    the others. An existing file is replaced.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
@@ -80,9 +111,9 @@ def get_settings(file: str, **options: Any) -> None:
 @click.argument("file", type=FILE)
 @click.option("--dry-run", is_flag=True, help="Show what would change, and write nothing.")
 def set_settings(file: str, dry_run: bool, **options: Any) -> None:
-    """Give the board the settings of FILE; - is standard input.
+    """Write the settings of FILE to the board; - is standard input.
 
-    Checks the file, keeps a snapshot of what the board stores, writes only what differs, the
+    Checks the file, saves a snapshot of what the board stores, writes only what differs, the
     serial settings last, and reads each value back. Ctrl-C ends it after the setting that is
     being written.
     """
@@ -113,10 +144,10 @@ def set_settings(file: str, dry_run: bool, **options: Any) -> None:
 @click.argument("out", required=False, type=FILE)
 @json_option
 def check_settings(file: str, out: str | None, as_json: bool) -> None:
-    """Check a settings file without a board; with OUT, write it there as it should be.
+    """Check a settings file without a board; with OUT, write the repaired file there.
 
-    Says on standard error what is wrong, line by line; - is standard input or output. Comments
-    and order stay; only repairable faults are changed, such as a last line without an end.
+    Lists errors and warnings by line on standard error; - is standard input or output. Comments
+    and order are kept; only repairable faults are changed, such as a last line without an end.
     """
     if as_json and out == "-":
         raise UsageError("--json and OUT cannot both have standard output.")
@@ -135,22 +166,13 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
     if as_json:
         report = {
             "usable": settings is not None,
-            "findings": [
-                {
-                    "line": finding.line,
-                    "key": finding.key,
-                    "severity": finding.severity.value,
-                    "code": finding.code,
-                    "message": finding.message,
-                }
-                for finding in findings
-            ],
+            "findings": [asdict(finding) for finding in findings],
             "warnings": [
                 {"rule": found.rule, "keys": list(found.keys), "message": found.message}
                 for found in lint_findings
             ],
         }
-        click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+        print_json(report)
     if settings is None:
         errors = sum(finding.severity is Severity.ERROR for finding in findings)
         refuse(f"{name_of(file)} has {errors} error{'' if errors == 1 else 's'}.")
@@ -159,7 +181,6 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
 
 
 def _repaired(data: bytes, settings: Settings) -> str:
-    """Return the corrected text of a file with the user's comments and order."""
     try:
         text = amend(data.decode("utf-8"), settings)
     except SettingsError as error:
@@ -178,7 +199,7 @@ def _repaired(data: bytes, settings: Settings) -> str:
 def diff(first: str, second: str | None, as_json: bool, **options: Any) -> None:
     """Show how the second FILE differs from the first, or FILE from the board.
 
-    Prints nothing when they are equal; old values stand left of new ones.
+    Prints nothing if they are equal; old values are left of new ones.
     """
     if second is not None:
         before, after = read_file(first), read_file(second)
@@ -198,9 +219,8 @@ def diff(first: str, second: str | None, as_json: bool, **options: Any) -> None:
     result = compare(before, after)
     say(f"{result.summary()}.")
     if as_json:
-        rows = [_json_row(row) for row in result.differing]
-        report = {"differing": rows, "left_out": list(result.left_out)}
-        click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+        rows = [asdict(row) for row in result.differing]
+        print_json({"differing": rows, "left_out": list(result.left_out)})
     else:
         _print(result)
 
@@ -228,14 +248,14 @@ def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
 
 
 def _visible(wanted: Settings, state: DeviceState) -> Settings:
-    """Leave out the calibrations that the board neither shows nor takes now."""
+    """Leave out the calibrations of the other input source, which the board does not show."""
     given = wanted.calibrations
     kept = {key: found for key, found in given.items() if key.source is state.source}
     if len(kept) < len(given):
         others = ", ".join(key for key in CalibrationKey if key in given.keys() - kept)
         say(
             f"Warning: {others} left out: only the calibrations for {state.source.value} inputs, "
-            "the ones in force, can be read and written."
+            "the active ones, can be read and written."
         )
     return replace(wanted, calibrations=kept)
 
@@ -286,25 +306,32 @@ def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:
         say(f"Not tried{after}: {', '.join(untried)}.")
 
 
-# --- Differences ------------------------------------------------------------------------
-
-
 def _print(result: Comparison) -> None:
     if text := result.report():
         click.echo(text)
 
 
-def _json_row(row: ComparisonRow) -> dict[str, Any]:
-    def plain(value: int | Calibration | None) -> Any:
-        if isinstance(value, Calibration):
-            return {name: getattr(value, name) for name in CALIBRATION_FIELDS}
-        return value
+@click.command()
+@link_options
+@click.option(
+    "--as",
+    "language",
+    type=click.Choice([language.value for language in Language]),
+    required=True,
+    help="Language of the program.",
+)
+@click.argument("file", type=FILE)
+def export(file: str, language: str, **options: Any) -> None:
+    """Write a program to FILE that stores these settings in a board; - is standard output.
 
-    return {
-        "key": row.key,
-        "name": row.name,
-        "before": plain(row.before),
-        "after": plain(row.after),
-        "text_before": row.text_before,
-        "text_after": row.text_after,
-    }
+    The program verifies what it stores, uses the line settings of this connection, and has
+    functions to drive and to stop the motors.
+    """
+    link = link_settings(options)
+    with open_line(link) as client:
+        identify(client)
+        state = read_board(client)
+        text = export_code(settings_of(state), link, Language(language))
+    save_file(file, text)
+    if file != "-":
+        say(f"{Language(language).title} for the {state.signature} saved to {file}.")

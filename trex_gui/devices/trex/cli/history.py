@@ -1,16 +1,16 @@
-"""history: what boards stored before each change, listed, shown, compared."""
+"""history: the snapshots of settings, listed, shown, compared."""
 
-import json
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli import UsageError, json_option, refusals, refuse, say
+from trex_gui.core.cli import UsageError, json_option, print_json, refusals, refuse, say
 from trex_gui.devices.trex.cli.common import link_options
-from trex_gui.devices.trex.cli.settings_io import read_file
-from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS, CalibrationKey
+from trex_gui.devices.trex.cli.files import read_file
+from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 
 
@@ -44,7 +44,7 @@ def history(ctx: click.Context, as_json: bool) -> None:
     if ctx.invoked_subcommand is None:
         _list(as_json)
     elif as_json:
-        raise UsageError(f"--json belongs behind {ctx.invoked_subcommand}.")
+        raise UsageError(f"Write --json after {ctx.invoked_subcommand}.")
 
 
 def _list(as_json: bool) -> None:
@@ -54,7 +54,7 @@ def _list(as_json: bool) -> None:
         say(f"Warning: {problem}")
     if as_json:
         rows = [_json_row(number, found) for number, found in enumerate(snapshots, 1)]
-        click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
+        print_json(rows)
         return
     if not snapshots:
         say(
@@ -88,12 +88,12 @@ def show(which: str, as_json: bool) -> None:
         "firmware": settings.firmware,
         "parameters": dict(settings.parameters),
         "calibrations": {
-            key: {name: getattr(settings.calibrations[key], name) for name in CALIBRATION_FIELDS}
+            key: asdict(settings.calibrations[key])
             for key in CalibrationKey
             if key in settings.calibrations
         },
     }
-    click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+    print_json(report)
 
 
 @history.command("diff")
@@ -105,8 +105,8 @@ def show(which: str, as_json: bool) -> None:
 def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) -> None:
     """Show how the second snapshot differs from the first, or a snapshot from the board.
 
-    Prints nothing when they are equal. With the board, its values stand left, and right what
-    set-settings with this snapshot would restore.
+    Prints nothing if they are equal. The values of the board are left, those that set-settings
+    with this snapshot would restore are right.
     """
     from trex_gui.devices.trex.cli import files  # noqa: PLC0415 - the way to a board takes its time
 
@@ -127,9 +127,9 @@ def path(number: str) -> None:
 @click.argument("count", metavar="COUNT|all", required=False)
 @click.option("--yes", is_flag=True, help="Do not ask.")
 def keep(count: str | None, yes: bool) -> None:
-    """Set how many snapshots are kept, by the window too, or print how many are.
+    """Set how many snapshots are kept, also by the window, or print the number.
 
-    Asks before it removes the oldest, which are more than that.
+    Asks before it removes older ones.
     """
     history = SettingsHistory()
     if count is None:

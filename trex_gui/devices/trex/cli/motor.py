@@ -130,11 +130,6 @@ def _stop_at(settings: ConnectionSettings) -> None:
 
 
 def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpoint:
-    """Return the setpoint that the arguments describe.
-
-    Raises:
-        UsageError: there is none.
-    """
     try:
         if which == "aux":
             if brake:
@@ -175,14 +170,12 @@ class _Run:
         self._line_error: StudioError | None = None
 
     def open(self, settings: ConnectionSettings) -> Transport:
-        """Open the port for the session."""
         self._transport = host().open_transport(settings)
         return self._transport
 
     # --- The inbox ----------------------------------------------------------------------
 
     def get(self, seconds: float) -> Request | None:
-        """Return the next request of the session."""
         if self._transport is None:
             return None  # the port could not be opened
         if not self._requests and seconds > 0:
@@ -215,7 +208,6 @@ class _Run:
     # --- Reports ------------------------------------------------------------------------
 
     def take(self, report: Report) -> None:
-        """Take a report of the session."""
         match report:
             case Connected(state=state):
                 self._connected(state)
@@ -275,11 +267,7 @@ class _Run:
     # --- The end ------------------------------------------------------------------------
 
     def conclude(self) -> None:
-        """Say how it ended.
-
-        Raises:
-            CommandFailed: not as intended.
-        """
+        """Report how it ended; CommandFailed if not as intended."""
         error = self._line_error or self._stop_error
         if error is not None:
             timeout = 0.0 if self._state is None else self._state.serial_timeout

@@ -22,11 +22,7 @@ _SILENCE = 0.25
 
 
 def _bytes(words: tuple[str, ...]) -> bytes:
-    """Read bytes as people write them: `86 1F`, `861f`, `0x86, 0x1F`.
-
-    Raises:
-        Usage: they are none.
-    """
+    """Read bytes such as `86 1F`, `861f` or `0x86, 0x1F`."""
     text = " ".join(words)
     try:
         data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))

@@ -1,4 +1,4 @@
-"""get: one parameter."""
+"""get, set, restore-defaults: parameters one by one, or all."""
 
 import json
 from dataclasses import replace
@@ -6,9 +6,16 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import Interruption, json_option
+from trex_gui.core.cli import json_option, say
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.cli.changes import prepare_one, read_board, say_what_follows
+from trex_gui.devices.trex.cli.changes import (
+    change_one,
+    keep,
+    read_board,
+    require_serial_mode,
+    say_changes,
+    say_how_to_reach,
+)
 from trex_gui.devices.trex.cli.common import (
     complete_parameter,
     identify,
@@ -21,18 +28,19 @@ from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.client.writing import write_parameter
 from trex_gui.devices.trex.protocol.commands import GetParameter
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
-from trex_gui.devices.trex.settings.document import settings_of
+from trex_gui.devices.trex.protocol.parameters import (
+    ParameterKey,
+    ParameterSet,
+    ParameterSpec,
+    parameters_of,
+)
+from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.settings.document import factory_settings, settings_of
 from trex_gui.devices.trex.settings.rules import Context
 
 
 def spec_of(client: TrexClient, name: str) -> ParameterSpec:
-    """Return the parameter with a name or key, for the connected board.
-
-    Raises:
-        BadRequest: the board has none such.
-        NoReply, BadReply: no board answers.
-    """
+    """Return the parameter with a name or key, for the connected board."""
     signature = identify(client)
     return parameters_of(signature.model.key, signature.firmware)[name]
 
@@ -42,7 +50,7 @@ def spec_of(client: TrexClient, name: str) -> ParameterSpec:
 @click.argument("name", shell_complete=complete_parameter)
 @json_option
 def get_command(name: str, as_json: bool, **options: Any) -> None:
-    """Show one parameter, such as serial_timeout: wire value and what it means."""
+    """Show one parameter, such as serial_timeout: its wire value and its meaning."""
     with open_line(link_settings(options)) as client:
         spec = spec_of(client, name)
         if not spec.readable:
@@ -61,33 +69,77 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
 def set_command(name: str, value: str, **options: Any) -> None:
     """Store one parameter and read it back.
 
-    VALUE is a wire value as in settings files (15), or one with its unit or in words
-    ("1.5 s", "off"). A snapshot of what the board stores is kept first; a value that it has
-    already is not written.
+    VALUE is a wire value as in settings files (15), or a value with its unit or in words
+    ("1.5 s", "off"). Saves a snapshot of what the board stores first. Writes nothing if the board
+    has this value already.
     """
     link = link_settings(options)
     with open_line_to_change(link) as (client, rates):
         spec = spec_of(client, name)
         if not spec.readable:
             raise BadRequest(
-                f"{spec.name} is an order, not a value to store: `trexcmd restore-defaults` "
-                "shows what it would change, keeps a snapshot and asks before it gives it"
+                f"{spec.name} is a command, not a value to store: `trexcmd restore-defaults` "
+                "shows what it would change, saves a snapshot and asks first"
             )
         is_wire = value.strip().isdecimal() and len(value) < 10
         wire = spec.check(int(value)) if is_wire else spec.wire(value)
         state = read_board(client)
-        there = settings_of(state)
-        is_new = prepare_one(
+        stored = settings_of(state)
+        change_one(
+            client,
             state,
-            replace(there, parameters={**there.parameters, spec.key: wire}),
+            replace(stored, parameters={**stored.parameters, spec.key: wire}),
             Context(port_rates=rates, used_by_line=link.line),
-            link,
+            lambda: write_parameter(client.request, spec, wire),
             what=spec.name,
             command=f"trexcmd set {spec.key}",
         )
-        if is_new:
-            with Interruption():
-                write_parameter(client.request, spec, wire)
         click.echo(f"{wire}\t{spec.text(wire)}")
-        if is_new:
-            say_what_follows(client, link, state, {spec.key: wire})
+
+
+@click.command("restore-defaults")
+@link_options
+@click.option("--yes", is_flag=True, help="Do not ask.")
+def restore_defaults(yes: bool, **options: Any) -> None:
+    """Reset every parameter to its factory default.
+
+    Shows what will change and asks. The board does it when it is switched off and on. Channel
+    calibrations do not change. Saves a snapshot of what the board stores first.
+    """
+    link = link_settings(options)
+    with open_line(link) as client:
+        signature = identify(client)
+        state = read_board(client)
+        require_serial_mode(state, "Restoring the defaults")
+        specs = state.specs
+        spec = specs[ParameterKey.FACTORY_RESET]
+        stored = settings_of(state)
+        factory = factory_settings(signature.model, signature.firmware)
+        _announce(compare(stored, factory), specs)
+        if not yes:
+            question = "Reset every parameter of this board to its default?"
+            click.confirm(question, abort=True, err=True)
+        keep(stored, link, "trexcmd restore-defaults")
+        write_parameter(client.request, spec, spec.maximum)
+    line, number = (
+        specs[key].text(specs[key].default)
+        for key in (ParameterKey.UART_SETTINGS, ParameterKey.DEVICE_NUMBER)
+    )
+    say(
+        "The board accepted the reset. Switch it off and on: then every parameter has its "
+        f"default, the board runs at {line} and its device number is {number}. The channel "
+        "calibrations do not change."
+    )
+    say_how_to_reach(link, dict(factory.parameters), signature.firmware)
+
+
+def _announce(result: Comparison, specs: ParameterSet) -> None:
+    """Report the changes, and the defaults that no source confirms."""
+    if not result.changed:
+        say("Every parameter already has its default, as far as defaults are known.")
+        return
+    say(f"What will change, {result.changed} of {len(specs.readable)} parameters:")
+    say_changes(result)
+    changing = [specs[row.key] for row in result.rows if row.changed]
+    if unsure := [spec.name for spec in changing if not spec.default_confirmed]:
+        say(f"Inferred, no source confirms the default of: {', '.join(unsure)}.")

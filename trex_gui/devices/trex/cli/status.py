@@ -1,11 +1,10 @@
 """The command status."""
 
-import json
 from typing import Any
 
 import click
 
-from trex_gui.core.cli import json_option
+from trex_gui.core.cli import json_option, print_json
 from trex_gui.devices.trex.cli.common import (
     PHYSICAL_KEYS,
     identify,
@@ -49,7 +48,7 @@ def status(as_json: bool, **options: Any) -> None:
         state = read_everything(client.request)
         report = _report(client, state)
     if as_json:
-        click.echo(json.dumps(report, indent=2))
+        print_json(report)
         return
     for key, title in _TITLES.items():
         click.echo(f"{title + ':':22}{report[key]}")

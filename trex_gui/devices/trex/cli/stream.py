@@ -94,11 +94,7 @@ class _ModeChanged(Exception):  # noqa: N818 - no error, an event
 
 @contextlib.contextmanager
 def _target(file: str | None) -> Iterator[TextIO]:
-    """Open what is written to.
-
-    Raises:
-        Refused: it cannot be written.
-    """
+    """Open the file that is written to."""
     if file in {None, "-"}:
         yield sys.stdout
         return

@@ -22,7 +22,7 @@ HIGHEST_CODED = 0x3FFF
 
 
 class CalibrationKey(StrEnum):
-    """What one calibration is for: an input source and a channel; as settings files spell it."""
+    """An input source and a channel, as settings files spell them."""
 
     RC_CHANNEL_1 = "rc_channel_1"
     RC_CHANNEL_2 = "rc_channel_2"
@@ -46,12 +46,11 @@ class CalibrationKey(StrEnum):
 
     @property
     def channel(self) -> int:
-        """The channel, 1-5."""
         return int(self[-1])
 
     @property
     def label(self) -> str:
-        """The channel for the user, such as `RC channel 1`."""
+        """Name for the user, such as `RC channel 1`."""
         return f"{self.source.value} channel {self.channel}"
 
 
@@ -125,7 +124,6 @@ def encode_14_bits(value: int) -> bytes:
 
 
 def decode_14_bits(data: bytes) -> int:
-    """Undo `encode_14_bits`."""
     return data[0] & 0x7F | (data[1] & 0x7F) << 7
 
 

@@ -15,17 +15,6 @@ from trex_gui.core.resource_files import resource
 
 @dataclass(frozen=True, slots=True)
 class Model:
-    """A kind of board.
-
-    Attributes:
-        key: `trex` or `trexjr`, as in command lines.
-        signature: what its answer to 0x81 begins with.
-        signature_size: length of that answer in bytes, version included.
-        current_unit: ampere for each count of 0x8D-0x8F.
-        firmware: the versions known, oldest first.
-        highest_pwm: rating of its motor driver in Hz; `None` where no source gives it.
-    """
-
     key: str
     name: str
     part: str
@@ -72,11 +61,6 @@ class DeviceTable:
     rows: tuple[dict[str, Any], ...]
 
     def model(self, key: str) -> Model:
-        """Return the model with this key.
-
-        Raises:
-            BadRequest: there is none.
-        """
         for model in self.models:
             if model.key == key:
                 return model

@@ -114,7 +114,7 @@ class InputSource(Enum):
 
     @property
     def unit(self) -> str:
-        """The physical unit: µs or V."""
+        """`µs` or `V`."""
         return "µs" if self is InputSource.RC else "V"
 
     @property
@@ -136,7 +136,6 @@ class InputSource(Enum):
         return 1250 if self is InputSource.RC else 0
 
     def physical(self, count: float) -> float:
-        """Turn raw counts into µs or V."""
         return count / self.counts_per_unit
 
     def counts(self, physical: float) -> int:
@@ -165,7 +164,6 @@ class Mode(Enum):
 
     @property
     def source(self) -> InputSource:
-        """How the channel inputs are measured in this mode."""
         rc = self in {Mode.RC, Mode.SERIAL_RC}
         return InputSource.RC if rc else InputSource.ANALOG
 
@@ -176,11 +174,7 @@ def channels_in(mask: int) -> tuple[int, ...]:
 
 
 def channel_mask(channels: Iterable[int]) -> int:
-    """Return the byte (0-0x1F) with the bits of these channels set.
-
-    Raises:
-        BadRequest: a number is not one of 1-5.
-    """
+    """Return the byte with the bits of these channels (1-5) set."""
     mask = 0
     for channel in channels:
         if channel not in CHANNELS:
@@ -190,11 +184,7 @@ def channel_mask(channels: Iterable[int]) -> int:
 
 
 def seven_bits(value: int, what: str) -> int:
-    """Return `value` when it can be a data byte (0-127).
-
-    Raises:
-        BadRequest: it cannot; names `what`.
-    """
+    """Return `value` if it fits a data byte (0-127); else raise BadRequest naming `what`."""
     if not 0 <= value <= 0x7F:
         raise BadRequest(f"{what} is 0 to 127, not {value}")
     return value

@@ -28,11 +28,7 @@ def _table(polynomial: int) -> bytes:
 
 
 def check_polynomial(polynomial: int) -> int:
-    """Return `polynomial` when it is one (0x80-0xFF: the top bit is always 1).
-
-    Raises:
-        BadRequest: it is not.
-    """
+    """Return `polynomial` if its top bit is 1 (0x80-0xFF), else raise BadRequest."""
     if not 0x80 <= polynomial <= 0xFF:
         raise BadRequest(f"a CRC-7 polynomial is 0x80 to 0xFF, not {polynomial:#x}")
     return polynomial

@@ -30,7 +30,6 @@ _DETECTION_FIELD = 0x60
 
 
 def baud_rates() -> tuple[int, ...]:
-    """The eleven baud rates that a TReX can be set to, in the order of their codes."""
     return device_table().baud_rates
 
 
@@ -92,7 +91,6 @@ class LineSettings(SerialFormat):
 
     @property
     def has_crc(self) -> bool:
-        """Whether every packet carries a CRC-7."""
         return self.detection is Detection.CRC7
 
     @property

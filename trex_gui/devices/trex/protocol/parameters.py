@@ -124,32 +124,25 @@ class ParameterSpec:
 
     @property
     def limits_confirmed(self) -> bool:
-        """Whether a source confirms the smallest and the largest value."""
         return not {"min", "max"} & self.inferred
 
     @property
     def default_confirmed(self) -> bool:
-        """Whether a source confirms the factory default."""
         return "default" not in self.inferred
 
     def problem(self, wire: int) -> str | None:
-        """Say why this wire value is not allowed; `None` when it is."""
+        """Return why this wire value is not allowed; `None` if it is."""
         if wire in self.valid:
             return None
         return f"{self.name} is {self.range_text()}, not {wire}"
 
     def check(self, wire: int) -> int:
-        """Return `wire` when it is allowed.
-
-        Raises:
-            BadRequest: it is not; names the limits.
-        """
+        """Return `wire` if it is allowed, else raise BadRequest naming the limits."""
         if problem := self.problem(wire):
             raise BadRequest(problem)
         return wire
 
     def short_range(self) -> str:
-        """The allowed values in few words, for a table."""
         match self.kind:
             case ParameterKind.CHOICE:
                 return ", ".join(self.choices.values())
@@ -162,7 +155,6 @@ class ParameterSpec:
         return f"{self.text(self.minimum)} to {self.text(self.maximum)}"
 
     def range_text(self) -> str:
-        """The allowed values in physical units."""
         match self.kind:
             case ParameterKind.CHOICE:
                 return " or ".join(f"{wire} ({word})" for wire, word in self.choices.items())
@@ -217,7 +209,6 @@ class ParameterSpec:
         return meant
 
     def _spoken_range(self) -> str:
-        """The allowed values as they are typed."""
         if self.kind is ParameterKind.CHOICE:
             return " or ".join(self.choices.values())
         if self.kind is ParameterKind.CHANNELS:
@@ -329,11 +320,7 @@ class ParameterSet:
         return tuple(spec for spec in self.specs if spec.readable)
 
     def __getitem__(self, key: str) -> ParameterSpec:
-        """Return the parameter with this key.
-
-        Raises:
-            BadRequest: there is none; guesses which one was meant.
-        """
+        """Return the parameter with this key; BadRequest with a guess if there is none."""
         wanted = key.strip().lower().replace("-", "_").replace(" ", "_")
         for spec in self.specs:
             if wanted in {spec.key, spec.name.lower().replace("-", "_").replace(" ", "_")}:
@@ -344,7 +331,6 @@ class ParameterSet:
         raise BadRequest(message)
 
     def number(self, number: int) -> ParameterSpec | None:
-        """Return the parameter with this number, if there is one."""
         return next((spec for spec in self.specs if spec.number == number), None)
 
 
@@ -367,11 +353,7 @@ def parameters_of(model_key: str, firmware: str) -> ParameterSet:
 
 @cache
 def parameter_number(key: str) -> int:
-    """Return the number of a parameter, which is the same for every model.
-
-    Raises:
-        BadRequest: the table has no such parameter.
-    """
+    """Return the number of a parameter, which is the same for every model."""
     for row in device_table().rows:
         if row["key"] == key:
             number: int = row["number"]
