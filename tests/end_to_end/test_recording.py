@@ -271,7 +271,7 @@ def test_shutdown_while_recording_loads_ends_its_thread(
     trex(window.program).workspace.recordings.open_file(tmp_path / "hour.trexrec")
     (opened,) = trex(window.program).workspace.recordings.windows
     thread = WidgetDriver(opened, window.qtbot).find_only(QThread)
-    window.wait(lambda: opened.playback.progress > 0)
+    window.wait(lambda: opened.playback.share > 0)
     assert thread.isRunning()
     assert window.program.shut_down()
     assert thread.isFinished()

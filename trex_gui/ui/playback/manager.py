@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QLabel, QSizePolicy, QWidget
 from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import SUFFIX
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.playback.formats import size_text, time_text
+from trex_gui.ui.playback.transport import size_text, time_text
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
@@ -98,8 +98,6 @@ class RecordIndicator(QWidget):
 
 
 class _RecordingDrop(FileDrop):
-    """Takes recordings while its workspace is shown."""
-
     def __init__(self, frame: QWidget, workspace: QWidget) -> None:
         super().__init__(frame, _DROPPED_SUFFIXES)
         self._workspace = workspace
@@ -175,14 +173,13 @@ class RecordingManager(QObject, Generic[WindowT]):
         raise NotImplementedError
 
     def toggle(self) -> None:
-        """End the current recording, or choose a file and start one."""
+        """End the recording, or choose a file and start one."""
         if self.recorder.recording:
             self.recorder.stop()
         else:
             self.choose_and_record()
 
     def choose_and_record(self) -> None:
-        """Let the user choose a file and record into it."""
         stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
         proposal = self._folder() / f"{self._texts.stem}_{stamp}{SUFFIX}"
         chosen, _ = QFileDialog.getSaveFileName(
@@ -195,7 +192,6 @@ class RecordingManager(QObject, Generic[WindowT]):
             self.record(path)
 
     def record(self, path: Path) -> None:
-        """Record into a file."""
         if any(window.player.path == path for window in self.windows):
             text = self.tr("{0} is open; close its window before recording over it.")
             self._notifier.error.emit(text.format(path.name))
@@ -205,7 +201,6 @@ class RecordingManager(QObject, Generic[WindowT]):
             self._notifier.error.emit(self._texts.unavailable)
 
     def choose_and_open(self) -> None:
-        """Let the user choose a recording and open it."""
         path, _ = QFileDialog.getOpenFileName(
             self._window, self.tr("Open recording"), str(self._folder()), self._filter()
         )
@@ -214,7 +209,7 @@ class RecordingManager(QObject, Generic[WindowT]):
 
     @Slot(object)
     def open_file(self, path: Path) -> None:
-        """Open a recording in a window of its own, or activate the window that shows it."""
+        """Open a recording in its own window, or activate the window that shows it."""
         for window in self.windows:
             if window.player.path == path:
                 window.show()
@@ -231,7 +226,6 @@ class RecordingManager(QObject, Generic[WindowT]):
         window.show()
 
     def close_all(self) -> None:
-        """End the recording and close every window."""
         self.recorder.shut_down()
         for window in tuple(self.windows):
             window.close()
@@ -241,9 +235,9 @@ class RecordingManager(QObject, Generic[WindowT]):
 
         Return whether every thread has ended; Qt aborts when a running thread is destroyed.
         """
-        ended = [self.recorder.shut_down()]
-        ended += [window.player.close() for window in self.windows]
-        return all(ended)
+        ends = [self.recorder.shut_down()]
+        ends += [window.player.close() for window in self.windows]
+        return all(ends)
 
     def _forget(self, window: WindowT) -> None:
         if window in self.windows:
@@ -267,7 +261,7 @@ class RecordingManager(QObject, Generic[WindowT]):
 
     @Slot()
     def _on_changed(self) -> None:
-        """Pass on only what menus depend on; the recorder reports every kilobyte."""
+        """Report only what menus depend on; the recorder reports every kilobyte."""
         state = (self.recorder.recording, self.recorder.can_record)
         if state != self._last:
             self._last = state

@@ -15,7 +15,7 @@ from trex_gui.core.recording.kinds import HeaderT, Marker, RecordingError, Recor
 from trex_gui.core.recording.replay import Replay, StateT
 from trex_gui.core.recording.store import Recording
 from trex_gui.ui.event_log import Event, EventKind
-from trex_gui.ui.playback.cursor import PlaybackCursor
+from trex_gui.ui.playback.transport import PlaybackCursor
 from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
@@ -31,7 +31,7 @@ class Curves(Generic[RecordT, StateT]):
     Attributes:
         columns: number of curves.
         rows_of: takes records into a state; returns rows (time in s, a value for each curve).
-        max_rows: rows kept; the last ones.
+        max_rows: rows kept, the last ones.
         max_gap: seconds without a row that interrupt a curve.
     """
 
@@ -43,7 +43,7 @@ class Curves(Generic[RecordT, StateT]):
 
 @dataclass(frozen=True, slots=True)
 class LoadedRecording(Generic[HeaderT, RecordT, StateT]):
-    """A recording after loading, which its receiver owns.
+    """A recording after loading.
 
     Attributes:
         events: in order of time.
@@ -116,6 +116,9 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
 
     Before it is loaded only the header is known.
 
+    Attributes:
+        share: of loading or exporting that is done, 0 to 1.
+
     Signals:
         loaded: all of it was read.
         exported: a span was written; its `Path`.
@@ -145,13 +148,12 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         self._rows = 0
         self._history = SampleHistory(curves.columns, capacity=4096)
         self._traces: Traces | None = None
-        self._share = 0.0
+        self.share = 0.0
         self._task = FileTask(self)
         self._task.progressed.connect(self._on_progressed)
         self._task.done.connect(self._on_done)
 
     def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
-        """Return the curves of a history."""
         raise NotImplementedError
 
     def close(self) -> bool:
@@ -170,27 +172,13 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
 
     @property
     def problems(self) -> Sequence[str]:
-        """Missing and damaged parts, as sentences."""
+        """Sentences about missing and damaged parts."""
         return self._recording.problems if self.is_loaded else ()
 
     @property
-    def is_loaded(self) -> bool:
-        return self._replay is not None
-
-    @property
-    def is_exporting(self) -> bool:
-        """Whether an export is running."""
-        return self.is_loaded and self._task.is_running
-
-    @property
-    def progress(self) -> float:
-        """Share that was loaded, 0 to 1."""
-        return 1.0 if self.is_loaded else self._share
-
-    @property
-    def working(self) -> float | None:
-        """Share of loading or exporting that is done, 0 to 1; `None` while idle."""
-        return self._share if self._task.is_running else None
+    def is_busy(self) -> bool:
+        """Whether it is being loaded or exported."""
+        return self._task.is_running
 
     @property
     def traces(self) -> Traces:
@@ -205,7 +193,6 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         return len(self._history), self._rows
 
     def state(self) -> StateT:
-        """Return what was known at the position."""
         return self.state_at(self.position)
 
     def state_at(self, time: float) -> StateT:
@@ -224,17 +211,16 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         return partial(load_recording, self._recording, self._initial, self._curves)
 
     def start_loading(self) -> None:
-        """Load it in a thread."""
         self._begin(self.loader())
 
     def export_header(self, start: float) -> dict[str, Value]:
-        """Return the header of an export that starts at a time."""
-        del start
+        """Return the header of an export that begins at a time."""
+        del start  # a device adds its settings at that time
         return {"device": self._recording.format.device, **self.header.values()}
 
     def export(self, path: Path, start: float, end: float) -> None:
         """Write a span as CSV or MCAP; ends in `exported` or `failed` unless cancelled."""
-        if self.is_loaded and not self._task.is_running:
+        if self.is_loaded and not self.is_busy:
             span, header = (start, end), self.export_header(start)
             self._begin(partial(_export, self._recording, path, span, header))
 
@@ -243,12 +229,12 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         self._task.cancel()
 
     def _begin(self, work: Callable[[ProgressCallback], object]) -> None:
-        self._share = 0.0
+        self.share = 0.0
         self._task.start(work)
 
     @Slot(float)
     def _on_progressed(self, share: float) -> None:
-        self._share = share
+        self.share = share
         self.progressed.emit()
 
     @Slot(object)
@@ -263,7 +249,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
             self.progressed.emit()
 
     def _take(self, loaded: LoadedRecording[HeaderT, RecordT, StateT]) -> None:
-        self._replay = loaded.replay
+        self._replay, self.is_loaded, self.share = loaded.replay, True, 1.0
         self._history, self._rows = loaded.history, loaded.rows
         self.events = loaded.events
         self._traces = None

@@ -1,15 +1,88 @@
-"""Playback controls: play, time slider, speed."""
+"""A position in a recording, moved by the user or by playing, and its controls."""
 
-from PySide6.QtCore import QSignalBlocker, Qt, Slot
+from PySide6.QtCore import QLocale, QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QSlider, QWidget
 
-from trex_gui.ui.playback.cursor import SPEEDS, PlaybackCursor
-from trex_gui.ui.playback.formats import time_text
+from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets import builders
 
+SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
+
+_FRAME_MS = 33
+
 _PER_SECOND = 100
 """Slider steps per second: about the rate of the samples."""
+
+
+class PlaybackCursor(QObject):
+    """A position between `start` and `end`; all times are on the session's clock (s).
+
+    Attributes:
+        is_loaded: whether `end` is known.
+
+    Signals:
+        progressed: `end` may have changed.
+        moved: `position`.
+        playing_changed: `playing` or `speed`.
+    """
+
+    progressed = Signal()
+    moved = Signal()
+    playing_changed = Signal()
+
+    def __init__(self, start: float, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.start = self.end = self.position = start
+        self.speed = 1.0
+        self.is_loaded = False
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_FRAME_MS)
+        self._last_frame = 0.0
+
+        self._timer.timeout.connect(self._on_frame)
+
+    @property
+    def playing(self) -> bool:
+        return self._timer.isActive()
+
+    def set_position(self, time: float) -> None:
+        """Move to the nearest time within the recording."""
+        time = max(self.start, min(self.end, time))
+        if time != self.position:
+            self.position = time
+            self.moved.emit()
+
+    def play(self) -> None:
+        """Play on; from the start again at the end."""
+        if self.position >= self.end:
+            self.set_position(self.start)
+        self._last_frame = now()
+        self._timer.start()
+        self.playing_changed.emit()
+
+    def pause(self) -> None:
+        if self.playing:
+            self._timer.stop()
+            self.playing_changed.emit()
+
+    def set_speed(self, speed: float) -> None:
+        """Set a positive playback speed; 1 is real time."""
+        if speed <= 0:
+            raise ValueError(f"playback speed {speed} is not positive")
+        self.speed = speed
+        self.playing_changed.emit()
+
+    def advance(self, seconds: float) -> None:
+        """Play for so many seconds of real time."""
+        self.set_position(self.position + seconds * self.speed)
+        if self.position >= self.end and self.is_loaded:
+            self.pause()
+
+    @Slot()
+    def _on_frame(self) -> None:
+        before, self._last_frame = self._last_frame, now()
+        self.advance(self._last_frame - before)
 
 
 class TransportBar(QWidget):
@@ -50,7 +123,6 @@ class TransportBar(QWidget):
 
     @Slot()
     def toggle(self) -> None:
-        """Play or pause."""
         if self._playback.playing:
             self._playback.pause()
         else:
@@ -90,3 +162,17 @@ class TransportBar(QWidget):
         playing = self._playback.playing
         self._play.setText(self.tr("&Pause") if playing else self.tr("&Play"))
         set_icon(self._play, "pause" if playing else "run")
+
+
+def size_text(size: int) -> str:
+    """Return a number of bytes in kB or MB."""
+    kind = QLocale.DataSizeFormat.DataSizeSIFormat
+    return QLocale().formattedDataSize(size, 1 if size >= 1_000_000 else 0, kind)
+
+
+def time_text(seconds: float, *, tenths: bool = False) -> str:
+    """Return seconds as `0:01:05` or `0:01:05.3`."""
+    count = int(seconds * 10 + 1e-6)
+    whole, part = divmod(count, 10)
+    text = f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"
+    return f"{text}.{part}" if tenths else text

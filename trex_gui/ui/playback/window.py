@@ -1,4 +1,4 @@
-"""Window that shows a recording: curves, events, values at the position, playback and export."""
+"""Window of a recording: curves, events, playback and export."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -11,9 +11,8 @@ from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QSplitter,
 from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.player import RecordingPlayer
-from trex_gui.ui.playback.transport import TransportBar
+from trex_gui.ui.playback.transport import TransportBar, time_text
 from trex_gui.ui.plotting.export import ExportButton
 from trex_gui.ui.plotting.figures import EventList
 from trex_gui.ui.plotting.plot import TracePlot
@@ -150,43 +149,35 @@ class RecordingWindow(QMainWindow):
         if self.player.is_loaded:
             self._on_loaded()
 
-    # --- Defined by the windows of a device ---------------------------------------------
+    # --- For each device ----------------------------------------------------------------
 
     def device_text(self) -> str:
-        """Return the name of the recorded device."""
         raise NotImplementedError
 
     @Slot()
     def update_figures(self) -> None:
-        """Update what depends on the span and the cursor of the plot."""
+        """Update what depends on the span and the cursor; nothing by default."""
 
     @Slot()
     def update_state(self) -> None:
-        """Update heading, progress and buttons."""
         player = self.player
         self._heading.setText(self._heading_text())
         for button in (self._show_all, self._picture):
             button.setEnabled(player.is_loaded)
-        self._export.setEnabled(player.is_loaded and not player.is_exporting)
-        share = player.working
-        self._progress.setVisible(share is not None)
-        self._cancel.setVisible(share is not None)
-        if share is not None:
-            exporting = player.is_exporting
-            self._progress.setValue(round(100 * share))
-            self._progress.setFormat(
-                self.tr("Exporting, %p %") if exporting else self.tr("Reading, %p %")
-            )
+        self._export.setEnabled(player.is_loaded and not player.is_busy)
+        self._progress.setVisible(player.is_busy)
+        self._cancel.setVisible(player.is_busy)
+        self._progress.setValue(round(100 * player.share))
+        text = self.tr("Exporting, %p %") if player.is_loaded else self.tr("Reading, %p %")
+        self._progress.setFormat(text)
 
     def show_curves(self) -> None:
-        """Show the curves after loading."""
         self.plot.set_source(self.player.traces)
 
     # --- Loading and exporting ----------------------------------------------------------
 
     @Slot()
     def show_all(self) -> None:
-        """Show the whole recording in the plot."""
         player = self.player
         self.plot.origin = player.start
         self.plot.show_span(player.start, max(player.end, player.start + 1.0))

@@ -142,7 +142,7 @@ def test_program_exit_ends_recording_loader_thread(
     aracna(window.program).workspace.recordings.open_file(path)
     [playback] = opened(window)
     thread = recordings.loader_thread(playback.playback)
-    window.wait(lambda: playback.playback.progress > 0)
+    window.wait(lambda: playback.playback.share > 0)
     assert thread.isRunning()
     window.wait(window.program.shut_down)
     assert not isValid(thread) or thread.isFinished()

@@ -189,7 +189,7 @@ def test_close_while_loading_ends_thread(
     signals: list[str] = []
     playback.loaded.connect(lambda: signals.append("loaded"))
     playback.failed.connect(signals.append)
-    qtbot.waitUntil(lambda: playback.progress > 0, timeout=LONG_TIMEOUT)
+    qtbot.waitUntil(lambda: playback.share > 0, timeout=LONG_TIMEOUT)
     assert thread.isRunning()
     qtbot.waitUntil(playback.close, timeout=LONG_TIMEOUT)
     assert not isValid(thread) or thread.isFinished()

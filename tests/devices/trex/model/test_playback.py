@@ -66,7 +66,7 @@ def test_progress_of_reading_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     playback = Playback.open(tmp_path / "a.trexrec")
     assert not playback.is_loaded
     shares: list[float] = []
-    playback.progressed.connect(lambda: shares.append(playback.progress))
+    playback.progressed.connect(lambda: shares.append(playback.share))
     with qtbot.waitSignal(playback.loaded, timeout=20_000):
         pass
     assert shares == sorted(shares)
@@ -208,7 +208,7 @@ def test_span_is_exported_as_csv_or_fails_with_a_reason(
     with qtbot.waitSignal(minute.failed) as failed:
         minute.export(tmp_path / "none" / "span.csv", T0, T0 + 1)
     assert "cannot be written: No such file" in failed.args[0]
-    assert not minute.is_exporting
+    assert not minute.is_busy
 
 
 def test_export_header_has_the_settings_at_its_start(tmp_path: Path, qtbot: QtBot) -> None:
@@ -287,7 +287,7 @@ def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
     begin = now()
     playback = Playback.open(hour)
     opened = now()
-    qtbot.waitUntil(lambda: playback.progress > 0.2, timeout=120_000)
+    qtbot.waitUntil(lambda: playback.share > 0.2, timeout=120_000)
     looked_through = now()
     with qtbot.waitSignal(playback.loaded, timeout=240_000):
         pass
@@ -324,7 +324,7 @@ def test_close_while_reading_ends_the_thread(
 ) -> None:
     playback = Playback.open(hour)
     (thread,) = started_workers
-    qtbot.waitUntil(lambda: playback.progress > 0)
+    qtbot.waitUntil(lambda: playback.share > 0)
     signals: list[str] = []
     playback.loaded.connect(lambda: signals.append("loaded"))
     playback.failed.connect(signals.append)
@@ -380,7 +380,6 @@ def is_cancelled(path: Path, playback: Playback, qtbot: QtBot, how: str) -> bool
     had_begun = bool(list(path.parent.glob(".span.csv.*.tmp")))
     getattr(playback, how)()
     qtbot.waitUntil(lambda: not list(path.parent.glob(".span.csv.*")))
-    qtbot.waitUntil(lambda: playback.working is None)
-    assert not playback.is_exporting
+    qtbot.waitUntil(lambda: not playback.is_busy)
     playback.close()
     return had_begun and done == []

@@ -34,7 +34,7 @@ from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.recording import Record, SetpointRecord, SettingsSnapshot
 from trex_gui.devices.trex.views.playback import PlaybackWindow
-from trex_gui.ui.playback.formats import size_text, time_text
+from trex_gui.ui.playback.transport import size_text, time_text
 from trex_gui.ui.plotting.plot import TracePlot
 
 T0 = HEADER.clock

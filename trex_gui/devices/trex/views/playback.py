@@ -9,7 +9,7 @@ from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.recording import BoardSnapshot
 from trex_gui.devices.trex.views.action_bar import StopButton
-from trex_gui.ui.playback.formats import time_text
+from trex_gui.ui.playback.transport import time_text
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.plotting.figures import TraceColumn, TraceTable, TraceTableView
 from trex_gui.ui.widgets import builders
