@@ -18,5 +18,5 @@ ARACNA = DevicePlugin(
             Lazy(f"{_HERE}.cli.commands:aracna"), "Query an Aracna, move it, play its poses."
         ),
     },
-    simulator=Lazy(f"{_HERE}.simulator.command:SIMULATOR"),
+    simulator=Lazy(f"{_HERE}.simulator.control:SIMULATOR"),
 )

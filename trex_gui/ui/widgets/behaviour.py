@@ -1,4 +1,4 @@
-"""Behaviour that widgets share: focus frame, header names, held controls, no work while hidden."""
+"""Behaviour that widgets share: focus frame, header names, held controls, typed values."""
 
 from collections.abc import Callable
 from functools import wraps
@@ -6,7 +6,13 @@ from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QFocusEvent, QPainter, QPaintEvent
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QWidget
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QAbstractSpinBox,
+    QApplication,
+    QHeaderView,
+    QWidget,
+)
 
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.theme import theme
@@ -126,3 +132,26 @@ def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], No
             slot(widget)
 
     return guarded
+
+
+def take_typed() -> None:
+    """Commit the text of the focused spin box or cell.
+
+    It does so by itself when it loses the focus. But a shortcut or a menu does not take the focus,
+    nor does a button on a Mac.
+    """
+    box = QApplication.focusWidget()
+    if box is None:
+        return
+    if (view := _view_of(box)) is not None:
+        view.setFocus()  # the editor of a cell commits when it loses the focus
+    elif isinstance(box, QAbstractSpinBox):
+        box.interpretText()
+
+
+def _view_of(editor: QWidget) -> QAbstractItemView | None:
+    viewport = editor.parentWidget()
+    view = viewport.parentWidget() if viewport is not None else None
+    if isinstance(view, QAbstractItemView) and view.viewport() is viewport:
+        return view
+    return None

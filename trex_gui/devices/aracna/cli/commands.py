@@ -15,14 +15,13 @@ from trex_gui.core.cli import (
     say,
     timeout_option,
 )
-from trex_gui.devices.aracna.cli import motion
-from trex_gui.devices.aracna.cli.session import CommandSession, port_settings
+from trex_gui.devices.aracna.cli.session import CommandSession, MotionSession, port_settings
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES
 from trex_gui.devices.aracna.poses.playing import blend_in, cropped, steps_of
 from trex_gui.devices.aracna.poses.ppr import read_file
 from trex_gui.devices.aracna.poses.project import Pose, Project, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
-from trex_gui.devices.aracna.session.messages import Play, Report, SpeedsHeld
+from trex_gui.devices.aracna.session.messages import Play
 
 _POSITION = click.IntRange(0, 1023)
 
@@ -67,16 +66,12 @@ def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> N
     A unit is 0.67 degrees per second; 0 is not standstill, but unlimited. Prints what the servos
     hold then. They keep it until they lose power.
     """
-    with CommandSession(port_settings(port, extra_timeout), _print_speeds) as session:
+    with CommandSession(port_settings(port, extra_timeout)) as session:
         motors = session.robot.motors
         requested = values * motors if len(values) == 1 else values
         _check_count(requested, motors, "speeds")
-        motion.report_faults(motion.set_speeds(session, requested))
-
-
-def _print_speeds(report: Report) -> None:
-    if isinstance(report, SpeedsHeld):
-        click.echo(_joined(report.held))
+        click.echo(_joined(session.set_speeds(requested)))
+    session.report_faults()
 
 
 @aracna.command()
@@ -115,20 +110,18 @@ def pose(
         raise UsageError("--file needs --pose NAME.")
     target = None if name is None else _pose_named(name, file)
     if target is None and not no_limits:
-        motion.check_limits(values)
+        _check_limits(values)
     settings = port_settings(port, extra_timeout)
-    with Interruption() as interrupted:
-        monitor = motion.MotionMonitor(interrupted)
-        with CommandSession(settings, monitor.take, interrupted.__bool__) as session:
-            motors = session.robot.motors
-            if target is None:
-                _check_count(values, motors, "positions")
-                goals = values
-            else:
-                goals = _report_crops(target, _limits(motors, lifted=no_limits))
-            moved = motion.move(session, monitor, goals, (speed,) * motors)
-    click.echo(_joined(moved.present))
-    motion.report_faults(monitor.faults)
+    with Interruption() as interrupted, MotionSession(settings, interrupted) as session:
+        motors = session.robot.motors
+        if target is None:
+            _check_count(values, motors, "positions")
+            goals = values
+        else:
+            goals = _report_crops(target, _limits(motors, lifted=no_limits))
+        present = session.move(goals, (speed,) * motors)
+    click.echo(_joined(present))
+    session.report_faults()
 
 
 @aracna.command()
@@ -165,22 +158,22 @@ def play(
     project = _read_project(file)
     sequence = _sequence_named(project, name)
     settings = port_settings(port, extra_timeout)
-    with Interruption() as interrupted:
-        monitor = motion.MotionMonitor(interrupted, motors=False)
-        with CommandSession(settings, monitor.take, interrupted.__bool__) as session:
-            limits = _limits(session.robot.motors, lifted=no_limits)
-            with refusals():
-                steps = steps_of(sequence, project.poses, limits)
-                first = blend_in(sequence, project.poses, limits)
-            for used in project.poses:
-                if used.name in {step.pose_name for step in sequence.steps}:
-                    _report_crops(used, limits)
-            request = Play(session.next_id(), steps, 0 if loop else rounds, first, time_scale=scale)
-            motion.play(session, monitor, request)
-    say("Stopped." if monitor.halted else "Played.")
-    if (moved := monitor.moved) is not None:
-        click.echo(_joined(moved.present))
-        motion.report_faults(monitor.faults)
+    with (
+        Interruption() as interrupted,
+        MotionSession(settings, interrupted, motors=False) as session,
+    ):
+        limits = _limits(session.robot.motors, lifted=no_limits)
+        with refusals():
+            steps = steps_of(sequence, project.poses, limits)
+            first = blend_in(sequence, project.poses, limits)
+        for used in project.poses:
+            if used.name in {step.pose_name for step in sequence.steps}:
+                _report_crops(used, limits)
+        session.play(Play(0, steps, 0 if loop else rounds, first, time_scale=scale))
+    say("Stopped." if session.halted else "Played.")
+    if session.moved is not None:
+        click.echo(_joined(session.moved.present))
+        session.report_faults()
 
 
 def _joined(values: tuple[int, ...]) -> str:
@@ -192,6 +185,21 @@ def _check_count(values: tuple[int, ...], motors: int, quantity: str) -> None:
         raise UsageError(
             f"The robot has {motors} motors, which need {motors} {quantity}, not {len(values)}."
         )
+
+
+def _check_limits(goals: tuple[int, ...]) -> None:
+    """Check positions against the joints' limits.
+
+    Raises:
+        UsageError: names each motor and its limits.
+    """
+    wrong = [
+        f"motor {motor} goes from {limit.low} to {limit.high}, not to {goal}"
+        for motor, (goal, limit) in enumerate(zip(goals, factory_limits(len(goals)), strict=True))
+        if not limit.allow(goal)
+    ]
+    if wrong:
+        raise UsageError(f"Joint limits: {'; '.join(wrong)}. --no-limits lifts them.")
 
 
 def _read_project(file: str) -> Project:

@@ -1,10 +1,10 @@
-"""A session driven from a command, and what list and find report of an Aracna."""
+"""Sessions driven from a command, and what list and find report of an Aracna."""
 
 import itertools
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Self
 
-from trex_gui.core.cli import CommandFailed, required_port
+from trex_gui.core.cli import CommandFailed, Interruption, required_port, say
 from trex_gui.core.discovery.prober import Evidence
 from trex_gui.core.errors import StudioError
 from trex_gui.core.host import host
@@ -13,66 +13,82 @@ from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.discovery import FoundRobot, find_aracna
+from trex_gui.devices.aracna.protocol.units import degrees
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.aracna.session.messages import (
     Connected,
+    Halt,
+    Move,
+    Moved,
+    Moving,
     NotResponding,
+    Passed,
+    Play,
     Report,
-    Request,
+    SetSpeeds,
+    SpeedsHeld,
+    StepBegun,
     Stuck,
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
+
+NEAR = 10
+"""Units off its goal within which a motor has reached it: servos stop within a margin."""
+
+NO_STOP = (
+    "Nothing on this link stops a running motion: the motors continue to their goals, "
+    "{0:.1f} s at most. Only servo power stops them. Ctrl-C again exits without waiting."
+)
 
 _CHECK_INTERVAL = 0.1
 """Seconds between two checks for an interruption."""
 
 
 def port_settings(port: str | None, extra_time: float) -> PortSettings:
-    """Return the settings of a robot's port; UsageError if no port is given."""
+    """Return the settings of a robot's port.
+
+    Raises:
+        UsageError: no port is given.
+    """
     return PortSettings(required_port(port), LINE, timeouts=Timeouts(extra=extra_time))
 
 
 class CommandSession:
-    """An open line to a robot that has answered; `robot` is its answer.
+    """An open line to a robot that has answered.
 
-    Its methods raise CommandFailed if the line is lost or the robot waits for a motor.
+    Its methods raise CommandFailed if the line is lost, or the robot waits for a motor or rejects
+    the request.
+
+    Attributes:
+        robot: its answer.
+        faults: what went wrong, as sentences.
     """
 
     robot: Connected
 
-    def __init__(
-        self,
-        settings: PortSettings,
-        on_report: Callable[[Report], None] = lambda _report: None,
-        interrupted: Callable[[], bool] = lambda: False,
-    ) -> None:
-        """Prepare a line; `interrupted` ends the attempt to connect."""
+    def __init__(self, settings: PortSettings) -> None:
         self._host = host()
         self._inbox = RequestQueue(self._host.condition())
         self._reports = RequestQueue(self._host.condition())
         self._ids = itertools.count(1)
-        self._on_report = on_report
-        self._interrupted = interrupted
         self._session = AracnaSession(
             settings, self._inbox, self._reports.put, self._host.open_transport
         )
+        self._is_connected = False
+        self.faults: list[str] = []
 
     def __enter__(self) -> Self:
         """Connect; CommandFailed if that fails or was interrupted."""
         self._join = self._host.start_thread(self._session.run)
         try:
-            for report in self._received(self._check_interruption):
+            for report in self._received():
                 if isinstance(report, Connected):
-                    self.robot = report
+                    self.robot, self._is_connected = report, True
                     break
         except BaseException:
             self._close()
             raise
         return self
-
-    def _check_interruption(self) -> None:
-        if self._interrupted():
-            raise CommandFailed("Cancelled before anything was sent.")
 
     def __exit__(self, *_: object) -> None:
         self._close()
@@ -81,44 +97,142 @@ class CommandSession:
         self._inbox.put(Close())
         self._join()
 
-    def submit(self, request: Request) -> None:
+    def set_speeds(self, speeds: Sequence[int]) -> tuple[int, ...]:
+        """Set every servo's speed, and return what the servos hold then."""
+        reply = self._result(SetSpeeds(next(self._ids), tuple(speeds)))
+        assert isinstance(reply, SpeedsHeld)  # noqa: S101 - for the type checker
+        for motor, (requested, held) in enumerate(zip(reply.requested, reply.held, strict=True)):
+            if held < 0:
+                self.faults.append(f"Motor {motor} does not answer (-1).")
+            elif held != requested:
+                self.faults.append(f"Motor {motor} holds speed {held}, not {requested}.")
+        return reply.held
+
+    def report_faults(self) -> None:
+        for fault in self.faults:
+            say(fault)
+        if self.faults:
+            raise CommandFailed("Not every motor did as commanded.")
+
+    # --- For subclasses -----------------------------------------------------------------
+
+    def _check(self) -> None:
+        """Called every tenth of a second while waiting."""
+
+    def _take(self, report: Report) -> None:
+        """Take a report."""
+
+    # --- Waiting ------------------------------------------------------------------------
+
+    def _result(self, request: SetSpeeds | Move | Play) -> object:
         self._inbox.put(request)
-
-    def next_id(self) -> int:
-        return next(self._ids)
-
-    def wait_until(self, condition: Callable[[], bool]) -> None:
         for report in self._received():
-            _check(report)
-            if condition():
-                return
-
-    def wait(self, number: int, check: Callable[[], None] = lambda: None) -> object:
-        """Return the outcome of a request; `check` is called every tenth of a second."""
-        for report in self._received(check):
             match report:
-                case Outcome(id=of, value=value, error=error) if of == number:
+                case Outcome(id=of, value=value, error=error) if of == request.id:
                     if error is not None:
                         raise CommandFailed(error) from error
                     return value
                 case _:
-                    _check(report)
+                    _raise_fault(report)
         raise AssertionError  # the reports end with `Closed`, which is an error
 
-    def _received(self, check: Callable[[], None] = lambda: None) -> Iterator[Report]:
+    def _received(self) -> Iterator[Report]:
         while True:
-            check()
+            self._check()
             report = self._reports.get(_CHECK_INTERVAL)
             if report is None:
                 continue
             if isinstance(report, Closed):
                 error = report.error or StudioError("The line was closed.")
                 raise CommandFailed(error) from error
-            self._on_report(report)
+            self._take(report)
             yield report
 
 
-def _check(report: Report) -> None:
+class MotionSession(CommandSession):
+    """Moves a robot, reports the running motion, and halts the robot on an interruption.
+
+    Attributes:
+        halted: whether the program was interrupted.
+        moved: the last complete motion.
+    """
+
+    def __init__(
+        self, settings: PortSettings, interrupted: Interruption, *, motors: bool = True
+    ) -> None:
+        """Report each motor's arrival if `motors` is set, else each step."""
+        super().__init__(settings)
+        self._interrupted = interrupted
+        self._motors = motors
+        self._reported = 0
+        self._expected = 0.0
+        self._is_moving = False
+        self.halted = False
+        self.moved: Moved | None = None
+
+    def move(self, goals: Sequence[int], speeds: Sequence[int]) -> tuple[int, ...]:
+        """Move every motor at a speed that every servo has confirmed; return where they stop."""
+        moved = self._result(Move(next(self._ids), tuple(goals), tuple(speeds)))
+        assert isinstance(moved, Moved)  # noqa: S101 - for the type checker
+        return moved.present
+
+    def play(self, play: Play) -> None:
+        """Play to the end, or until the program is interrupted and the robot has stopped moving."""
+        self._result(play)
+        for report in self._received() if self._is_moving else ():
+            _raise_fault(report)
+            if not self._is_moving:
+                break
+
+    def _check(self) -> None:
+        if not self._interrupted or self.halted:
+            return
+        if not self._is_connected:
+            raise CommandFailed("Cancelled before anything was sent.")
+        self.halted = True
+        self._inbox.put(Halt())
+        state = NO_STOP.format(self._expected) if self._is_moving else "Nothing is moving."
+        say(f"Nothing more is sent. {state}")
+
+    def _take(self, report: Report) -> None:
+        match report:
+            case Moving(expected=expected):
+                self._reported, self._is_moving, self._expected = 0, True, expected
+                if self.halted:  # it had been sent already
+                    say(NO_STOP.format(expected))
+            case Passed(present=present) if self._motors:
+                self._report_motors(present)
+            case Moved(goals=goals, present=present):
+                self._is_moving, self.moved = False, report
+                faults = _missed_goals(goals, present)
+                self.faults += [fault for fault in faults if fault not in self.faults]
+                if self._motors:
+                    self._report_motors(present)
+            case StepBegun(part=part, index=index, round=number, late=late) if not self._motors:
+                where = "blend in" if part == "in" else f"round {number + 1}, step {index + 1}"
+                say(f"{where}{f', {late:.2f} s late' if late >= 0.05 else ''}")
+            case _:
+                pass
+
+    def _report_motors(self, present: Sequence[int]) -> None:
+        for motor in range(self._reported, len(present)):
+            position = present[motor]
+            say(f"motor {motor}: {position if position >= 0 else 'could not be read (-1)'}")
+        self._reported = len(present)
+
+
+def _missed_goals(goals: Sequence[int], present: Sequence[int]) -> list[str]:
+    faults = []
+    for motor, (goal, position) in enumerate(zip(goals, present, strict=True)):
+        if position < 0:
+            faults.append(f"Motor {motor}: its position could not be read (-1).")
+        elif abs(position - goal) > NEAR:
+            off = degrees(abs(position - goal))
+            faults.append(f"Motor {motor} is at {position}, not at {goal} ({off:.0f}° off).")
+    return faults
+
+
+def _raise_fault(report: Report) -> None:
     match report:
         case Stuck(motor=None):
             raise CommandFailed(

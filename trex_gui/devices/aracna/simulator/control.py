@@ -1,9 +1,11 @@
-"""Control lines of `trex-sim --aracna`."""
+"""Options and control lines of `trex-sim --aracna`."""
 
 import json
 from collections.abc import Callable
 from functools import partial
 from typing import Any
+
+import click
 
 from trex_gui.core.simulator.control_lines import (
     SWITCH,
@@ -16,6 +18,8 @@ from trex_gui.core.simulator.control_lines import (
     show_wire,
     wire,
 )
+from trex_gui.core.simulator.plugin import Simulation, SimulatorPlugin
+from trex_gui.devices.aracna.protocol.units import MOTORS
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
@@ -166,3 +170,23 @@ _COMMANDS: dict[str, Callable[[AracnaLine, list[str]], str]] = {
     "line": _wire,
     "show": _show,
 }
+
+
+def simulate(*, motors: int | None = None, paced: bool = True, seed: int = 0) -> Simulation:
+    """Create a robot; by default it has as many motors as it can."""
+    line = AracnaLine(motors or MOTORS, paced=paced, seed=seed)
+    return Simulation(line, partial(control, line))
+
+
+SIMULATOR = SimulatorPlugin(
+    help="Simulate an Aracna instead, at 38400 8N1. "
+    "Its control lines: reset, power, servo, line, show, quit.",
+    options=(
+        click.Option(
+            ["--motors"],
+            type=click.IntRange(1, MOTORS),
+            help="Number of motors; 2 make a robot of version 0.  [default: 8]",
+        ),
+    ),
+    build=simulate,
+)

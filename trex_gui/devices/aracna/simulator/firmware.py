@@ -10,7 +10,6 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
-from trex_gui.devices.aracna.simulator import parsing
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
 BUFFER = 59
@@ -34,6 +33,14 @@ READING = 0.000875
 
 _BATCH = 0.05
 """Seconds of polls that are simulated together when none of them can be the last one."""
+
+
+_ARRAY = 4
+_SMASHED = 9
+"""Characters in a field that destroy the stack."""
+
+_UNUSED = 10
+_SEPARATORS = b",\n"
 
 
 class State(Enum):
@@ -67,6 +74,14 @@ class Receive:
 
 Request = Pause | Transmit | Receive
 Program = Generator[Request, int, None]
+
+
+class Restart(Exception):  # noqa: N818 - an event, not an error
+    """The firmware has read past the end of the line and restarts."""
+
+
+class Hang(Exception):  # noqa: N818
+    """The firmware has destroyed its stack. Real boards hang or restart; this one hangs."""
 
 
 class Firmware:
@@ -109,9 +124,9 @@ class Firmware:
                 while True:
                     line = yield from self._read_line()
                     yield from self._execute(line)
-            except parsing.Restart:
+            except Restart:
                 self.counters["restarts"] += 1
-            except parsing.Hang:
+            except Hang:
                 self.counters["hangs"] += 1
                 self.state = State.HUNG
                 yield Pause(math.inf)
@@ -149,9 +164,9 @@ class Firmware:
                 motors = f",{len(self.servos)}" if self.reports_motors else ""
                 yield from self._print(f".q{self.version}{motors}\n")
             case b"v":
-                yield from self._set_speeds(parsing.values(line, len(self.servos)))
+                yield from self._set_speeds(_values(line, len(self.servos)))
             case b"c":
-                yield from self._move(parsing.values(line, len(self.servos)))
+                yield from self._move(_values(line, len(self.servos)))
             case b"l":
                 self.led = {b"0": False, b"1": True}.get(line[2:3], self.led)
                 yield from self._print(f".l{self.led:d}\n")
@@ -201,3 +216,44 @@ class Firmware:
         r"""Send a text, with a carriage return before each newline."""
         for byte in text.replace("\n", "\r\n").encode("ascii"):
             yield Transmit(byte)
+
+
+def _values(line: bytes, motors: int) -> list[int]:
+    """Return the value of each motor, 0-65535, from a line with or without newline.
+
+    The firmware's parser does not check for the end of the line. It reads until it has met a comma
+    or newline for each motor, and collects characters in an array of four bytes without a bound.
+    Characters after the last motor's value are ignored, and so are invalid values, by the servos.
+
+    Raises:
+        Restart: a value is missing.
+        Hang: a field has nine characters or more.
+    """
+    fields: list[bytes] = []
+    begin = 2
+    for index in range(begin, len(line)):
+        if len(fields) < motors and line[index] in _SEPARATORS:
+            fields.append(line[begin:index])
+            begin = index + 1
+    if len(fields) < motors:
+        raise Restart
+    if any(len(field) >= _SMASHED for field in fields):
+        raise Hang
+    return [_number(field) for field in fields]
+
+
+def _number(field: bytes) -> int:
+    """Convert a field as the firmware does.
+
+    Inferred from known values (an empty field is 10, `abc` 49, `0x1F` 721, `1e3` 633, signs and
+    points give more than 1023): the array starts as four tens, each character stores its distance
+    from "0" in eight bits, trailing non-digits count as unused, and the result has sixteen bits.
+    """
+    digits = [(byte - ord("0")) & 0xFF for byte in field[:_ARRAY]]
+    digits += [_UNUSED] * (_ARRAY - len(digits))
+    while len(digits) > 1 and digits[-1] > 9:
+        digits.pop()
+    number = 0
+    for digit in digits:
+        number = number * 10 + digit
+    return number & 0xFFFF

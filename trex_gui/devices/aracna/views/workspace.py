@@ -2,40 +2,87 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QSettings, Slot
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QVBoxLayout
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QDockWidget, QWidget
 
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.library import Library
+from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayback
+from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
 from trex_gui.devices.aracna.views.action_bar import ActionBar
 from trex_gui.devices.aracna.views.demo import RobotPanel
 from trex_gui.devices.aracna.views.help import help_text
 from trex_gui.devices.aracna.views.log_page import LogPage
-from trex_gui.devices.aracna.views.menu import menus
 from trex_gui.devices.aracna.views.poses.page import PosesPage
-from trex_gui.devices.aracna.views.recordings import AracnaRecordings
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.frame.main_window import MainWindow
-from trex_gui.ui.frame.workspace import FileKind, Menus, PageInfo, Workspace
+from trex_gui.ui.frame.workspace import (
+    SEPARATOR,
+    ActionInfo,
+    FileKind,
+    Menu,
+    Menus,
+    PageInfo,
+    Workspace,
+)
+from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 from trex_gui.ui.traffic.page import TrafficPage
+from trex_gui.ui.widgets import builders as ui
+
+if TYPE_CHECKING:
+    from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
 
 _PAGE = "aracna/page"
 
 
+class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
+    """Records a robot and owns the windows of its recordings."""
+
+    def __init__(self, robot: Robot, window: QWidget) -> None:
+        texts = RecordingTexts(
+            stem="aracna",
+            unavailable=window.tr("Nothing can be recorded: no robot is connected."),
+            open_command=window.tr("Aracna, Open recording"),
+        )
+        super().__init__(
+            AracnaRecorder(robot),
+            texts,
+            robot.notifier,
+            window,
+            store="aracna/recording",
+            prefix="aracna_",
+        )
+        self._robot = robot
+
+    def open_window(self, path: Path) -> "RobotPlaybackWindow":
+        playback = RobotPlayback.open(path)
+        # The plotting library takes as long to load as all of Qt: not before it is needed.
+        from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow  # noqa: PLC0415
+
+        return RobotPlaybackWindow(playback, self._robot)
+
+
 class AracnaWorkspace(Workspace):
-    """Everything in the window that is specific to an Aracna; has no state of the robot."""
+    """Everything in the window that is specific to an Aracna; has no state of the robot.
+
+    Attributes:
+        library: the poses and sequences.
+        recordings: records, and owns the windows of recordings.
+    """
 
     def __init__(self, controller: AracnaController, frame: MainWindow) -> None:
         robot = controller.robot
         super().__init__(controller.plugin.key, robot.notifier, frame)
         self._robot = robot
-        self._library = library = Library(robot)
+        self._controller = controller
+        self.library = Library(robot)
         self._store = QSettings(self)
-        self._was_up = False
+        self._was_connected = False
         self._actions: Mapping[str, QAction] = {}
         self._shown_actions: Mapping[str, bool] = {}
 
@@ -43,7 +90,7 @@ class AracnaWorkspace(Workspace):
         tabs.setObjectName("aracnaTabs")
         tabs.setAccessibleName(self.tr("Pages"))
         self._page = RobotPage(robot, self)
-        self._poses = PosesPage(robot, library, self)
+        self._poses = PosesPage(robot, self.library, self)
         traffic = TrafficPage(
             robot.traffic, "aracnaTranscript", self.tr("a robot"), self.notifier, self
         )
@@ -58,28 +105,22 @@ class AracnaWorkspace(Workspace):
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
         bar = ActionBar(robot, self)
-        self._controller = controller
+        ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = RobotPanel(controller, frame)
-
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(tabs, 1)
-        layout.addWidget(self.recordings.indicator)
-        layout.addWidget(bar)
+        self._slots: dict[str, Callable[[], object]] = {}
+        self._menus = self._make_menus()
 
         controller.demo_robot.rejected.connect(self.notifier.error)
-        controller.changed.connect(self._on_changed)
         self._demo.wanted_changed.connect(self._on_demo_wanted)
         robot.link_changed.connect(self._on_link_changed)
-        robot.changed.connect(self._on_changed)
-        robot.limits.changed.connect(self._on_changed)
-        self.recordings.changed.connect(self._on_changed)
-        self._undo_watch = library.undo.indexChanged.connect(self._on_changed)
-
-    @property
-    def library(self) -> Library:
-        """The poses and sequences."""
-        return self._library
+        for signal in (
+            controller.changed,
+            robot.changed,
+            robot.limits.changed,
+            self.recordings.changed,
+        ):
+            signal.connect(self._on_changed)
+        self._undo_watch = self.library.undo.indexChanged.connect(self._on_changed)
 
     @property
     def stop_text(self) -> str:
@@ -110,31 +151,68 @@ class AracnaWorkspace(Workspace):
 
     # --- Menus --------------------------------------------------------------------------
 
+    def _make_menus(self) -> Menus:
+        def entry(
+            key: str,
+            text: str,
+            slot: Callable[[], object],
+            shortcut: str | QKeySequence.StandardKey = "",
+            icon: str = "",
+            *,
+            checkable: bool = False,
+        ) -> ActionInfo:
+            self._slots[f"aracna_{key}"] = slot
+            return ActionInfo(f"aracna_{key}", text, shortcut, icon, checkable)
+
+        tr, keys = self.tr, QKeySequence.StandardKey
+        page, poses, robot = self._page, self._poses, self._robot
+        controls, files, undo = page.controls, poses.files, self.library.undo
+        record, open_recording = self.recordings.toggle, self.recordings.choose_and_open
+        return {
+            tr("&Aracna"): (
+                entry("move", tr("&Move to the sliders' goals"), page.move_now, "Ctrl+M", "run"),
+                entry("present", tr("Sliders to the &present position"), controls.take_present),
+                entry("centre", tr("Sliders to the &centre"), controls.centre),
+                entry("stand", tr("Sliders to &stand"), controls.stand),
+                SEPARATOR,
+                entry("play", tr("Pla&y the current sequence or gait"), self._play, "Ctrl+R"),
+                entry("end", tr("&End sequence after this step"), robot.end_play, "Ctrl+E"),
+                SEPARATOR,
+                entry("record", tr("&Record…"), record, "Ctrl+Shift+R", "record"),
+                entry(
+                    "open_recording", tr("Ope&n recording…"), open_recording, "Ctrl+Shift+O", "plot"
+                ),
+                SEPARATOR,
+                entry("limits", tr("Reset the joints' &limits"), robot.limits.reset),
+            ),
+            tr("P&oses"): (
+                entry("new", tr("&New pose file"), files.new, keys.New, "new"),
+                entry("open", tr("&Open pose file…"), files.ask_and_open, "Ctrl+O", "open"),
+                entry("save", tr("&Save pose file"), files.save, "Ctrl+S", "save"),
+                entry("save_as", tr("Save pose file &as…"), files.ask_and_save),
+                SEPARATOR,
+                entry("undo", tr("&Undo"), undo.undo, keys.Undo, "undo"),
+                entry("redo", tr("&Redo"), undo.redo, keys.Redo, "redo"),
+                SEPARATOR,
+                entry(
+                    "capture",
+                    tr("&Capture the present position as a pose"),
+                    self._capture,
+                    "Ctrl+P",
+                ),
+            ),
+            Menu.WINDOW: (
+                *self.page_actions(),
+                SEPARATOR,
+                entry("demo", tr("&Demo Aracna panel"), self._demo.toggle, checkable=True),
+            ),
+        }
+
     def menus(self) -> Menus:
-        return menus(self.page_actions())
+        return self._menus
 
     def slots(self) -> Mapping[str, Callable[[], object]]:
-        controls, files, undo = self._page.controls, self._poses.files, self._library.undo
-        return {
-            "aracna_move": self._page.move_now,
-            "aracna_present": controls.take_present,
-            "aracna_centre": controls.centre,
-            "aracna_stand": controls.stand,
-            "aracna_play": self._play,
-            "aracna_end": self._robot.end_play,
-            "aracna_record": self.recordings.toggle,
-            "aracna_open_recording": self.recordings.choose_and_open,
-            "aracna_limits": self._robot.limits.reset,
-            **self.page_slots(),
-            "aracna_new": files.new,
-            "aracna_open": files.ask_and_open,
-            "aracna_save": files.save,
-            "aracna_save_as": files.ask_and_save,
-            "aracna_undo": undo.undo,
-            "aracna_redo": undo.redo,
-            "aracna_capture": self._capture,
-            "aracna_demo": self._demo.toggle,
-        }
+        return {**self.page_slots(), **self._slots}
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         self._actions = actions
@@ -146,7 +224,7 @@ class AracnaWorkspace(Workspace):
 
     def enabled_actions(self) -> Mapping[str, bool]:
         robot, recorder = self._robot, self.recordings.recorder
-        idle, undo = robot.state.play is None, self._library.undo
+        idle, undo = robot.state.play is None, self.library.undo
         known = any(position is not None for position in robot.state.present)
         return {
             "aracna_move": self._page.controls.can_move,
@@ -175,10 +253,10 @@ class AracnaWorkspace(Workspace):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        up = self._robot.link is ConnectionState.CONNECTED
-        if up and not self._was_up:
+        is_connected = self._robot.link is ConnectionState.CONNECTED
+        if is_connected and not self._was_connected:
             self.notifier.cleared.emit()
-        self._was_up = up
+        self._was_connected = is_connected
         self._on_changed()
 
     @Slot()
@@ -189,8 +267,8 @@ class AracnaWorkspace(Workspace):
         recording = self.recordings.recorder.recording
         text = self.tr("Stop &recording") if recording else self.tr("&Record…")
         self._actions["aracna_record"].setText(text)
-        if (enabled_actions := self.enabled_actions()) != self._shown_actions:
-            self._shown_actions = enabled_actions
+        if (enabled := self.enabled_actions()) != self._shown_actions:
+            self._shown_actions = enabled
             self.actions_changed.emit()
 
     @Slot()

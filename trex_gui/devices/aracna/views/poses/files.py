@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from trex_gui.core.files import SettingsError, Severity
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
-from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.behaviour import take_typed
 
 _FOLDER = "aracna/folder"
 

@@ -28,10 +28,9 @@ from trex_gui.devices.aracna.poses.project import (
     is_usable_in_step,
 )
 from trex_gui.devices.aracna.views.poses.name_list import NameList, paint_empty, small_button
-from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import name_headers
+from trex_gui.ui.widgets.behaviour import name_headers, take_typed
 
 _Index = QModelIndex | QPersistentModelIndex
 _LINES = 5

@@ -26,8 +26,8 @@ from trex_gui.devices.aracna.poses.project import Pose, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import Play
 from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
-from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import take_typed
 from trex_gui.ui.widgets.labels import Note
 
 _MOST_ROUNDS = 999

@@ -19,11 +19,11 @@ from trex_gui.devices.aracna.protocol.units import CENTRE
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.devices.aracna.views.robot.joint_table import JointTable
 from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
-from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import take_typed
 from trex_gui.ui.widgets.labels import Note
 
 _GAP = 8
