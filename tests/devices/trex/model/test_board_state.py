@@ -7,7 +7,6 @@ import pytest
 from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing
-from trex_gui.devices.trex.model.board_state import in_force
 from trex_gui.devices.trex.model.settings.apply import PendingReset
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
@@ -70,7 +69,7 @@ def test_write_result_gives_its_channel(what: str, channel: int | None) -> None:
 
 def test_active_values_come_from_the_line_settings() -> None:
     line = LineSettings(57600, Detection.CRC7)
-    shown = in_force(STATE, ConnectionSettings("virtual", line, polynomial=0x91))
+    shown = STATE.active_parameters(ConnectionSettings("virtual", line, polynomial=0x91))
     assert shown == {
         "uart_settings": line.to_wire(),
         "crc7_polynomial": 0x11,
@@ -79,11 +78,11 @@ def test_active_values_come_from_the_line_settings() -> None:
 
 
 def test_active_polynomial_is_unknown_without_crc7() -> None:
-    assert "crc7_polynomial" not in in_force(STATE, ConnectionSettings("virtual"))
+    assert "crc7_polynomial" not in STATE.active_parameters(ConnectionSettings("virtual"))
 
 
 def test_active_input_source_is_unknown_outside_serial_mode() -> None:
-    assert in_force(replace(STATE, mode=Mode.ANALOG), None) == {}
+    assert replace(STATE, mode=Mode.ANALOG).active_parameters(None) == {}
 
 
 # --- The order to reset -----------------------------------------------------------------

@@ -20,6 +20,7 @@ from trex_gui.devices.trex.protocol.commands import (
     ReplyT_co,
     Signature,
 )
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet, parameters_of
 
@@ -67,6 +68,21 @@ class DeviceState:
     def source(self) -> InputSource:
         """The input source that `calibrations` belong to."""
         return self.mode.source
+
+    def active_parameters(self, connection: ConnectionSettings | None) -> dict[str, int]:
+        """Return active wire values of parameters that need a power cycle, as far as known.
+
+        The connection shows the UART settings, the mode the input source; the stored values may
+        differ until the next power cycle.
+        """
+        active: dict[str, int] = {}
+        if connection is not None:
+            active[ParameterKey.UART_SETTINGS] = connection.line.to_wire()
+            if connection.framing.polynomial is not None:
+                active[ParameterKey.CRC7_POLYNOMIAL] = connection.polynomial & 0x7F
+        if self.mode.is_serial:
+            active[ParameterKey.CHANNEL_INPUT_SOURCE] = int(self.source is InputSource.ANALOG)
+        return active
 
 
 def no_progress(done: int, total: int, what: str) -> None:

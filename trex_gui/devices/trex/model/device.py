@@ -4,14 +4,14 @@ from collections.abc import Callable, Collection, Mapping
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import StudioError
+from trex_gui.core.errors import StudioError, sentence
+from trex_gui.core.files import SettingsError
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.explanations import who_controls
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.board_state import in_force
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.drive_controller import DriveController, why_the_board_stopped
 from trex_gui.devices.trex.model.errors import ErrorLog
@@ -19,7 +19,7 @@ from trex_gui.devices.trex.model.event_watch import EventWatch
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.apply import Apply, PendingReset
-from trex_gui.devices.trex.model.settings.draft import EditBackup, SettingsDraft
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -35,7 +35,7 @@ from trex_gui.devices.trex.session.messages import (
     Written,
 )
 from trex_gui.devices.trex.session.reconnecting import reconnect_candidates
-from trex_gui.devices.trex.settings.document import factory_settings
+from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.event_log import EventLog
@@ -84,7 +84,6 @@ class Device(QObject):
         )
         self.events = EventLog(self)
         self._event_watch = EventWatch(self.events, self.motors, self.connection, self)
-        self._kept = EditBackup(self.history, self.notifier, self)
         self._reset_order = PendingReset()
         self.state: DeviceState | None = None
 
@@ -96,7 +95,7 @@ class Device(QObject):
         self.connection.sampled.connect(self._on_sampled)
         self.connection.failed.connect(self._on_connection_failed)
         self.driving.confirmed.connect(self.link_changed)
-        self.draft.replacing.connect(self._kept.keep)
+        self.draft.replacing.connect(self._back_up_edits)
         self._apply.written.connect(self._on_written)
         self._apply.started.connect(self.link_changed)
         self._apply.finished.connect(self._on_applied)
@@ -231,8 +230,7 @@ class Device(QObject):
         """Note that the user reports a power cycle of the board."""
         self._reset_order.forget()
         if self.state is not None:
-            self.draft.take_state(self.state, power_cycled=True)
-            self.parameters.note_active(in_force(self.state, self.settings))
+            self.draft.take_state(self.state, self.settings, power_cycled=True)
             self.state_changed.emit()
             self.link_changed.emit()
 
@@ -301,8 +299,24 @@ class Device(QObject):
             self.telemetry.begin(state.signature.model.current_unit)
         self.telemetry.serial_controls = state.serial_controls
         self._reset_order.note_read(state.parameters, power_cycled=occasion.power_cycled)
-        self.draft.take_state(state, power_cycled=occasion.power_cycled)
-        self.parameters.note_active(in_force(state, report.settings))
+        self.draft.take_state(state, report.settings, power_cycled=occasion.power_cycled)
+
+    @Slot(object)
+    def _back_up_edits(self, shown: Settings) -> None:
+        """Save edits that another kind of board replaces."""
+        name = f"{shown.product.name} {shown.firmware or ''}".strip()
+        reason = self.tr("another board; with edits that were not applied")
+        try:
+            self.history.take(shown, adapter="", reason=reason)
+        except SettingsError as error:
+            text = self.tr("The edits for the previous {0} could not be saved. {1}")
+            self.notifier.error.emit(text.format(name, sentence(error)))
+            return
+        text = self.tr(
+            "The settings of the previous {0}, with the edits that were not applied, are kept in "
+            "File, History."
+        )
+        self.notifier.delayed_info.emit(text.format(name))
 
     @Slot(object)
     def _on_written(self, written: Written) -> None:

@@ -19,17 +19,13 @@ class SettingsLinter(QObject):
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.findings: tuple[LintFinding, ...] = ()
         self._draft = draft
-        self._findings: tuple[LintFinding, ...] = ()
         self._context: Context | None = Context()
 
         draft.loaded.connect(self._on_changed)
         draft.pending_changed.connect(self._on_changed)
         self._on_changed()
-
-    @property
-    def findings(self) -> tuple[LintFinding, ...]:
-        return self._findings
 
     def set_context(self, context: Context | None) -> None:
         """Set the facts beside the settings; `None` switches the check off."""
@@ -50,8 +46,8 @@ class SettingsLinter(QObject):
         shown = self._draft.shown
         if shown is not None and self._context is not None:
             findings = lint(shown, self._context)
-        if findings != self._findings:
-            self._findings = findings
+        if findings != self.findings:
+            self.findings = findings
             self.changed.emit()
 
 

@@ -103,8 +103,8 @@ def test_edit_is_kept_while_the_other_source_is_active(model: Calibrations) -> N
     model.load("trex", InputSource.RC, stored(InputSource.RC))
     seen.append((model.pending, model.out_of_reach))
     assert seen == [
-        ((), (CalibrationKey.RC_CHANNEL_1,)),
-        (((CalibrationKey.RC_CHANNEL_1, LEARNED),), ()),
+        ((), [CalibrationKey.RC_CHANNEL_1]),
+        (((CalibrationKey.RC_CHANNEL_1, LEARNED),), []),
     ]
 
 
@@ -119,7 +119,7 @@ def file(qtbot: QtBot) -> Calibrations:
     """What a file gives: one calibration of each source, and room for others."""
     model = Calibrations()
     given = {CalibrationKey.RC_CHANNEL_2: LEARNED, CalibrationKey.ANALOG_CHANNEL_3: OTHER}
-    model.load_all("trex", InputSource.RC, given, open_ended=True)
+    model.load("trex", InputSource.RC, given, open_ended=True)
     return model
 
 

@@ -1,11 +1,17 @@
-"""What a channel makes of each raw count: the curve from input to output."""
+"""What channels make of raw counts: the curve of each, and whether two of them are mixed."""
 
 from dataclasses import dataclass
 from functools import lru_cache
 
-from trex_gui.devices.trex.protocol.calibration import Calibration, remap
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration, remap
 
 _SWITCHES = (4, 5)
+
+_NEAR = 10
+"""How far values of two moments may differ while a stick moves."""
+
+_ENOUGH = 5
+"""Consecutive results that make the state of the mix jumper known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +24,7 @@ class ChannelCurve:
     ignored: bool = False
 
     def output(self, raw: int | None) -> int:
-        """Return what a raw count becomes, -127 to 127: before mixing and flip."""
+        """Return the output for a raw count, -127 to 127, before mixing and flip."""
         return remap(
             raw,
             self.calibration,
@@ -28,22 +34,22 @@ class ChannelCurve:
         )
 
     def outputs(self, low: int, high: int) -> tuple[int, ...]:
-        """Return the output of every raw count from `low` to `high`, both included."""
+        """Return the output for every raw count from `low` to `high`, both included."""
         return _outputs(self, low, high)
 
     def corners(self, low: int, high: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """Return the counts beside which the output changes, and the outputs there.
 
-        The line through these points is the line through all of them.
+        The line through these points is the same as through all points.
         """
         return _corners(self, low, high)
 
     def threshold(self, channel: int) -> float | None:
         """Return the count at which a switch (4 flip, 5 override) switches.
 
-        `None` for the other channels, and for one that is ignored: it never switches. That a
-        switch is active below a threshold is sourced (User's Guide 4.a); where it lies, and
-        that a reversed channel counts from the other end, is inferred.
+        `None` for other channels and for an ignored one, which never switches. Ref: User's
+        Guide 4.a: a switch is active below a threshold. Inferred: the position of the
+        threshold, and that a reversed channel counts from the other end.
         """
         if channel not in _SWITCHES or self.ignored:
             return None
@@ -73,3 +79,55 @@ def _corners(curve: ChannelCurve, low: int, high: int) -> tuple[tuple[int, ...],
         if index in {0, last} or outputs[index - 1] != output or outputs[index + 1] != output
     ]
     return tuple(low + index for index in kept), tuple(outputs[index] for index in kept)
+
+
+def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None:
+    """Return whether channels 1 and 2 were mixed; `None` if unknown, as it is at neutral.
+
+    No command reads the mix jumper, so it is inferred from the output of each curve and the
+    values that the board reports.
+    Ref: a user's measurement (Pololu forum, viewtopic 9053): the jumper alters the remapped
+    values in serial mode, too. Inferred: the sums; so only values that fit either way count.
+    """
+    turn, forward = outputs
+    mixed = _clipped(forward + turn), _clipped(forward - turn)
+    if _distance(outputs, mixed) <= 3 * _NEAR:
+        return None
+    if _distance(outputs, reported) <= _NEAR:
+        return False
+    return True if _distance(mixed, reported) <= _NEAR else None
+
+
+class MixWatch:
+    """The last known state of the mix jumper, which may be moved at any time.
+
+    Attributes:
+        mixed: whether it was on when a stick was last off neutral; `None`: not known.
+    """
+
+    def __init__(self) -> None:
+        self.mixed: bool | None = None
+        self._candidate: bool | None = None
+        self._count = 0
+
+    def feed(self, outputs: tuple[int, int], reported: tuple[int, int]) -> None:
+        """Take the outputs of two channels' curves, and the values that the board reports."""
+        seen = is_mixed(outputs, reported)
+        if seen is None:
+            return
+        self._count = self._count + 1 if seen is self._candidate else 1
+        self._candidate = seen
+        if self._count >= _ENOUGH:
+            self.mixed = seen
+
+    def forget(self) -> None:
+        """Forget the state: it may be another board."""
+        self.mixed = self._candidate = None
+
+
+def _clipped(value: int) -> int:
+    return max(-FULL_SCALE, min(FULL_SCALE, value))
+
+
+def _distance(first: tuple[int, int], second: tuple[int, int]) -> int:
+    return max(abs(first[0] - second[0]), abs(first[1] - second[1]))

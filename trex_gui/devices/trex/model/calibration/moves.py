@@ -19,11 +19,10 @@ class Handle(Enum):
 
     @property
     def is_deadband(self) -> bool:
-        """Whether it is an end of the deadband; its two ends move together."""
         return self in {Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH}
 
     def count(self, calibration: Calibration) -> int:
-        """Return the raw count at which it lies; that of a deadband may be negative."""
+        """Return the raw count of the handle; that of a deadband may be negative."""
         match self:
             case Handle.MINIMUM:
                 return calibration.minimum
@@ -39,65 +38,43 @@ class Handle(Enum):
 
 @dataclass(frozen=True, slots=True)
 class CalibrationMove:
-    """What became of a calibration, and why a handle went no further; empty: it did."""
+    """A moved calibration, and why the handle stopped short; empty if it did not."""
 
     calibration: Calibration
     why: str = ""
 
 
 def moved(calibration: Calibration, handle: Handle, count: int) -> CalibrationMove:
-    """Move a handle to a raw count, or as far as the board takes it."""
-    c = calibration
+    """Move a handle to a raw count, or as far as the board accepts it."""
+    c, value, field = calibration, count, handle.value
     match handle:
         case Handle.MINIMUM:
-            highest = min(c.neutral, c.maximum - 1)
-            why = (
-                "Minimum cannot pass neutral."
-                if highest == c.neutral
-                else "Minimum and maximum must differ."
-            )
-            return _limited(c, handle, count, (0, highest), why)
+            limits = 0, min(c.neutral, c.maximum - 1)
+            why = "Minimum cannot pass neutral." if c.neutral < c.maximum else _DIFFER
         case Handle.NEUTRAL:
-            if count < c.minimum:
-                return _limited(c, handle, count, (c.minimum, c.maximum), _NEUTRAL_LOW)
-            return _limited(c, handle, count, (c.minimum, c.maximum), _NEUTRAL_HIGH)
+            limits = c.minimum, c.maximum
+            passed = "minimum" if count < c.minimum else "maximum"
+            why = f"Neutral cannot pass {passed}."
         case Handle.MAXIMUM:
-            lowest = max(c.neutral, c.minimum + 1)
-            why = (
-                "Maximum cannot pass neutral."
-                if lowest == c.neutral
-                else "Minimum and maximum must differ."
-            )
-            return _limited(c, handle, count, (lowest, HIGHEST_CODED), why)
-        case _:
-            return _deadband_moved(c, handle, count)
+            limits = max(c.neutral, c.minimum + 1), HIGHEST_CODED
+            why = "Maximum cannot pass neutral." if c.neutral > c.minimum else _DIFFER
+        case Handle.DEADBAND_LOW | Handle.DEADBAND_HIGH:
+            field = "deadband"
+            value = count - c.neutral if handle is Handle.DEADBAND_HIGH else c.neutral - count
+            limits = 0, max(c.neutral - c.minimum, c.maximum - c.neutral, 0)
+            why = "The deadband cannot be wider than the travel."
+            if value < 0:
+                why = "The deadband ends at neutral."
+    kept = max(limits[0], min(limits[1], value))
+    return CalibrationMove(replace(c, **{field: kept}), "" if kept == value else why)
 
 
-_NEUTRAL_LOW = "Neutral cannot pass minimum."
-_NEUTRAL_HIGH = "Neutral cannot pass maximum."
+_DIFFER = "Minimum and maximum must differ."
 
-
-def _limited(
-    calibration: Calibration, handle: Handle, count: int, limits: tuple[int, int], why: str
-) -> CalibrationMove:
-    kept = max(limits[0], min(limits[1], count))
-    return CalibrationMove(
-        replace(calibration, **{handle.value: kept}), "" if kept == count else why
-    )
-
-
-def _deadband_moved(calibration: Calibration, handle: Handle, count: int) -> CalibrationMove:
-    reach = count - calibration.neutral
-    if handle is Handle.DEADBAND_LOW:
-        reach = -reach
-    ends = calibration.neutral - calibration.minimum, calibration.maximum - calibration.neutral
-    widest = max(*ends, 0)
-    why = ""
-    if reach < 0:
-        why = "The deadband ends at neutral."
-    elif reach > widest:
-        why = "The deadband cannot be wider than the travel."
-    return CalibrationMove(replace(calibration, deadband=max(0, min(widest, reach))), why)
+_BEYOND_INPUT = {
+    InputSource.RC: ("A pulse cannot be shorter than", "A pulse cannot be longer than"),
+    InputSource.ANALOG: ("A voltage cannot be lower than", "A voltage cannot be higher than"),
+}
 
 
 def within_input(
@@ -105,28 +82,25 @@ def within_input(
 ) -> tuple[int, str]:
     """Limit a count to the range of the input; also return why it was limited.
 
-    A handle that lies further out already may stay there.
+    A handle that is already beyond the range may stay there.
     """
     now = handle.count(calibration)
     lowest, highest = min(source.lowest_count, now), max(source.highest_count, now)
-    kept = max(lowest, min(highest, count))
-    if kept == count:
+    if lowest <= count <= highest:
         return count, ""
-    what = "A pulse" if source is InputSource.RC else "A voltage"
-    limit = source.lowest_count if kept == lowest else source.highest_count
-    end = "shorter" if kept == lowest else "longer"
-    if source is InputSource.ANALOG:
-        end = "lower" if kept == lowest else "higher"
-    return kept, f"{what} cannot be {end} than {source.text(limit)}."
+    below, above = _BEYOND_INPUT[source]
+    if count < lowest:
+        return lowest, f"{below} {source.text(source.lowest_count)}."
+    return highest, f"{above} {source.text(source.highest_count)}."
 
 
 def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) -> Calibration:
     """Make the travel to both ends equal: to the larger or the smaller of the two.
 
-    An end stays within what the input can be, so the larger travel may be cut on both sides.
+    Both ends stay within the range of the input, which may shorten the larger travel.
 
     Raises:
-        BadRequest: `why_not_symmetric` says why.
+        BadRequest: the reason of `why_not_symmetric`.
     """
     if why := why_not_symmetric(calibration, source, larger=larger):
         raise BadRequest(why)
@@ -139,9 +113,9 @@ def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) ->
 
 
 def why_not_symmetric(calibration: Calibration, source: InputSource, *, larger: bool) -> str:
-    """Say why equal travel would spoil a calibration; empty when it would not.
+    """Return why equal travel would make a calibration unusable; empty if it would not.
 
-    Each step of the output needs a count of its own, else a touch gives full output.
+    Each step of the output needs a count of its own, else a slight touch gives full output.
     """
     travel = _equal_travel(calibration, source, larger=larger)
     if travel > calibration.deadband + FULL_SCALE:

@@ -1,4 +1,4 @@
-"""Every calibration that a settings file can give, as a table: two input sources, five channels."""
+"""Every calibration that a settings file can hold: two input sources, five channels each."""
 
 from collections.abc import Collection
 from dataclasses import replace
@@ -20,6 +20,7 @@ from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     DEFAULT_CALIBRATION,
+    Calibration,
     CalibrationKey,
 )
 
@@ -38,7 +39,7 @@ class CalibrationTable(QAbstractTableModel):
     """A row a channel; the first column names it, the others are its four counts.
 
     Signals:
-        rejected: why an edit was not taken, for the user.
+        rejected: why an edit was rejected, for the user.
     """
 
     rejected = Signal(str)
@@ -47,12 +48,19 @@ class CalibrationTable(QAbstractTableModel):
         super().__init__(parent)
         self._draft = draft
         self._calibrations = draft.calibrations
+        self._titles = (
+            self.tr("Channel"),
+            self.tr("Minimum"),
+            self.tr("Neutral"),
+            self.tr("Maximum"),
+            self.tr("Deadband"),
+        )
         self._calibrations.changed.connect(self._on_changed)
 
     # --- User actions -----------------------------------------------------------------
 
     def add(self, keys: Collection[CalibrationKey]) -> None:
-        """Give the channels that have no calibration the usual one; one step to undo."""
+        """Add the default calibration of channels that have none, in one undo step."""
         missing = [key for key in keys if not self.is_given(key)]
         if missing:
             with self._draft.one_edit(self.tr("Add calibrations")):
@@ -60,13 +68,12 @@ class CalibrationTable(QAbstractTableModel):
                     self._calibrations.edit(key, DEFAULT_CALIBRATION[key.source])
 
     def leave_out(self, keys: Collection[CalibrationKey]) -> None:
-        """Give no calibration for these channels; one step to undo."""
+        """Remove the calibrations of these channels, in one undo step."""
         with self._draft.one_edit(self.tr("Leave out calibrations")):
             for key in keys:
                 self._calibrations.leave_out(key)
 
     def is_given(self, key: CalibrationKey) -> bool:
-        """Whether there is a calibration for this channel."""
         return self._calibrations.shown(key) is not None
 
     # --- Qt -----------------------------------------------------------------------------
@@ -85,14 +92,7 @@ class CalibrationTable(QAbstractTableModel):
     ) -> Any:
         if orientation is not Qt.Orientation.Horizontal or role != Qt.ItemDataRole.DisplayRole:
             return None
-        titles = (
-            self.tr("Channel"),
-            self.tr("Minimum"),
-            self.tr("Neutral"),
-            self.tr("Maximum"),
-            self.tr("Deadband"),
-        )
-        return titles[section] if section < len(titles) else None
+        return self._titles[section] if section < len(self._titles) else None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         if not index.isValid():
@@ -114,7 +114,7 @@ class CalibrationTable(QAbstractTableModel):
             case Qt.ItemDataRole.DisplayRole:
                 return self._text(key, index.column())
             case Qt.ItemDataRole.EditRole:
-                return self._count(key, index.column())
+                return _field(self._calibrations.shown(key), index.column())
             case CalibrationRole.KEY:
                 return key
             case CalibrationRole.DIRTY:
@@ -143,28 +143,27 @@ class CalibrationTable(QAbstractTableModel):
         last = self.index(self.rowCount() - 1, self.columnCount() - 1)
         self.dataChanged.emit(self.index(0, 0), last)
 
-    # --- Text ---------------------------------------------------------------------------
+    # --- Cells --------------------------------------------------------------------------
 
     def _text(self, key: CalibrationKey, column: int) -> str:
         if column == 0:
             name = key.source.value
             return self.tr("{0} channel {1}").format(name[0].upper() + name[1:], key.channel)
-        count = self._count(key, column)
+        count = _field(self._calibrations.shown(key), column)
         if count is None:
             return self.tr("not given")
         return self.tr("{0} ({1})").format(key.source.text(count), count)
 
-    def _count(self, key: CalibrationKey, column: int) -> int | None:
-        shown = self._calibrations.shown(key)
-        if shown is None or column == 0:
-            return None
-        count: int = getattr(shown, CALIBRATION_FIELDS[column - 1])
-        return count
-
     def _is_dirty(self, key: CalibrationKey, column: int) -> bool:
-        shown = self._calibrations.shown(key)
-        stored = self._calibrations.stored(key)
-        if column == 0 or shown is None or stored is None:
+        shown, stored = self._calibrations.shown(key), self._calibrations.stored(key)
+        if column == 0:
             return shown != stored
-        field = CALIBRATION_FIELDS[column - 1]
-        return bool(getattr(shown, field) != getattr(stored, field))
+        return _field(shown, column) != _field(stored, column)
+
+
+def _field(calibration: Calibration | None, column: int) -> int | None:
+    """Return the count in a column; `None` in the first, and without a calibration."""
+    if calibration is None or column == 0:
+        return None
+    count: int = getattr(calibration, CALIBRATION_FIELDS[column - 1])
+    return count

@@ -104,11 +104,13 @@ class ParameterModel(QAbstractItemModel):
         unread: Mapping[str, str],
         *,
         power_cycled: bool,
+        active: Mapping[str, int] | None = None,
         open_ended: bool = False,
     ) -> None:
         """Take everything that was read; edits stay if the board is of the same model.
 
-        `open_ended` (a file): any parameter may be added or left out.
+        `active` are values known to be active, whatever is stored. `open_ended` (a file): any
+        parameter may be added or left out.
         """
         pending = self.modified
         self.beginResetModel()
@@ -119,6 +121,8 @@ class ParameterModel(QAbstractItemModel):
             power_cycled=power_cycled,
             optional=self._specs if open_ended else (),
         )
+        for key, wire in (active or {}).items():
+            self._draft.note_active(key, wire)
         self.model_key = specs.model.key
         kept = {key: why for key, why in self._problems.items() if self.is_modified(key)}
         self._problems.clear()
@@ -138,13 +142,6 @@ class ParameterModel(QAbstractItemModel):
             for row, spec in enumerate(members):
                 self._specs[spec.key] = spec
                 self._places[spec.key] = number, row
-
-    def note_active(self, active: Mapping[str, int]) -> None:
-        """Take values that are known to be active, whatever is stored."""
-        for key, wire in active.items():
-            self._draft.note_active(key, wire)
-        self._announce_all()
-        self._announce_pending()
 
     def set_editable(self, editable: bool) -> None:
         """Enable edits; without a board to write to, the rows are only shown."""

@@ -25,10 +25,12 @@ Ask = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None]
 class Apply(QObject):
     """Writes edits, one Apply at a time; failed writes stay edits.
 
+    Every write begins with a snapshot of the stored settings; without one nothing is written.
+
     Signals:
-        started: it is being written.
+        started: writing has begun.
         written: the `Written`, before `finished`; its receiver updates the draft.
-        finished: the `WriteResult` of everything that was tried; the draft has taken them in.
+        finished: the `WriteResult` of every value that was tried.
         failed: why nothing, or nothing more, was written, for the user.
     """
 
@@ -45,15 +47,10 @@ class Apply(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
+        self.running = False
         self._draft = draft
         self._history = history
         self._ask = ask
-        self._running = False
-
-    @property
-    def running(self) -> bool:
-        """Whether edits are being written."""
-        return self._running
 
     def start(
         self,
@@ -61,41 +58,36 @@ class Apply(QObject):
         link: ConnectionSettings | None,
         only: Collection[str] | None = None,
     ) -> None:
-        """Write the edits, or those of them with the keys that a settings file would give them.
-
-        A snapshot of what the board stores is saved first; without one nothing is written.
-        """
+        """Write the edits, or those with the keys `only`."""
         parameters = tuple(
-            (key, wire)
-            for key, wire in self._draft.parameters.pending
-            if only is None or key in only
+            edit for edit in self._draft.parameters.pending if only is None or edit[0] in only
         )
         calibrations = tuple(
-            (key, wanted)
-            for key, wanted in self._draft.calibrations.pending
-            if only is None or key in only
+            edit for edit in self._draft.calibrations.pending if only is None or edit[0] in only
         )
-        count = len(parameters) + len(calibrations)
-        if count:
+        if count := len(parameters) + len(calibrations):
             reason = self.tr("Apply of %n setting(s)", "", count)
             self._write(state, link, reason, parameters, calibrations)
 
     def store(
         self, state: DeviceState, link: ConnectionSettings | None, key: str, wire: int
-    ) -> bool:
-        """Write one parameter now; other edits stay pending. Return whether it was sent."""
+    ) -> None:
+        """Write one parameter now; other edits stay pending."""
         reason = self.tr("{0} set").format(state.specs[key].name)
-        return self._write(state, link, reason, ((key, wire),), ())
+        self._write(state, link, reason, ((key, wire),))
 
     def reset(self, state: DeviceState, link: ConnectionSettings | None) -> bool:
-        """Request a reset of every parameter to its default at the next start.
+        """Request a reset of every parameter at the next start; return whether it was sent.
 
-        The request cannot be read back, so its reply is the only confirmation. Return whether
-        it was sent.
+        The request cannot be read back, so its reply is the only confirmation.
         """
-        order = state.specs[ParameterKey.FACTORY_RESET]
+        spec = state.specs[ParameterKey.FACTORY_RESET]
         reason = self.tr("Reset to factory defaults")
-        return self._write(state, link, reason, ((order.key, order.maximum),), ())
+        return self._write(state, link, reason, ((spec.key, spec.maximum),))
+
+    def forget(self) -> None:
+        """Stop waiting for an outcome: the line is closed."""
+        self.running = False
 
     def _write(
         self,
@@ -103,18 +95,10 @@ class Apply(QObject):
         link: ConnectionSettings | None,
         reason: str,
         parameters: tuple[tuple[str, int], ...],
-        calibrations: tuple[tuple[CalibrationKey, Calibration], ...],
+        calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
     ) -> bool:
-        if self._running or not self._keep(state, link, reason):
+        if self.running:
             return False
-        self._running = True
-        self._ask(lambda number: Write(number, parameters, calibrations), self._on_written)
-        if self._running:
-            self.started.emit()
-        return self._running
-
-    def _keep(self, state: DeviceState, link: ConnectionSettings | None, reason: str) -> bool:
-        """Save what the board stores before it is changed; return whether that worked."""
         adapter = "" if link is None else link.name or link.url
         try:
             self._history.take(settings_of(state), adapter=adapter, reason=reason)
@@ -122,14 +106,14 @@ class Apply(QObject):
             text = self.tr("Nothing was written, since no snapshot could be saved first. {0}")
             self.failed.emit(text.format(sentence(error)))
             return False
-        return True
-
-    def forget(self) -> None:
-        """Stop waiting for an outcome: the line is closed."""
-        self._running = False
+        self.running = True
+        self._ask(lambda number: Write(number, parameters, calibrations), self._on_written)
+        if self.running:
+            self.started.emit()
+        return self.running
 
     def _on_written(self, outcome: Outcome) -> None:
-        self._running = False
+        self.running = False
         if outcome.error is not None:
             self.failed.emit(self.tr("Nothing more was written. {0}").format(outcome.error))
             return
@@ -140,28 +124,27 @@ class Apply(QObject):
 
 
 class PendingReset:
-    """Whether a board will reset itself at its next start, as far as its values show."""
+    """Whether a board will reset itself at its next start, so that values written now are lost."""
 
     def __init__(self) -> None:
-        self._given_at: dict[str, int] | None = None
+        self._requested_at: dict[str, int] | None = None
 
     @property
     def is_pending(self) -> bool:
-        """Whether values written now will be lost at the next start."""
-        return self._given_at is not None
+        return self._requested_at is not None
 
     def note_written(self, results: Sequence[WriteResult], stored: Mapping[str, int]) -> None:
         """Look for the reset request among the results."""
         if any(
             result.key == ParameterKey.FACTORY_RESET and result.error is None for result in results
         ):
-            self._given_at = dict(stored)
+            self._requested_at = dict(stored)
 
     def note_read(self, stored: Mapping[str, int], *, power_cycled: bool) -> None:
         """Clear the request if the stored values show that the board has restarted."""
-        if power_cycled or self._given_at != dict(stored):
-            self._given_at = None
+        if power_cycled or self._requested_at != dict(stored):
+            self._requested_at = None
 
     def forget(self) -> None:
         """Treat the reset as done."""
-        self._given_at = None
+        self._requested_at = None

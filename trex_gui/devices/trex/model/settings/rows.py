@@ -14,16 +14,10 @@ def renew_rows(
     wanted: Sequence[RowT],
     key: Callable[[RowT], Hashable],
 ) -> None:
-    """Make the rows of a model the wanted ones, and announce only what differs.
+    """Change the `rows` of a model in place to the wanted ones, and announce only differences.
 
-    What is selected, scrolled to and ticked stays where it is. Rows that stay in another order
-    reset the model.
-
-    Args:
-        model: whose rows they are.
-        rows: what it shows; changed in place.
-        wanted: what it is to show.
-        key: what makes a row the same row; no two share it.
+    Selection, scroll position and check boxes are kept. `key` identifies a row. A different
+    order of rows that stay resets the model.
     """
     if not rows and not wanted:
         return

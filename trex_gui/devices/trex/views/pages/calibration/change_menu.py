@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError
-from trex_gui.devices.trex.model.calibration.files import put_calibrations, take_calibrations
 from trex_gui.devices.trex.model.calibration.moves import symmetric, why_not_symmetric
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.settings.document import put_calibrations, take_calibrations
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.protocol.flags import CHANNELS

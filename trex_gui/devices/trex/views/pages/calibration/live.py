@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.devices.trex.model.calibration.mix_jumper import MixWatch
+from trex_gui.devices.trex.model.calibration.channel_curve import MixWatch
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.pages.calibration.channel_list import ChannelList

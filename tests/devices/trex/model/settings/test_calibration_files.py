@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.model.calibration.files import put_calibrations, take_calibrations
+from trex_gui.devices.trex.model.settings.document import put_calibrations, take_calibrations
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
@@ -39,7 +39,7 @@ def draft(qapp: object, factory: Settings) -> SettingsDraft:
     draft = SettingsDraft()
     draft._begin(factory.product, factory.firmware)
     draft.parameters.load(factory.specs, factory.parameters, {}, power_cycled=True)
-    draft.calibrations.load_all("trex", RC, factory.calibrations)
+    draft.calibrations.load("trex", RC, factory.calibrations)
     return draft
 
 
