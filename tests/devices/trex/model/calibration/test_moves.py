@@ -75,7 +75,7 @@ def test_symmetric_pulse_ends_at_500_us_at_least() -> None:
 
 
 @pytest.mark.parametrize(
-    ("source", "handle", "wished", "kept", "words"),
+    ("source", "handle", "count", "kept", "words"),
     [
         (InputSource.RC, Handle.MAXIMUM, 6250, 6250, ""),
         (InputSource.RC, Handle.MAXIMUM, 7000, 6250, "A pulse cannot be longer than 2500 µs."),
@@ -85,10 +85,10 @@ def test_symmetric_pulse_ends_at_500_us_at_least() -> None:
     ],
 )
 def test_handle_is_limited_to_the_input_range(
-    source: InputSource, handle: Handle, setpoint: int, kept: int, words: str
+    source: InputSource, handle: Handle, count: int, kept: int, words: str
 ) -> None:
     calibration = USUAL if source is InputSource.RC else Calibration(100, 512, 900, 20)
-    assert within_input(calibration, handle, setpoint, source) == (kept, words)
+    assert within_input(calibration, handle, count, source) == (kept, words)
 
 
 def test_handle_beyond_the_input_range_may_stay() -> None:
