@@ -60,7 +60,7 @@ def test_failed_poll_is_listed_in_its_place(setup: TrafficSetup) -> None:
     setup.log(POLL, ANSWER)
     setup.log(WRITE, STORED)
     texts = setup.texts
-    assert texts[1] == "get currents of both motors → no answer"
+    assert texts[1] == "get currents of both motors → no reply"
     assert [text.startswith("set") for text in texts] == [True, False, True]
     assert setup.traffic.faults == 1
 
@@ -69,7 +69,7 @@ def test_failed_poll_between_two_pulls_is_listed_once(setup: TrafficSetup) -> No
     setup.log(POLL)
     assert setup.texts == []
     setup.log(POLL, ANSWER)
-    assert setup.texts == ["get currents of both motors → no answer"]
+    assert setup.texts == ["get currents of both motors → no reply"]
     setup.log(POLL, ANSWER)
     assert len(setup.texts) == 1
 
@@ -129,7 +129,7 @@ def test_saved_rows_include_bytes_and_meaning(
     assert body[1][1:] == [
         "", "AF 07 0F 55 2A", "00", "5.0", "set Serial Timeout to 1.5 s (15) → stored",
     ]  # fmt: skip
-    assert body[2][1:] == ["!", "8F", "", "", "get currents of both motors → no answer"]
+    assert body[2][1:] == ["!", "8F", "", "", "get currents of both motors → no reply"]
     assert len(body) == 4
 
 

@@ -1,8 +1,7 @@
 """Packets that keep idle motors at rest on a line that damages bytes."""
 
-from trex_gui.devices.trex.driving.line_quality import LineQuality
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor
-from trex_gui.devices.trex.driving.setpoints import IdleRefresh
+from trex_gui.devices.trex.driving.setpoints import IdleRefresh, LineQuality
 from trex_gui.devices.trex.protocol.commands import DriveAuxiliary, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
 

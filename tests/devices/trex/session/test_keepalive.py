@@ -24,7 +24,6 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import Connected, Write
 from trex_gui.devices.trex.session.polling import (
     Topic,
-    longest_pause,
     silence,
     survives_a_loss,
     too_slow,
@@ -142,11 +141,6 @@ def test_every_rate_leaves_polls_that_fit_100_ms_timeout() -> None:
         left_out = too_slow(line, 0.1)
         needed = {Topic.CURRENTS, Topic.CONTROL, Topic.STATUS, Topic.MODE}
         assert needed.isdisjoint(left_out), line.text()
-
-
-def test_longest_pause_is_unlimited_without_timeout() -> None:
-    assert longest_pause(0) is None
-    assert longest_pause(0.5) == pytest.approx(0.2)
 
 
 def test_slow_line_connects_within_assumed_time() -> None:

@@ -1,8 +1,7 @@
 """Carries motor output through a client: setpoints, stops and their confirmation.
 
 A stop is the one motor command that is sent unprompted. Motor commands have no reply: a stop is
-confirmed by the board's own status, if the board answers and has latched no UART error since the
-packets were sent.
+confirmed if the board replies with its status and has latched no UART error since the packets.
 """
 
 import logging
@@ -32,14 +31,14 @@ _CLEAN_ROUNDS = 2
 """Rounds of stop and clean status in a row that confirm a stop.
 
 A board that is still answering an earlier query is deaf, and latches nothing for packets that it
-lost whole: one round can pass unheard, but not also the next one once it has answered.
+lost whole: it can miss one round, but not the next one after its reply.
 """
 
 _CAREFUL_ROUNDS = 8
-"""The same on a line that damages bytes, when the stop cannot wait until it is quiet.
+"""The same on a line that damages bytes, if the stop cannot wait until it is quiet.
 
-The last of them can still have become a speed, unnoticed, with 2p/9 * (1 - p)**56 at p damaged
-bytes each: 0.14 % at worst. See `line_quality` for a stronger confirmation.
+The last packet can still have become a speed, undetected, with 2p/9 * (1 - p)**56 for a damage
+probability p: 0.14 % at worst. See `LineQuality` for a stronger confirmation.
 """
 
 _CLOSING_ATTEMPTS = 6
@@ -47,7 +46,7 @@ _CAREFUL_CLOSING_ATTEMPTS = 16
 _CLOSING_SECONDS = 0.5
 """Limits of a stop before the port is closed, the second on a line that damages bytes.
 
-The window waits for a second; the last round may begin just before this time is over.
+The window waits for a second; the last round may begin just before this time.
 """
 
 
@@ -59,7 +58,7 @@ class MotorDriver:
         client: runs the transactions; the owner replaces it when the board moved.
         status: reads the status that confirms stops.
         take_statuses: receives the bits that confirming a stop has cleared.
-        is_closing: whether to abort unanswered stops: the port is about to be closed.
+        is_closing: whether to abort stops without a reply: the port is about to be closed.
     """
 
     def __init__(
@@ -91,16 +90,16 @@ class MotorDriver:
         careful: bool = False,
         aborts: Callable[[], bool] | None = None,
     ) -> bool:
-        """Send a stop again and again until clean statuses follow; return whether they did.
+        """Repeat a stop until clean statuses follow; return whether they did.
 
         A `final` stop does not wait for a line that damages bytes to become quiet, but takes more
-        rounds there, and on one that is too new to know if it is `careful`. It is aborted behind a
+        rounds there. So does a `careful` one, on a line too new to know. It is aborted after a
         round without a clean status if `aborts` says so.
 
         Raises:
             PortUnavailable: the line is gone.
         """
-        self.output.drop_unconfirmed()
+        self.output.retry.clear()
         aborts = aborts or self._is_closing
         careful = careful or (final and not self._is_quiet())
         rounds = _CAREFUL_ROUNDS if careful else _CLEAN_ROUNDS
@@ -134,7 +133,7 @@ class MotorDriver:
         return self._stop(_ATTEMPTS, final=True, careful=careful)
 
     def serve_stops(self) -> None:
-        """Serve every requested stop; each gets its outcome, even when the line is lost.
+        """Serve every requested stop; each gets its outcome, even if the line is lost.
 
         Raises:
             PortUnavailable: the line is gone; the stops are queued again for `stop_on_close`.
@@ -152,7 +151,7 @@ class MotorDriver:
             output.end_stops(stops, self._now(), answered=answered)
 
     def stop_on_close(self) -> None:
-        """Stop before the port is closed, and serve every requested stop by that.
+        """Stop before the port is closed, which serves every requested stop.
 
         Raises:
             PortUnavailable: the line is gone; the stops are queued again.
@@ -171,9 +170,9 @@ class MotorDriver:
         )
 
     def stop_early(self) -> None:
-        """Send the requested stops on a line of which nothing is known yet.
+        """Send the requested stops on a line that is not tested yet; its echo is discarded.
 
-        They stay queued until they are confirmed. An echo is left unread.
+        They stay queued until they are confirmed.
 
         Raises:
             PortUnavailable: the line is gone.
@@ -184,7 +183,7 @@ class MotorDriver:
             self.client.transport.wait(self.client.transport.latency)
 
     def stop_without_reply(self) -> None:
-        """Stop motors that may be moving on a board that does not respond: it may still hear.
+        """Stop motors that may be moving on a board that does not respond: it may still receive.
 
         Raises:
             PortUnavailable: the line is gone.
@@ -207,7 +206,7 @@ class MotorDriver:
         elif _is_due(output.seconds_to_heartbeat_timeout(now)):
             output.handle(OutputEvent.LOCK_OUT, now)
             output.end_heartbeat_stop(answered=self._stop(_ATTEMPTS))
-        elif _is_due(self.seconds_to_stop_retry()):
+        elif _is_due(output.seconds_to_stop_retry(now)):
             self._stop(_RETRY_ATTEMPTS)
             output.end_stop_retry()
         elif _is_due(self.seconds_to_drive()):
@@ -217,29 +216,23 @@ class MotorDriver:
         return True
 
     def seconds_to_next(self) -> list[float]:
-        """Return when `serve` has something to do, as far as that is known."""
+        """Return when `serve` has something to do."""
+        now = self._now()
         seconds = (
-            self.output.seconds_to_heartbeat_timeout(self._now()),
-            self.seconds_to_stop_retry(),
+            self.output.seconds_to_heartbeat_timeout(now),
+            self.output.seconds_to_stop_retry(now),
             self.seconds_to_drive(),
         )
         return [one for one in seconds if one is not None]
 
-    def seconds_to_stop_retry(self) -> float | None:
-        """Return when to repeat an unconfirmed stop; `None` without one."""
-        return self.output.seconds_to_stop_retry(self._now())
-
     def seconds_to_drive(self) -> float | None:
-        """Return when to send motor packets; `None` without any.
-
-        On a slow line half of the time is left to everything else.
-        """
+        """Return when to send motor packets, in at most half of the time; `None` without any."""
         self._is_quiet()
         seconds = 2 * self.client.settings.line.seconds(_LONGEST_DRIVE)
         return self.output.seconds_to_drive(self._now(), max(DRIVE_INTERVAL, seconds))
 
     def avoids_risky_polls(self) -> bool:
-        """Whether no query may be sent that a damaged bit makes a motor command."""
+        """Whether to send no query that one damaged bit turns into a motor command."""
         return (self.output.may_move or self.output.is_armed) and not self._is_quiet()
 
     def _drive(self) -> None:
@@ -254,8 +247,8 @@ class MotorDriver:
             for command in packets(setpoints):
                 self.client.request(command)
         except BadRequest as error:
-            self.output.drop_unconfirmed()
-            log.warning("a setpoint that no motor can obey was dropped: %s", error)
+            self.output.retry.clear()
+            log.warning("an invalid setpoint was dropped: %s", error)
         except (NoReply, BadReply):
             self.output.setpoints.put_back(setpoints)
             raise

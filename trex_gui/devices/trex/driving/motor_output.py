@@ -14,7 +14,6 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.driving.line_quality import LineQuality
 from trex_gui.devices.trex.driving.requests import (
     Arm,
     Heartbeat,
@@ -23,7 +22,12 @@ from trex_gui.devices.trex.driving.requests import (
     Setpoint,
     Stop,
 )
-from trex_gui.devices.trex.driving.setpoints import IdleRefresh, SetpointRetry, SetpointSlots
+from trex_gui.devices.trex.driving.setpoints import (
+    IdleRefresh,
+    LineQuality,
+    SetpointRetry,
+    SetpointSlots,
+)
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError, TrexRequestError
 
@@ -35,11 +39,11 @@ class Arming(Enum):
     """Which motor commands pass."""
 
     INITIAL = auto()
-    """Every one; the motors were neither armed nor stopped yet."""
+    """All; the motors were neither armed nor stopped yet."""
     ARMED = auto()
-    """Every one, as long as heartbeats come."""
+    """All, as long as heartbeats come."""
     DISARMED = auto()
-    """No setpoints, but commands that are requested one by one."""
+    """No setpoints, but single commands."""
     LOCKED_OUT = auto()
     """None, for a time or until the motors are armed."""
     UNREACHABLE = auto()
@@ -52,7 +56,7 @@ class Motion(Enum):
     STOPPED = auto()
     """No motor was driven since the last confirmed stop."""
     DRIVEN = auto()
-    """A motor may be moving, and shall."""
+    """A motor may be moving as commanded."""
     STOP_UNCONFIRMED = auto()
     """A motor may be moving although a stop was sent; the stop is repeated."""
 
@@ -113,7 +117,7 @@ _ARMING: Mapping[tuple[Arming, OutputEvent], tuple[Arming, tuple[Action, ...]]] 
     (Arming.UNREACHABLE, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
     (Arming.UNREACHABLE, OutputEvent.BOARD_READ): (Arming.LOCKED_OUT, ()),
 }
-"""What each event does to each state; an event that is not listed changes nothing."""
+"""The next state for each event; an event that is not listed changes nothing."""
 
 _MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] = {
     (Motion.STOPPED, OutputEvent.SETPOINT_SENT): (Motion.DRIVEN, ()),
@@ -137,8 +141,9 @@ class MotorOutput:
 
     Attributes:
         arming, motion: the state.
-        stops: stops that are requested and were not sent yet.
+        stops: requested stops that were not sent yet.
         setpoints: the newest queued setpoint of each motor.
+        retry: the unconfirmed setpoints.
         quality: whether the line damages bytes.
     """
 
@@ -158,7 +163,7 @@ class MotorOutput:
         self.idle = IdleRefresh(self.quality)
         self._report = report
         self._timeouts = timeouts or Timeouts()
-        self._retry = SetpointRetry()
+        self.retry = SetpointRetry()
         self._sent_at = 0.0
         self._heartbeat_at = -math.inf
         self._lockout_end = -math.inf
@@ -168,7 +173,6 @@ class MotorOutput:
 
     @property
     def is_armed(self) -> bool:
-        """Whether the motors are armed."""
         return self.arming is Arming.ARMED
 
     @property
@@ -193,7 +197,7 @@ class MotorOutput:
                     self._lockout_end = max(self._lockout_end, now + lockout)
                 case Action.DROP_SETPOINTS:
                     self.setpoints.clear()
-                    self._retry.clear()
+                    self.retry.clear()
                     self.idle.clear()
                 case Action.FAIL_NOISY_STOPS:
                     self._end_noisy_stops(TrexNoReplyError(ErrorCode.STOP_ON_NOISY_LINE))
@@ -201,7 +205,7 @@ class MotorOutput:
     # --- Requests -----------------------------------------------------------------------
 
     def take(self, request: MotorRequest, now: float) -> None:
-        """Take a request; a setpoint that must not pass is dropped."""
+        """Take a request; a setpoint is dropped unless `arming` lets it pass."""
         match request:
             case Stop(lockout=lockout):
                 self.stops.append(request)
@@ -253,8 +257,8 @@ class MotorOutput:
         `interval`: least seconds between motor packets.
         """
         due = [self._sent_at] if self.setpoints else []
-        if self._retry.due is not None:
-            due.append(self._retry.due)
+        if self.retry.due is not None:
+            due.append(self.retry.due)
         idle = self.idle.due(interval, armed=self.is_armed)
         if idle is not None and self.arming is not Arming.UNREACHABLE:
             due.append(idle)
@@ -264,24 +268,20 @@ class MotorOutput:
         """Return the queued setpoints, or else those to repeat, and count them as sent."""
         self._sent_at = now
         if setpoints := self.setpoints.take():
-            self._retry.begin(setpoints, now)
-        elif self._retry.due is not None and self._retry.due <= now:
-            setpoints = self._retry.take(now)
+            self.retry.begin(setpoints, now)
+        elif self.retry.due is not None and self.retry.due <= now:
+            setpoints = self.retry.take(now)
         if setpoints:
             self.handle(OutputEvent.SETPOINT_SENT, now)
             self.idle.note_setpoints(setpoints, now)
         return setpoints
-
-    def drop_unconfirmed(self) -> None:
-        """Repeat no setpoint any more."""
-        self._retry.clear()
 
     def note_status(
         self, latched: LatchedStatus | None, now: float, *, is_whole: bool, stops_on_error: bool
     ) -> None:
         """Take a status that was polled; see `SetpointRetry.note_status`."""
         self.quality.note_status(latched)
-        self._retry.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
+        self.retry.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
 
     # --- Stops and their outcomes -------------------------------------------------------
 
@@ -298,7 +298,7 @@ class MotorOutput:
     def note_stop(
         self, now: float, statuses: Sequence[LatchedStatus], *, confirmed: bool, final: bool
     ) -> None:
-        """Take how an attempt to stop went; the motors are idle from now on.
+        """Take the result of an attempt to stop; the motors are idle from now on.
 
         Args:
             now: when.
@@ -335,7 +335,7 @@ class MotorOutput:
             self._noisy_until = now + self._timeouts.stop_confirmation
 
     def end_stop_retry(self) -> None:
-        """Report what a repeated stop has achieved."""
+        """Report the result of a repeated stop."""
         if not self.may_move:
             self._end_noisy_stops(None)
             self._report(MotorsStopped(None, confirmed=True))
@@ -348,7 +348,6 @@ class MotorOutput:
         self._report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
 
     def report_stops(self, stops: Sequence[Stop], error: StudioError | None) -> None:
-        """Report the outcome of stops."""
         for stop in stops:
             self._report(Outcome(stop.id, error=error))
 

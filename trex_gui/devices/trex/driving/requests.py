@@ -1,7 +1,4 @@
-"""Requests that concern the motors, what is reported about them, and their packets.
-
-Small, frozen and picklable: they cross threads.
-"""
+"""Requests to the motor output, its reports, and the packets of setpoints."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -65,7 +62,7 @@ class Heartbeat:
     """The window that armed the motors still responds; due every `HEARTBEAT_INTERVAL` seconds.
 
     Attributes:
-        sent: when, on the line's clock; `None`: when it is received.
+        sent: on the line's clock; `None`: when it is received.
     """
 
     sent: float | None = None

@@ -1,9 +1,9 @@
-"""Which setpoints are queued, unconfirmed or idle, and when each is sent (again)."""
+"""Queued, unconfirmed and idle setpoints, and the quality of the line that carries them."""
 
 from collections.abc import Sequence
 
+from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.driving.line_quality import QUIET, LineQuality
 from trex_gui.devices.trex.driving.requests import (
     SetAuxiliary,
     SetMotor,
@@ -61,7 +61,6 @@ class SetpointSlots:
                     self._motors[setpoint.motor] = setpoint
 
     def clear(self) -> None:
-        """Drop every setpoint."""
         self._motors.clear()
         self._auxiliary = None
 
@@ -100,7 +99,7 @@ class SetpointRetry:
         self._sent_since_status = False
 
     def begin(self, setpoints: Sequence[Setpoint], now: float) -> None:
-        """These are being sent for the first time; they join those that are unconfirmed."""
+        """Note setpoints that are sent for the first time."""
         slots = SetpointSlots()
         slots.put(*self._unconfirmed, *setpoints)
         self._set_at = now
@@ -108,14 +107,13 @@ class SetpointRetry:
         self._schedule(slots.take(), now)
 
     def take(self, now: float) -> list[Setpoint]:
-        """Return what is to be sent again, and count it as sent."""
+        """Return the unconfirmed setpoints, and count them as sent."""
         setpoints = self._unconfirmed
         self._repeated += 1
         self._schedule(setpoints, now)
         return setpoints
 
     def clear(self) -> None:
-        """Repeat nothing any more."""
         self._unconfirmed = []
         self.due = None
 
@@ -133,12 +131,13 @@ class SetpointRetry:
     ) -> None:
         """Confirm the setpoints, or schedule them at once after an error.
 
+        Motors that the board has stopped are not started again.
+
         Args:
             latched: the status that was read; `None` if nothing was latched.
             now: when.
             is_whole: whether no error can be latched that was not read.
-            stops_on_error: whether the board stops its motors on a UART error. Motors that the
-                board has stopped are not started again.
+            stops_on_error: whether the board stops its motors on a UART error.
         """
         if self.due is None:
             return
@@ -159,13 +158,75 @@ class SetpointRetry:
             self.clear()
 
 
+QUIET = 300
+"""Whole replies in a row without damage after which a line counts as quiet.
+
+If each byte is damaged with probability p, in any of its bits, the last packet of a brake drives
+that motor with 2p/9 (two of the eight data bits and the stop bit), undetected. Each reply needs at
+least one undamaged byte of ours, so the probability that such a line counts as quiet is less than
+2p/9 * (1 - p)**300: at most 2.7e-4 (where p is 1/300), 1.1e-4 at 1 %, 1.0e-5 at 2 %, 2e-9 at 5 %.
+The speed of the auxiliary motor has seven such bits: 3.5 times that. CRC-7 detects every single
+bit. At 19200 baud and above 300 replies take 1.6 s.
+"""
+
+
+class LineQuality:
+    """Whether a line has been undamaged long enough to trust a clean status.
+
+    A clean status confirms that the board latched no error, not that it received the packet that
+    was sent: without a CRC, one bit makes C0 7F (brake) into C2 7F (full speed forward), or 86 1F
+    (a query) into C6 1F (a quarter forward). But such a line damages other bytes too, which shows.
+
+    Attributes:
+        answers: whole replies since the line was opened.
+        damages: how often damage was noticed.
+    """
+
+    def __init__(self) -> None:
+        self.answers = 0
+        self.damages = 0
+        self._has_crc = False
+        self._is_observed = False
+        self._failures = 0
+        self._damaged_at: int | None = None
+
+    def observe(self, counters: Counters, *, has_crc: bool) -> None:
+        """Take the counters of the client, which show failed transactions."""
+        self.answers = counters.answers
+        self._has_crc = has_crc
+        self._is_observed = True
+        failures = counters.silences + counters.damaged + counters.stale
+        if failures != self._failures:
+            self._failures = failures
+            self._note_damage()
+
+    def note_status(self, latched: LatchedStatus | None) -> None:
+        """Take the line errors that the board has latched.
+
+        Before the first `observe` they are older than the connection.
+        """
+        if self._is_observed and latched is not None and latched.has_line_error:
+            self._note_damage()
+
+    @property
+    def is_quiet(self) -> bool:
+        """Whether a clean status is sufficient confirmation."""
+        if self._has_crc or self._damaged_at is None:
+            return True
+        return self.answers - self._damaged_at >= QUIET
+
+    def _note_damage(self) -> None:
+        self.damages += 1
+        self._damaged_at = self.answers
+
+
 class IdleRefresh:
     """Keeps idle motors at rest on a line that damages bytes, by sending their setpoints again.
 
-    Damage that goes unnoticed can start an idle motor: its own packet, or a query, arrives as
-    another motor command. A query that became a command has no reply, so idle packets follow
-    every failed transaction at once. A packet that became another one shows only by what else
-    the line damages: idle packets are repeated until it is quiet.
+    Undetected damage can start an idle motor: its own packet, or a query, arrives as another motor
+    command. A query that became a command has no reply, so idle packets follow every failed
+    transaction at once. A packet that became another one shows only by other damage on the line:
+    idle packets are repeated until it is quiet.
 
     Motors that were never driven are idle too, and braked, from the first setpoint, arming or
     stop on. Before that nothing is sent, whatever the line does.
@@ -182,7 +243,7 @@ class IdleRefresh:
         self._damages_seen = 0
 
     def note_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
-        """These are being sent."""
+        """Note setpoints that are sent."""
         self._is_active = True
         self._sent_at = now
         for setpoint in setpoints:
@@ -194,14 +255,12 @@ class IdleRefresh:
             self._note_auxiliary_risk()
 
     def note_stop(self, now: float) -> None:
-        """A stop has been sent: every motor is idle, braked fully."""
-        self.clear()
+        self.clear()  # every motor is idle, braked fully
         self._is_active = True
         self._sent_at = now
         self._note_auxiliary_risk()
 
     def clear(self) -> None:
-        """Take every motor for idle."""
         self._setpoints.clear()
         self._auxiliary = SetAuxiliary(0)
 
@@ -238,12 +297,12 @@ class IdleRefresh:
         return [command for setpoint in idle for command in packets([setpoint])]
 
     def _note_auxiliary_risk(self) -> None:
-        """A packet is sent that damage can turn into a speed of the auxiliary motor."""
+        """Note a packet that damage can turn into a speed of the auxiliary motor."""
         self._auxiliary_at_risk = True
         self._answers_since = None
 
     def _watch_auxiliary(self) -> None:
-        """End the risk when the line has been quiet behind that packet: noise may follow it."""
+        """End the risk when the line has been quiet after that packet."""
         if self._answers_since is None:
             self._answers_since = self._quality.answers
         if self._quality.answers - self._answers_since >= QUIET:

@@ -1,8 +1,7 @@
 """Which value to poll next, reading it, and batches of the samples.
 
-Each value is polled as often as the board renews it, in fair shares.
-Polling faster reads the same value again, and costs the time in
-which a motor command could have been sent.
+Each value is polled as often as the board renews it. Polling faster reads the same value again and
+takes time in which a motor command could have been sent.
 
 While motors are armed, polling also feeds the board's serial timeout. The board counts from one
 received byte to the next, and is deaf while it answers: the silence that it sees is the reply to
@@ -145,37 +144,25 @@ def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool
     return timeout <= 0 or max(silence(line, query) for query in polled) + lateness < timeout
 
 
-def longest_pause(timeout: float) -> float | None:
-    """Return the longest pause in seconds between two polls; `None`: any."""
-    return timeout * _KEEPALIVE_SHARE if timeout > 0 else None
-
-
 # --- The schedule -----------------------------------------------------------------------
 
 
-@dataclass(slots=True)
-class _Entry:
-    period: float
-    due: float
-
-
 class Schedule:
-    """When each topic is due.
-
-    Where the line is too slow for all of it, each topic gets the same share of its rate.
-    """
+    """When each topic is due; on a slow line each topic gets the same share of its rate."""
 
     def __init__(self) -> None:
-        self._entries: dict[Topic, _Entry] = {}
+        self._rates: Mapping[Topic, float] = {}
+        self._due: dict[Topic, float] = {}
 
     def start(self, wanted: Mapping[Topic, float], now: float) -> None:
         """Poll these topics, each so many times a second, from `now` on."""
-        self._entries = {topic: _Entry(1 / rate, now) for topic, rate in wanted.items()}
+        self._rates = wanted
+        self._due = dict.fromkeys(wanted, now)
 
     def next(self, now: float) -> Topic | None:
         """Return the topic that was due first; `None` while none is."""
-        topic = min(self._entries, key=lambda topic: self._entries[topic].due, default=None)
-        return topic if topic is not None and self._entries[topic].due <= now else None
+        topic = min(self._due, key=self._due.__getitem__, default=None)
+        return topic if topic is not None and self._due[topic] <= now else None
 
     def polled(self, topic: Topic, now: float) -> None:
         """Count a topic as polled.
@@ -183,17 +170,14 @@ class Schedule:
         It is due again one period after it was due, so the rate is met on average. Where the
         line falls behind, everything is delayed by the same time, so that nothing starves.
         """
-        if entry := self._entries.get(topic):
-            entry.due += entry.period
-            behind = now - _LONGEST_LAG - min(entry.due for entry in self._entries.values())
+        if topic in self._due:
+            self._due[topic] += 1 / self._rates[topic]
+            behind = now - _LONGEST_LAG - min(self._due.values())
             if behind > 0:
-                for each in self._entries.values():
-                    each.due += behind
+                self._due = {each: due + behind for each, due in self._due.items()}
 
     def seconds_to_next(self, now: float) -> float:
-        """Return how long nothing is due."""
-        due = min((entry.due for entry in self._entries.values()), default=math.inf)
-        return max(0.0, due - now)
+        return max(0.0, min(self._due.values(), default=math.inf) - now)
 
 
 class Polling:
@@ -204,7 +188,6 @@ class Polling:
         self._polled_at = 0.0
 
     def start(self, source: InputSource, now: float) -> None:
-        """Poll what a board with such inputs renews."""
         self._schedule.start(rates(source), now)
         self._polled_at = now
 
@@ -215,10 +198,10 @@ class Polling:
 
         Args:
             now: seconds.
-            line: how fast the line is.
+            line: gives the time that replies take.
             timeout: the board's serial timeout in seconds, 0 for none.
             armed: whether to keep it from expiring.
-            careful: whether to omit what one damaged bit turns into a command that starts a motor.
+            careful: whether to omit queries that one damaged bit turns into a motor command.
         """
         left_out: Collection[Topic] = too_slow(line, timeout) if armed else ()
         if careful:
@@ -234,13 +217,13 @@ class Polling:
         return topic
 
     def seconds_to_next(self, now: float, timeout: float, *, armed: bool) -> float:
-        """Return how long nothing has to be polled."""
         pause = self._pause_left(now, timeout) if armed else math.inf
         return min(self._schedule.seconds_to_next(now), pause)
 
     def _pause_left(self, now: float, timeout: float) -> float:
-        pause = longest_pause(timeout)
-        return math.inf if pause is None else max(0.0, self._polled_at + pause - now)
+        if timeout <= 0:
+            return math.inf
+        return max(0.0, self._polled_at + timeout * _KEEPALIVE_SHARE - now)
 
 
 # --- Samples ----------------------------------------------------------------------------
@@ -277,11 +260,10 @@ class SampleBatcher:
         self.extend = self._samples.extend
 
     def seconds_to_next(self, now: float) -> float | None:
-        """Return when a batch is due; `None` without samples."""
+        """Return when a batch is due; `None` if there are no samples."""
         return self._last_flush + FRAME - now if self._samples else None
 
     def flush(self, counters: Counters, now: float) -> None:
-        """Report the samples, if there are any."""
         self._last_flush = now
         if self._samples:
             batch = Batch(tuple(self._samples), replace(counters))

@@ -59,10 +59,10 @@ class TrexSession:
     Args:
         settings: how to reach the board.
         inbox: where requests come from.
-        emit: receives every report, wherever `run` runs.
+        emit: receives every report, in the thread of `run`.
         open_transport: opens the port.
-        may_move: whether motors may be moving since an earlier session: then a stop is sent
-            before anything else.
+        may_move: motors may be moving since an earlier session: a stop is sent before anything
+            else.
     """
 
     def __init__(
@@ -93,9 +93,7 @@ class TrexSession:
         every request gets its outcome.
         """
         error = run_until_closed(
-            self._open,
-            self._step,
-            lambda detail: TrexError(ErrorCode.INTERNAL, detail),
+            self._open, self._step, lambda detail: TrexError(ErrorCode.INTERNAL, detail)
         )
         if self._client is not None:
             self._leave_safely(self._client)

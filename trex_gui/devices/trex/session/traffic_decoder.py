@@ -1,10 +1,10 @@
-"""What the bytes between a host and a TReX mean, for a transcript."""
+"""Meaning of the bytes between a host and a TReX, for the traffic log."""
 
 from functools import lru_cache
 
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
-from trex_gui.devices.trex.protocol.commands import Command, Signature
+from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import describe, describe_reply, is_refusal
 from trex_gui.devices.trex.protocol.framing import (
@@ -19,25 +19,23 @@ from trex_gui.devices.trex.protocol.framing import (
 )
 
 _POLLED = frozenset(range(0x82, 0x90)) | {0xFF}
-"""Command bytes that a session repeats by itself: what changes while a board runs, and nothing."""
+"""Command bytes of the values that a session polls, and of the null command."""
 
 
 class TrexDecoder(Decoder):
-    """Words for both sub-protocols, with and without CRC and echo.
+    """Decodes both sub-protocols, with and without CRC and echo.
 
     Attributes:
-        board: which board answers, once that is known: its units and its parameters.
+        board: the board on the line, once it is known: its units and parameters.
     """
 
     def __init__(self) -> None:
         self.board: Signature | None = None
 
     def shown(self, data: bytes) -> str:
-        """Hexadecimal, as the documentation writes packets."""
         return data.hex(" ").upper()
 
     def is_routine(self, sent: bytes) -> bool:
-        """What is polled, in either sub-protocol."""
         if sent[0] == EXPANDED_START:
             return len(sent) > 2 and sent[2] | 0x80 in _POLLED
         return sent[0] in _POLLED
@@ -50,7 +48,6 @@ class TrexDecoder(Decoder):
         return isinstance(packet, Packet) and not isinstance(_reply(packet, transaction), NeedData)
 
     def read(self, transaction: Transaction) -> Decoded:
-        """Say the packet, and what was answered or what is wrong with that."""
         if not transaction.sent:
             return Decoded("unsolicited bytes", is_fault=True)
         packets = _packets(transaction.sent, _polynomial(transaction.settings))
@@ -60,20 +57,21 @@ class TrexDecoder(Decoder):
             return Decoded(said)
         match _reply(packet, transaction):
             case Reply(value=value):
-                answer = describe_reply(packet.command, value, self.board)
-                return Decoded(f"{said} → {answer}" if answer else said, is_refusal(value))
+                reply = describe_reply(packet.command, value, self.board)
+                return Decoded(f"{said} → {reply}" if reply else said, is_refusal(value))
             case Malformed() if not packet.command.reply_size():
-                text = "unsolicited bytes; perhaps a late reply"
-                return Decoded(f"{said} → {text}", is_fault=True)
+                fault = "unsolicited bytes; perhaps a late reply"
             case Malformed(reason=reason):
-                return Decoded(f"{said} → damaged: {reason}", is_fault=True)
+                fault = f"corrupted: {reason}"
             case _ if not transaction.is_over:
                 return Decoded(said)
-        if not transaction.received:
-            return Decoded(f"{said} → no answer", is_fault=True)
-        if transaction.received == transaction.sent:
-            return Decoded(f"{said} → only its echo came back", is_fault=True)
-        return Decoded(f"{said} → the answer is not complete", is_fault=True)
+            case _ if not transaction.received:
+                fault = "no reply"
+            case _ if transaction.received == transaction.sent:
+                fault = "only its echo came back"
+            case _:
+                fault = "incomplete reply"
+        return Decoded(f"{said} → {fault}", is_fault=True)
 
     def _said(self, packet: Packet | Malformed) -> str:
         if isinstance(packet, Malformed):
@@ -84,7 +82,7 @@ class TrexDecoder(Decoder):
         return f"device {packet.device_number}: {said}"
 
 
-@lru_cache(maxsize=256)  # the same few questions all the time
+@lru_cache(maxsize=256)  # polls repeat the same few packets
 def _packets(sent: bytes, polynomial: int | None) -> tuple[Packet | Malformed, ...]:
     parser = PacketParser(polynomial)
     return (*parser.feed(sent), *parser.flush())
@@ -93,19 +91,14 @@ def _packets(sent: bytes, polynomial: int | None) -> tuple[Packet | Malformed, .
 def _reply(packet: Packet, transaction: Transaction) -> Reply[object] | NeedData | Malformed:
     """Parse the received bytes; if an echo is unknown, their length shows whether there is one."""
     framing = Framing(packet.device_number, _polynomial(transaction.settings))
-    if transaction.echo is not None:
-        return _parsed(packet.command, framing, transaction.received, echo=transaction.echo)
-    plain = _parsed(packet.command, framing, transaction.received, echo=False)
-    has_echo = transaction.received[: len(packet.raw)] == packet.raw[: len(transaction.received)]
+    received, echo = transaction.received, transaction.echo
+    if echo is not None:
+        return ReplyParser(packet.command, framing, echo).feed(received)
+    plain = ReplyParser(packet.command, framing, False).feed(received)
+    has_echo = received[: len(packet.raw)] == packet.raw[: len(received)]
     if isinstance(plain, Reply) or not has_echo:
         return plain
-    return _parsed(packet.command, framing, transaction.received, echo=True)
-
-
-def _parsed(
-    command: Command[object], framing: Framing, received: bytes, *, echo: bool
-) -> Reply[object] | NeedData | Malformed:
-    return ReplyParser(command, framing, echo).feed(received)
+    return ReplyParser(packet.command, framing, True).feed(received)
 
 
 def _polynomial(settings: PortSettings | None) -> int | None:
