@@ -10,9 +10,8 @@ from PySide6.QtWidgets import QSpinBox
 from tests.support.pages.bench_dialog import BenchTestDialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.bench.profile import Plan, Profile
-from trex_gui.devices.trex.bench.run import End
-from trex_gui.devices.trex.views.bench.dialog import BenchDialog, BenchOpener
+from trex_gui.devices.trex.bench.run import End, Plan, Profile
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 
 
 @pytest.fixture
@@ -20,10 +19,9 @@ def dialog(connected_window: WindowDriver, quick_simulator: SimulatedDevice) -> 
     window, device = connected_window, connected_window.device
     window.wait(lambda: device.telemetry.motor_currents is not None)
     window.trigger("bench")
-    bench = window.find_only(BenchOpener).bench
-    bench.set_plan(Plan(profile=Profile(speed=60, duration=20.0), abort_current=30.0))
     dialog = window.find(BenchDialog, "benchDialog")
-    return BenchTestDialog(dialog, device, bench, window.qtbot, quick_simulator)
+    dialog.bench.set_plan(Plan(profile=Profile(speed=60, duration=20.0), abort_current=30.0))
+    return BenchTestDialog(dialog, device, dialog.bench, window.qtbot, quick_simulator)
 
 
 def test_motor_runs_while_the_button_is_held(dialog: BenchTestDialog) -> None:

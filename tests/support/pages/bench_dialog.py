@@ -8,9 +8,9 @@ from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
-from trex_gui.devices.trex.views.bench.figures_table import FiguresTable
 from trex_gui.devices.trex.views.bench.hold_button import HoldButton
 from trex_gui.devices.trex.views.bench.plot import BenchPlot
+from trex_gui.devices.trex.views.bench.results import FiguresTable
 
 
 class BenchTestDialog(WidgetDriver):

@@ -3,8 +3,7 @@
 from collections.abc import Sequence
 from datetime import UTC, datetime
 
-from trex_gui.devices.trex.bench.profile import Profile
-from trex_gui.devices.trex.bench.run import End, Run
+from trex_gui.devices.trex.bench.run import End, Profile, Run
 
 BEGAN = datetime(2026, 11, 21, 12, 30, tzinfo=UTC)
 

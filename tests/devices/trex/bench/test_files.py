@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 from tests.devices.trex.bench.runs import run_of
 from tests.devices.trex.bench.test_profile import PROFILES
 from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, to_csv
-from trex_gui.devices.trex.bench.profile import Profile
-from trex_gui.devices.trex.bench.run import End, Run
+from trex_gui.devices.trex.bench.run import End, Profile, Run
 
 SAVED = run_of([(0.0125, 0.0), (0.025, 4.5)])
 
@@ -67,14 +66,14 @@ def test_file_header_lists_motor_shape_and_settings() -> None:
     ("old", "new", "words"),
     [
         ("# TReX Studio bench test", "product: TReX", "line 1: a bench test begins with"),
-        ("# motor: 1", "# motor 1", "line 3: a name and a value belong here"),
+        ("# motor: 1", "# motor 1", "line 3: expected a name and a value"),
         ("# motor: 1\n", "", "the line “# motor: …” is missing"),
-        ("# motor: 1", "# motor: 7", "1 or 2 belongs here, not 7"),
-        ("# shape: step", "# shape: square", "shape: “square” is no value for it"),
+        ("# motor: 1", "# motor: 7", "expected 1 or 2, not 7"),
+        ("# shape: step", "# shape: square", "shape: invalid value “square”"),
         ("# speed: 40", "# speed: 400", "not 400"),
-        ("time_s,", "seconds,", "the columns time_s, setpoint, current_a belong here"),
-        ("0.0250,40,4.5000", "0.0250,40", "line 17: “0.0250,40” is no row of it"),
-        ("0.0250,40,4.5000", "0.0250,40,many", "line 17: “0.0250,40,many” is no row of it"),
+        ("time_s,", "seconds,", "expected the columns time_s, setpoint, current_a"),
+        ("0.0250,40,4.5000", "0.0250,40", "line 17: invalid row “0.0250,40”"),
+        ("0.0250,40,4.5000", "0.0250,40,many", "line 17: invalid row “0.0250,40,many”"),
     ],
 )
 def test_damaged_file_is_rejected_with_reason(old: str, new: str, words: str) -> None:

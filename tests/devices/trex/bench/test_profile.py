@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.bench.profile import LONGEST, SHORTEST, Profile, Shape
+from trex_gui.devices.trex.bench.run import LONGEST, SHORTEST, Profile, Shape
 
 SECONDS = st.floats(SHORTEST, LONGEST)
 PROFILES = st.builds(

@@ -1,8 +1,9 @@
-"""The figures of a bench test, from its readings alone. Pure."""
+"""Figures of a bench test, from its readings alone. Pure."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from statistics import fmean
 
 from trex_gui.devices.trex.bench.run import Run
 
@@ -28,7 +29,6 @@ class Figures:
 
     Attributes:
         peak: highest reading, A.
-        peak_at: its time, s since the first setpoint.
         mean: A, from the first setpoint until the motor began to brake.
         charge: mAh, in the same time.
         steady: A at the end of the first constant setpoint.
@@ -39,7 +39,6 @@ class Figures:
     """
 
     peak: float | None = None
-    peak_at: float | None = None
     mean: float | None = None
     charge: float | None = None
     steady: float | None = None
@@ -53,21 +52,24 @@ def figures(run: Run, band: float = BAND) -> Figures:
     driven = [(time, amps) for time, amps in run.currents if 0 <= time <= run.ended]
     if command is None or not driven:
         return Figures()
-    peak_at, peak = max(driven, key=lambda reading: (reading[1], -reading[0]))
     mean, charge = _flow(driven)
-    after = [(time, amps) for time, amps in driven if time >= command]
-    steady = _steady(run, driven)
     noise = _NOISE_COUNTS * run.ampere
-    flowing = (time - command for time, amps in after if amps >= noise - 1e-9)
-    within = max(band * steady, noise) if steady else 0.0
-
+    first, last = run.profile.plateau(run.ended) or (0.0, 0.0)
+    tail = [amps for time, amps in driven if last - _TAIL * (last - first) <= time < last]
+    steady = fmean(tail) if tail and last - first >= _SHORTEST_PLATEAU else None
+    settled = None
+    if steady:
+        within = max(band * steady, noise) + 1e-9
+        held = [(time, amps) for time, amps in driven if command <= time < last]
+        left_at = max((time for time, amps in held if abs(amps - steady) > within), default=-1.0)
+        settled = next((time - command for time, _ in held if time > left_at), None)
+    flowing = (time - command for time, amps in driven if time >= command and amps >= noise - 1e-9)
     return Figures(
-        peak=peak,
-        peak_at=peak_at,
+        peak=max(amps for _, amps in driven),
         mean=mean,
         charge=charge,
         steady=steady,
-        settled=_settled(run, after, steady, command, within) if steady else None,
+        settled=settled,
         delay=next(flowing, None),
     )
 
@@ -80,30 +82,3 @@ def _flow(readings: Sequence[tuple[float, float]]) -> tuple[float | None, float]
             seconds += end - start
             coulombs += (before + after) / 2 * (end - start)
     return (coulombs / seconds if seconds else None), coulombs / 3.6
-
-
-def _steady(run: Run, driven: Sequence[tuple[float, float]]) -> float | None:
-    span = run.profile.plateau(run.ended)
-    if span is None or span[1] - span[0] < _SHORTEST_PLATEAU:
-        return None
-    begin = span[1] - _TAIL * (span[1] - span[0])
-    tail = [amps for time, amps in driven if begin <= time < span[1]]
-    return sum(tail) / len(tail) if tail else None
-
-
-def _settled(
-    run: Run, after: Sequence[tuple[float, float]], steady: float, command: float, within: float
-) -> float | None:
-    """Return when the current came to stay; `None` where it did not."""
-    span = run.profile.plateau(run.ended)
-    if span is None:
-        return None
-    settled: float | None = None
-    for time, amps in after:
-        if time >= span[1]:
-            break
-        if abs(amps - steady) > within + 1e-9:
-            settled = None
-        elif settled is None:
-            settled = time - command
-    return settled

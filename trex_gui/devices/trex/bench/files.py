@@ -17,10 +17,10 @@ import io
 import math
 from collections.abc import Callable, Iterable
 from datetime import datetime
+from itertools import takewhile
 from typing import TypeVar
 
-from trex_gui.devices.trex.bench.profile import Profile, Shape
-from trex_gui.devices.trex.bench.run import End, Run
+from trex_gui.devices.trex.bench.run import End, Profile, Run, Shape
 
 _TITLE = "# TReX Studio bench test"
 _COLUMNS = ["time_s", "setpoint", "current_a"]
@@ -30,7 +30,7 @@ ValueT = TypeVar("ValueT")
 
 
 class BenchFileError(Exception):
-    """A file is not a bench test; the text says where and why."""
+    """A file is not a bench test; the text names the line and the reason."""
 
 
 def to_csv(run: Run) -> str:
@@ -67,23 +67,22 @@ def _facts(run: Run) -> Iterable[tuple[str, str]]:
 
 
 def from_csv(text: str) -> Run:
-    """Read back what `to_csv` wrote.
+    """Return the test that `to_csv` wrote.
 
     Raises:
-        BenchFileError: the text is something else, or damaged; names the line.
+        BenchFileError: the text is something else, or damaged.
     """
     lines = text.removeprefix("\ufeff").splitlines()
     if not lines or lines[0].strip() != _TITLE:
         raise BenchFileError(f"line 1: a bench test begins with {_TITLE!r}")
+    header = list(takewhile(lambda line: line.startswith("#"), lines[1:]))
     facts: dict[str, str] = {}
-    number = 1
-    while number < len(lines) and lines[number].startswith("#"):
-        name, colon, value = lines[number].removeprefix("#").partition(":")
+    for number, line in enumerate(header, 2):
+        name, colon, value = line.removeprefix("#").partition(":")
         if not colon:
-            raise BenchFileError(f"line {number + 1}: a name and a value belong here")
+            raise BenchFileError(f"line {number}: expected a name and a value")
         facts[name.strip()] = value.strip()
-        number += 1
-    setpoints, currents = _table(lines, number)
+    setpoints, currents = _table(lines, 1 + len(header))
     try:
         profile = Profile(
             shape=_fact(facts, "shape", Shape),
@@ -95,7 +94,7 @@ def from_csv(text: str) -> Run:
         raise BenchFileError(str(error)) from error
     motor = _fact(facts, "motor", int)
     if motor not in {1, 2}:
-        raise BenchFileError(f"motor: 1 or 2 belongs here, not {motor}")
+        raise BenchFileError(f"motor: expected 1 or 2, not {motor}")
     return Run(
         motor=motor,
         profile=profile,
@@ -122,14 +121,14 @@ def _fact(facts: dict[str, str], name: str, read: Callable[[str], ValueT]) -> Va
     try:
         return read(facts[name])
     except ValueError as error:
-        raise BenchFileError(f"{name}: “{facts[name]}” is no value for it") from error
+        raise BenchFileError(f"{name}: invalid value “{facts[name]}”") from error
 
 
 def _number(text: str) -> float:
-    """Return a number that can be drawn: not NaN, nor infinite."""
+    """Return a number that can be drawn: neither NaN nor infinite."""
     value = float(text)
     if not math.isfinite(value):
-        raise ValueError(f"{text} is no measurement")
+        raise ValueError(text)
     return value
 
 
@@ -141,7 +140,7 @@ def _table(
     except csv.Error as error:
         raise BenchFileError(f"line {first + 1} or below: {error}") from error
     if not rows or rows[0] != _COLUMNS:
-        raise BenchFileError(f"line {first + 1}: the columns {', '.join(_COLUMNS)} belong here")
+        raise BenchFileError(f"line {first + 1}: expected the columns {', '.join(_COLUMNS)}")
     setpoints: list[tuple[float, int]] = []
     currents: list[tuple[float, float]] = []
     for number, row in enumerate(rows[1:], first + 2):
@@ -152,5 +151,5 @@ def _table(
             else:
                 setpoints.append((_number(time), int(speed)))
         except ValueError as error:
-            raise BenchFileError(f"line {number}: “{','.join(row)}” is no row of it") from error
+            raise BenchFileError(f"line {number}: invalid row “{','.join(row)}”") from error
     return tuple(setpoints), tuple(currents)

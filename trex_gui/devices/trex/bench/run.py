@@ -1,13 +1,134 @@
-"""A bench test that was run: setpoints, measured currents, how it ended."""
+"""A bench test: its plan, its profile, and the measurements. Pure."""
 
+import math
 from bisect import bisect_right
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from enum import Enum
 from operator import itemgetter
 
-from trex_gui.devices.trex.bench.profile import Profile
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+
+SHORTEST = 0.2
+"""Seconds that a test or a period lasts at least: ten steps of the profile."""
+
+LONGEST = 120.0
+"""Seconds that a test lasts at most; the user holds a button all the while."""
+
+
+class Shape(Enum):
+    """The shape of a profile; the values are those of saved files."""
+
+    STEP = "step"
+    RAMP = "ramp"
+    REVERSE = "reverse"
+    SINE = "sine"
+
+    @property
+    def has_period(self) -> bool:
+        """Whether it uses `Profile.period`."""
+        return self is not Shape.STEP
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Profile:
+    """A speed for each moment of a test.
+
+    Attributes:
+        shape: step: the speed at once, then constant. Ramp: rises linearly for one `period`,
+            then constant. Reverse: half a period forward, half backward, repeatedly. Sine.
+        speed: the highest speed, -127 to 127 and not 0; negative starts backward.
+        duration: seconds in all.
+        period: seconds; see `shape`.
+    """
+
+    shape: Shape = Shape.STEP
+    speed: int = 40
+    duration: float = 3.0
+    period: float = 1.0
+
+    def __post_init__(self) -> None:
+        """Raise `ValueError` with the limits if a value is outside them."""
+        if self.speed == 0 or not -FULL_SCALE <= self.speed <= FULL_SCALE:
+            raise ValueError(
+                f"the speed of a bench test is −{FULL_SCALE} to {FULL_SCALE} and not 0, "
+                f"not {self.speed}"
+            )
+        if not SHORTEST <= self.duration <= LONGEST:
+            raise ValueError(
+                f"a bench test lasts {SHORTEST:g} to {LONGEST:g} s, not {self.duration:g} s"
+            )
+        if self.shape.has_period and not SHORTEST <= self.period <= LONGEST:
+            raise ValueError(
+                f"the period of a bench test is {SHORTEST:g} to {LONGEST:g} s, "
+                f"not {self.period:g} s"
+            )
+
+    def speed_at(self, seconds: float) -> int:
+        """Return the speed at a moment; 0 before the start and from the end on."""
+        if not 0 <= seconds < self.duration:
+            return 0
+        return round(self.speed * self._share(seconds))
+
+    def _share(self, seconds: float) -> float:
+        """Return the share of the highest speed, -1 to 1."""
+        match self.shape:
+            case Shape.STEP:
+                return 1.0
+            case Shape.RAMP:
+                return min(1.0, seconds / self.period)
+            case Shape.REVERSE:
+                return 1.0 if seconds % self.period < self.period / 2 else -1.0
+            case Shape.SINE:
+                return math.sin(2 * math.pi * seconds / self.period)
+
+    def limited(self, ceiling: int) -> "Profile":
+        """Return the same profile with its speed limited to a ceiling (1-127)."""
+        if abs(self.speed) <= ceiling:
+            return self
+        return replace(self, speed=ceiling if self.speed > 0 else -ceiling)
+
+    def plateau(self, end: float) -> tuple[float, float] | None:
+        """Return the first span of constant speed, in a test that ended at `end`.
+
+        `None` without one: no current is steady there.
+        """
+        if self.shape is Shape.SINE:
+            return None
+        first = self.period if self.shape is Shape.RAMP else 0.0
+        last = min(end, self.duration)
+        if self.shape is Shape.REVERSE:
+            last = min(last, self.period / 2)
+        return (first, last) if last > first else None
+
+    def course(self, points: int = 600) -> Sequence[tuple[float, int]]:
+        """Return times and speeds to draw, with both sides of every jump."""
+        steps = {self.duration * index / points for index in range(points)}
+        if self.shape is Shape.REVERSE:
+            half = self.period / 2
+            for count in range(1, math.ceil(self.duration / half)):
+                steps |= {half * count - 1e-6, half * count + 1e-6}
+        inside = [(seconds, self.speed_at(seconds)) for seconds in sorted(steps)]
+        return [(0.0, 0), *inside, (self.duration, inside[-1][1]), (self.duration, 0)]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plan:
+    """The next test.
+
+    Attributes:
+        motor: 1 or 2.
+        accelerate: whether through the board's ramp, brake duration and limit, or at once.
+        abort_current: A; one reading above it stops everything.
+        abort_at_limit: whether the board's own current limit stops everything, too.
+    """
+
+    motor: int = 1
+    profile: Profile = field(default_factory=Profile)
+    accelerate: bool = True
+    abort_current: float = 10.0
+    abort_at_limit: bool = False
 
 
 class End(Enum):
@@ -50,7 +171,7 @@ class Run:
 
     @property
     def title(self) -> str:
-        """A short name, such as `step +60, 3 s`."""
+        """A short name for the user, such as `step +60, 3 s`."""
         profile = self.profile
         return f"{profile.shape.value} {profile.speed:+d}, {profile.duration:g} s".replace("-", "−")
 

@@ -9,11 +9,12 @@ from PySide6.QtWidgets import QDockWidget
 
 from trex_gui.core.errors import sentence
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.action_bar import ActionBar
-from trex_gui.devices.trex.views.bench.dialog import BenchOpener
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
@@ -100,7 +101,7 @@ class TrexWorkspace(Workspace):
         self._history = HistoryDialog(device, frame)
         learning = Learning(device, self)
         self._learn = LearnDialog(learning, frame)
-        self._bench = BenchOpener(device, frame)
+        self._bench = BenchDialog(device, Bench(device, self), frame)
 
         self.files.staged.connect(lambda: self.show_page("parameters"))
         self.recordings.accept_drops(frame, self)
@@ -209,7 +210,7 @@ class TrexWorkspace(Workspace):
                 SEPARATOR,
                 entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
                 entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
-                entry("bench", tr("&Bench test…"), self._bench.open, "Ctrl+B", "plot"),
+                entry("bench", tr("&Bench test…"), self._bench.open_bench, "Ctrl+B", "plot"),
                 SEPARATOR,
                 entry(
                     "defaults",

@@ -9,8 +9,7 @@ import numpy as np
 from PySide6.QtCore import QSize, Qt, Slot
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.devices.trex.bench.profile import Profile
-from trex_gui.devices.trex.bench.run import Run
+from trex_gui.devices.trex.bench.run import Profile, Run
 from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats

@@ -1,0 +1,284 @@
+"""Forms of a bench test: its plan, and the parameters that it tunes."""
+
+from dataclasses import replace
+from functools import partial
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QGroupBox, QLabel, QSpinBox, QWidget
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.bench.run import LONGEST, SHORTEST, Profile, Shape
+from trex_gui.devices.trex.model.bench import Bench
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+from trex_gui.devices.trex.protocol.parameters import motor_name
+from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
+from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders as ui
+
+_WIDEST = "127 per 100 ms (127 ms)"
+
+
+class PlanForm(QGroupBox):
+    """Edits the plan of a bench; disabled while a test runs."""
+
+    def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setTitle(self.tr("Test"))
+        self._bench = bench
+        self._motors = device.motors
+        combo = partial(ui.combo_box, self, on_change=self._on_edited)
+        number = partial(ui.double_spin_box, self, decimals=2, step=0.5, on_change=self._on_edited)
+        seconds = partial(number, lowest=SHORTEST, highest=LONGEST, suffix=self.tr(" s"))
+
+        self._motor = combo(
+            "benchMotor",
+            self.tr("Motor to test"),
+            items=[(self.tr("Motor {0}").format(motor), motor) for motor in (1, 2)],
+        )
+        self._shape = combo(
+            "benchShape",
+            self.tr("Speed profile"),
+            items=[
+                (self.tr("Step: at once"), Shape.STEP),
+                (self.tr("Ramp: rising linearly"), Shape.RAMP),
+                (self.tr("Reverse: back and forth"), Shape.REVERSE),
+                (self.tr("Sine"), Shape.SINE),
+            ],
+        )
+        self._direction = combo(
+            "benchDirection",
+            self.tr("First direction"),
+            items=[(self.tr("Forward"), 1), (self.tr("Reverse"), -1)],
+        )
+        self._speed = ui.spin_box(
+            self,
+            "benchSpeed",
+            self.tr("Highest speed of the test"),
+            1,
+            FULL_SCALE,
+            suffix=f" / {FULL_SCALE}",
+            on_change=self._on_edited,
+        )
+        self._duration = seconds("benchDuration", self.tr("Duration of the test"))
+        self._period = seconds("benchPeriod", self.tr("Period of the test"))
+        self._period_name = ui.label(self, buddy=self._period)
+        self._sent = combo(
+            "benchSent",
+            self.tr("How setpoints are sent"),
+            items=[(self.tr("Accelerate"), True), (self.tr("Set at once"), False)],
+            tip=self.tr(
+                "Accelerate uses the board's acceleration, brake duration and current limit; "
+                "Set at once bypasses the first two and, for a moment, the limit, too."
+            ),
+        )
+        self._abort = number(
+            "benchAbort",
+            self.tr("Abort current"),
+            0.1,
+            bench.highest_current,
+            suffix=self.tr(" A"),
+            tip=self.tr(
+                "One reading above it stops and disarms all motors. A motor draws most when it "
+                "starts."
+            ),
+        )
+        self._at_limit = ui.check_box(
+            self,
+            "benchAbortAtLimit",
+            self.tr("Abort at the board's &limit, too"),
+            tip=self.tr("Stop when the board reports that its own current limit was exceeded."),
+            on_toggle=self._on_edited,
+        )
+        for box in (self._speed, self._duration, self._period, self._abort):
+            box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+        form = QFormLayout()
+        form.setContentsMargins(0, 0, 0, 0)
+        form.setVerticalSpacing(3)
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(self.tr("&Motor"), self._motor)
+        form.addRow(self.tr("Pro&file"), self._shape)
+        form.addRow(self.tr("Direc&tion"), self._direction)
+        form.addRow(self.tr("&Speed"), self._speed)
+        form.addRow(self.tr("&Duration"), self._duration)
+        form.addRow(self._period_name, self._period)
+        form.addRow(self.tr("Se&nt as"), self._sent)
+        form.addRow(self.tr("Abort &above"), self._abort)
+        form.addRow(self._at_limit)
+        ui.column(form, into=self)
+
+        bench.changed.connect(self._on_bench_changed)
+        self._on_bench_changed()
+
+    @Slot()
+    def _on_edited(self) -> None:
+        profile = Profile(
+            shape=self._shape.currentData(),
+            speed=self._speed.value() * int(self._direction.currentData()),
+            duration=round(self._duration.value(), 2),
+            period=round(self._period.value(), 2),
+        )
+        self._bench.set_plan(
+            replace(
+                self._bench.plan,
+                motor=int(self._motor.currentData()),
+                profile=profile,
+                accelerate=bool(self._sent.currentData()),
+                abort_current=round(self._abort.value(), 2),
+                abort_at_limit=self._at_limit.isChecked(),
+            )
+        )
+
+    @Slot()
+    def _on_bench_changed(self) -> None:
+        plan, ceiling = self._bench.plan, self._motors.ceiling
+        combos = {
+            self._motor: plan.motor,
+            self._shape: plan.profile.shape,
+            self._direction: 1 if plan.profile.speed > 0 else -1,
+            self._sent: plan.accelerate,
+        }
+        numbers: dict[QSpinBox | QDoubleSpinBox, float] = {
+            self._speed: abs(plan.profile.speed),
+            self._duration: plan.profile.duration,
+            self._period: plan.profile.period,
+            self._abort: plan.abort_current,
+        }
+        blockers = [QSignalBlocker(field) for field in (*combos, *numbers, self._at_limit)]
+        self._show_period(plan.profile.shape)
+        self._speed.setRange(1, ceiling)
+        tip = self.tr("1 to {0}, full speed")
+        if ceiling < FULL_SCALE:
+            tip = self.tr("1 to {0}, the speed ceiling of the Motors page")
+        self._speed.setToolTip(tip.format(ceiling))
+        self._abort.setRange(0.1, self._bench.highest_current)
+        for combo, data in combos.items():
+            combo.setCurrentIndex(combo.findData(data))
+        for box, value in numbers.items():
+            if box.value() != value:  # setting it would reformat what is being typed
+                box.setValue(value)  # type: ignore[arg-type]  # an int for the speed
+        self._at_limit.setChecked(plan.abort_at_limit)
+        del blockers
+        self.setEnabled(not self._bench.is_driving)
+
+    def _show_period(self, shape: Shape) -> None:
+        self._period_name.setText(
+            self.tr("&Rises in") if shape is Shape.RAMP else self.tr("&Period")
+        )
+        self._period_name.setEnabled(shape.has_period)
+        self._period.setEnabled(shape.has_period)
+        tips = {
+            Shape.STEP: self.tr("A step has no period."),
+            Shape.RAMP: self.tr("How long the speed rises before it is constant."),
+            Shape.REVERSE: self.tr("Half of it in each direction."),
+            Shape.SINE: self.tr("One full cycle, forward and back."),
+        }
+        self._period.setToolTip(tips[shape])
+
+
+class TuningForm(QGroupBox):
+    """Edits one motor's acceleration, brake duration, current limit and P.
+
+    The edits are those of the Parameters page, and are reviewed before they are written.
+
+    Signals:
+        apply_requested: write the edits.
+    """
+
+    apply_requested = Signal()
+
+    def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._bench = bench
+        self._shown: tuple[str, tuple[str, ...]] | None = None
+        self._fields: dict[str, tuple[QLabel, Editor]] = {}
+
+        self._empty = ui.label(self, text=self.tr("Connect to a board to see its settings."))
+        self._empty.setWordWrap(True)
+        self._edited = ui.label(self, "benchEdited", wrap=True)
+        self._apply = ui.button(
+            self,
+            "benchApplyButton",
+            self.tr("A&pply…"),
+            icon="apply",
+            tip=self.tr("Review and write all pending edits, these included"),
+            default=False,
+            on_click=self.apply_requested,
+        )
+        self._form = QFormLayout()
+        self._form.setVerticalSpacing(3)
+        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        ui.column(self._empty, self._form, self._edited, 1, self._apply, into=self, spacing=4)
+
+        bench.changed.connect(self._on_changed)
+        device.state_changed.connect(self._on_changed)
+        device.draft.pending_changed.connect(self._on_changed)
+        device.link_changed.connect(self._on_changed)
+        theme().changed.connect(self._show_values)
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        """Show the parameters of the planned motor."""
+        device = self._device
+        keys = tuple(key for key in self._bench.tuned_keys() if device.parameters.knows(key))
+        shown = device.parameters.model_key, keys
+        if shown != self._shown:
+            self._shown = shown
+            self._make_editors(keys)
+        self.setTitle(self.tr("Settings of motor {0}").format(self._bench.plan.motor))
+        self._empty.setVisible(not keys)
+        self._show_values()
+        is_up = device.link is ConnectionState.CONNECTED
+        can_edit = is_up and not device.applying and not self._bench.is_driving
+        for _, editor in self._fields.values():
+            editor.setEnabled(can_edit)
+        self._apply.setEnabled(can_edit and device.draft.pending > 0)
+
+    def _make_editors(self, keys: tuple[str, ...]) -> None:
+        while self._form.rowCount():
+            self._form.removeRow(0)
+        self._fields.clear()
+        for key in keys:
+            spec = self._device.parameters.spec_of(key)
+            editor = editor_for(spec, self)
+            editor.setObjectName(f"bench_{key}")
+            editor.setAccessibleName(spec.name)
+            editor.setToolTip(f"{spec.description} ({editor.toolTip()})")
+            editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance(_WIDEST) + 40)
+            # The group names the motor; the long name of P would take half of the window.
+            name = spec.name.removeprefix(motor_name(key)).strip()
+            name = name.replace("Current Limit Proportionality Constant ", self.tr("Limit "))
+            label = ui.label(self, text=name, tip=spec.description)
+            self._form.addRow(label, editor)
+            editor.valueChanged.connect(partial(self._on_edited, key))
+            self._fields[key] = label, editor
+
+    def _on_edited(self, key: str, wire: int) -> None:
+        try:
+            self._device.parameters.edit(key, wire, alone=True)
+        except (BadRequest, KeyError):
+            self._show_values()  # the board was disconnected meanwhile
+
+    @Slot()
+    def _show_values(self) -> None:
+        parameters = self._device.parameters
+        edited = []
+        for key, (label, editor) in self._fields.items():
+            wire, stored = parameters.value_of(key), parameters.stored_of(key)
+            if wire is None:
+                continue
+            if editor.value() != wire:
+                with QSignalBlocker(editor):
+                    editor.setValue(wire)
+            if parameters.is_modified(key) and stored is not None:
+                text = self.tr("{0} (stored: {1})")
+                edited.append(text.format(label.text(), parameters.spec_of(key).text(stored)))
+        self._edited.setText(self.tr("Not applied: {0}").format(", ".join(edited)))
+        self._edited.setVisible(bool(edited))
+        palette = self.palette()
+        palette.setColor(self._edited.foregroundRole(), theme().color("dirty"))
+        self._edited.setPalette(palette)

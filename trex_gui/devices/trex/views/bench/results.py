@@ -1,0 +1,185 @@
+"""Results of bench tests: their figures beside those of another test, and their files."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QObject, QSettings, QSize, Qt, Signal
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFileDialog,
+    QHeaderView,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from trex_gui.devices.trex.bench.figures import BAND, Figures, figures
+from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, to_csv
+from trex_gui.devices.trex.bench.run import Run
+from trex_gui.devices.trex.model.bench import Bench
+from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
+from trex_gui.ui.widgets.behaviour import name_headers
+from trex_gui.ui.widgets.file_questions import last_folder, remember_folder
+
+_MAX_LENGTH = 10_000_000
+"""Characters; two minutes of readings are half a megabyte."""
+
+
+def _rows(band: float = BAND) -> tuple[tuple[str, str, str, str], ...]:
+    """Return name, field of `Figures`, unit and explanation of each row."""
+
+    def tr(text: str) -> str:
+        return QCoreApplication.translate("figures_table", text)
+
+    until_braking = tr("From the first setpoint until braking.")
+    return (
+        (tr("Peak current"), "peak", "A", tr("The highest reading.")),
+        (tr("Steady current"), "steady", "A", tr("At the end of the first constant speed.")),
+        (tr("Mean current"), "mean", "A", until_braking),
+        (tr("Charge"), "charge", "mAh", until_braking),
+        (
+            tr("Setpoint to current"),
+            "delay",
+            "ms",
+            tr("Until the first reading of two counts: the line, the board and its measurement."),
+        ),
+        (
+            tr("Settled within {0:.0f} % after").format(100 * band),
+            "settled",
+            "ms",
+            tr(
+                "Until the current stayed within this share of the steady current, or within two "
+                "counts of it."
+            ),
+        ),
+    )
+
+
+class FiguresTable(QTableWidget):
+    """A row for each figure: this test, the one compared with, and the difference."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        rows = _rows()
+        super().__init__(len(rows), 3, parent)
+        self.setObjectName("benchFigures")
+        self.setAccessibleName(self.tr("Figures of the test"))
+        name_headers(self)
+        self.setHorizontalHeaderLabels(
+            [self.tr("This test"), self.tr("Compared"), self.tr("Change")]
+        )
+        for index, (name, _, _, explanation) in enumerate(rows):
+            header = QTableWidgetItem(name)
+            header.setToolTip(explanation)
+            self.setVerticalHeaderItem(index, header)
+            for column in range(3):
+                item = QTableWidgetItem(NO_VALUE)
+                item.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
+                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                item.setToolTip(explanation)
+                self.setItem(index, column, item)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setTabKeyNavigation(False)
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        for headers in (self.horizontalHeader(), self.verticalHeader()):
+            headers.setHighlightSections(False)
+        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+
+    def show_runs(self, run: Run | None, before: Run | None, band: float) -> None:
+        """Show the figures of two tests; `band` (0 to 1) of the steady current is settled."""
+        now, then = (Figures() if test is None else figures(test, band) for test in (run, before))
+        for index, (name, field, unit, _) in enumerate(_rows(band)):
+            one, other = getattr(now, field), getattr(then, field)
+            change = None if one is None or other is None else one - other
+            texts = _text(one, unit), _text(other, unit), _text(change, unit, "+")
+            for column, text in enumerate(texts):
+                self.model().setData(self.model().index(index, column), text)
+            self.model().setHeaderData(index, Qt.Orientation.Vertical, name)
+
+    def sizeHint(self) -> QSize:
+        rows = self.rowCount() * self.verticalHeader().defaultSectionSize()
+        height = rows + self.horizontalHeader().sizeHint().height() + 2 * self.frameWidth()
+        return QSize(super().sizeHint().width(), height)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(super().minimumSizeHint().width(), self.sizeHint().height() // 2)
+
+
+def _text(value: float | None, unit: str, sign: str = "") -> str:
+    if value is None:
+        return NO_VALUE
+    number = f"{1000 * value:{sign}.0f}" if unit == "ms" else f"{value:{sign}.2f}"
+    return f"{number.replace('-', MINUS)} {unit}"
+
+
+class BenchFiles(QObject):
+    """Saves tests as files or pictures, and opens files to compare with.
+
+    Signals:
+        reported: the result, for the user.
+    """
+
+    reported = Signal(str)
+
+    def __init__(self, bench: Bench, window: QWidget, picture: Callable[[], QPixmap]) -> None:
+        """`picture` returns the plot as it is shown."""
+        super().__init__(window)
+        self._picture = picture
+        self._bench = bench
+        self._window = window
+        self._store = QSettings(self)
+
+    def ask_and_save(self, run: Run) -> None:
+        name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.started:%Y%m%d_%H%M%S}.csv"
+        path = str(last_folder(self._store) / name)
+        kinds = self.tr("Bench tests (*.csv);;Pictures (*.png)")
+        title = self.tr("Save bench test")
+        chosen, _ = QFileDialog.getSaveFileName(self._window, title, path, kinds)
+        if chosen:
+            self.save(run, Path(chosen))
+
+    def ask_and_open(self) -> None:
+        path = str(last_folder(self._store))
+        kinds = self.tr("Bench tests (*.csv);;All files (*)")
+        title = self.tr("Open bench test")
+        chosen, _ = QFileDialog.getOpenFileName(self._window, title, path, kinds)
+        if chosen:
+            self.open(Path(chosen))
+
+    def save(self, run: Run, path: Path) -> None:
+        """Write a test, or a picture if the name ends in .png; replaces an older file."""
+        try:
+            if path.suffix.lower() == ".png":
+                path.touch()  # for the reason of a failure, which Qt does not give
+                if not self._picture().save(str(path), "PNG"):
+                    raise OSError(self.tr("The picture could not be written"))  # noqa: TRY301
+            else:
+                path.write_text(to_csv(run), encoding="utf-8", newline="")
+        except OSError as error:
+            text = self.tr("{0} was not saved. {1}")
+            self.reported.emit(text.format(path.name, error.strerror or error))
+            return
+        remember_folder(self._store, path)
+        self.reported.emit(self.tr("Saved as {0}.").format(path.name))
+
+    def open(self, path: Path) -> None:
+        """Read a test and add it to those that were run."""
+        try:
+            with path.open(encoding="utf-8") as file:
+                text = file.read(_MAX_LENGTH + 1)
+            if len(text) > _MAX_LENGTH:
+                raise BenchFileError(self.tr("the file is too large"))  # noqa: TRY301
+            run = from_csv(text)
+        except OSError as error:
+            reason = error.strerror or str(error)
+        except UnicodeDecodeError:
+            reason = self.tr("it is not a text file")
+        except BenchFileError as error:
+            reason = str(error)
+        else:
+            remember_folder(self._store, path)
+            self._bench.add_run(run)
+            self.reported.emit(self.tr("{0}: {1}.").format(path.name, run.title))
+            return
+        self.reported.emit(self.tr("{0} was not opened: {1}.").format(path.name, reason))
