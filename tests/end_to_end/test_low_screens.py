@@ -14,7 +14,7 @@ from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.widgets.inline_prompt import InlinePrompt
+from trex_gui.ui.widgets.messages import InlinePrompt
 
 LOW = (960, 500)
 HIGH = (960, 800)

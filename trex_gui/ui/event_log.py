@@ -46,7 +46,6 @@ class EventLog(QObject):
     cleared = Signal()
 
     def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
-        """Keep no events yet; `clock` is the session's, which is the computer's monotonic one."""
         super().__init__(parent)
         self._clock = clock
         self._events: list[Event] = []
@@ -57,7 +56,6 @@ class EventLog(QObject):
         return self._events
 
     def between(self, start: float, end: float) -> Sequence[Event]:
-        """Return what happened from `start` to `end`, oldest first."""
         first = bisect_left(self._events, start, key=_time)
         return self._events[first : bisect_right(self._events, end, key=_time)]
 
@@ -70,7 +68,6 @@ class EventLog(QObject):
         return event
 
     def clear(self) -> None:
-        """Forget all."""
         self._events.clear()
         self.cleared.emit()
 

@@ -45,7 +45,6 @@ class Program:
         self.window.add_workspaces(list(self.workspaces.values()))
 
     def connect_to_demo(self, device: str) -> None:
-        """Connect to the simulated device of a kind."""
         self.device_manager.connect_to(self.ports.demo_of(device))
 
     def connect_to_port(self, url: str, device: str | None = None) -> None:
@@ -90,7 +89,6 @@ class Program:
         manager.changed.connect(run_once)
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every device, from any thread."""
         self.device_manager.stop_now(ending=ending)
 
     def shut_down(self) -> bool:

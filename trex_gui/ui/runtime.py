@@ -44,7 +44,6 @@ class Runtime:
         return timer
 
     def start(self, thread: QThread, priority: QThread.Priority) -> None:
-        """Start a thread."""
         QThread.start(thread, priority)
 
     def wait(self, thread: QThread, milliseconds: int) -> bool:
@@ -52,15 +51,9 @@ class Runtime:
         return QThread.wait(thread, QDeadlineTimer(milliseconds))
 
     def process(self, parent: QObject) -> QProcess:
-        """Return a process that is not started yet."""
         return QProcess(parent)
 
     def open_transport(self, settings: PortSettings) -> Transport:
-        """Open a serial port.
-
-        Raises:
-            PortUnavailable: it cannot be opened.
-        """
         return SerialTransport(settings)
 
 
@@ -73,7 +66,6 @@ def runtime() -> Runtime:
 
 
 def use_runtime(runtime: Runtime) -> Runtime:
-    """Replace the runtime, before anything that uses it exists; return the one before."""
     global _runtime
     before, _runtime = _runtime, runtime
     return before
@@ -85,5 +77,4 @@ def now() -> float:
 
 
 def open_transport(settings: PortSettings) -> Transport:
-    """Open a serial port of the runtime; see `Runtime.open_transport`."""
     return _runtime.open_transport(settings)

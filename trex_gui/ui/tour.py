@@ -56,7 +56,6 @@ class Tour(QObject):
         return timer
 
     def start(self) -> None:
-        """Begin."""
         self._folder.mkdir(parents=True, exist_ok=True)
         self._program.window.resize(*_SIZE)
         self._step()
@@ -87,7 +86,6 @@ class Tour(QObject):
 
     @staticmethod
     def wait(seconds: float = _SETTLE_MS / 1000) -> Iterator[Do]:
-        """Let time pass."""
         yield from [lambda: None] * round(seconds * 1000 / _STEP_MS)
 
     def look_at_pages(self, state: str = "", *, first_only: bool = False) -> Iterator[Do]:
@@ -103,7 +101,6 @@ class Tour(QObject):
                 yield partial(self._write, window, f"{name}{state}-{scheme}.png")
 
     def look_at(self, dialog: str, name: str) -> Iterator[Do]:
-        """Take pictures of a dialog, by its object name."""
         widget = self._program.window.findChild(QWidget, dialog)
         for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)
@@ -127,7 +124,6 @@ class Tour(QObject):
         return True
 
     def is_visible(self, widget: str) -> bool:
-        """Return whether a widget can be seen, by its object name."""
         found = self._program.window.findChild(QWidget, widget)
         return found is not None and found.isVisible()
 

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColu
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.widgets.inline_prompt import InlinePrompt
+from trex_gui.ui.widgets.messages import InlinePrompt
 
 
 class ComparisonDialog(WidgetDriver):

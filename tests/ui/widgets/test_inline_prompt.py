@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
-from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
+from trex_gui.ui.widgets.messages import InlinePrompt, PromptAnswer
 
 
 @pytest.fixture

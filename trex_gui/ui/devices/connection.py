@@ -71,7 +71,6 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
             self._set_state(ConnectionState.DISCONNECTING, self.tr("Disconnecting …"))
 
     def shut_down(self) -> bool:
-        """Close the line and wait for it; return whether it ended in time."""
         self._next = None
         was_open = self.is_open
         in_time = super().shut_down()

@@ -127,7 +127,6 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model.disconnect_line()
 
     def begin_to_shut_down(self) -> None:
-        """Stop motors and start to close the line; does not wait."""
         self.starting = False
         self._after_scan = None
         self._model.disconnect_line()
@@ -140,7 +139,6 @@ class DeviceController(QObject, Generic[SettingsT]):
         return in_time
 
     def _abandon_demo(self, reason: str) -> None:
-        """Connect nothing; also close a line that was to make room for the simulated device."""
         self.starting = False
         if self.link is ConnectionState.DISCONNECTED:
             self.port = None

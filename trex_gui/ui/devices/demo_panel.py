@@ -68,7 +68,6 @@ class Rows(QGroupBox, Generic[SnapshotT]):
             update(snapshot)
 
     def on_snapshot(self, update: Callable[[SnapshotT], object]) -> None:
-        """Call `update` with every state."""
         self._updates.append(update)
 
     # --- Controls -----------------------------------------------------------------------
@@ -156,7 +155,6 @@ class Rows(QGroupBox, Generic[SnapshotT]):
     # --- Layout -------------------------------------------------------------------------
 
     def add_headings(self, slider: str, *ticks: str, over_value: bool = False) -> None:
-        """Add headings of sliders (and their values) and check boxes."""
         row_number = self._next()
         for column, text in ((_SLIDER, slider), *enumerate(ticks, start=_TICK)):
             heading = QLabel(text, self)
@@ -190,7 +188,6 @@ class Rows(QGroupBox, Generic[SnapshotT]):
         self._grid.addWidget(text, self._next(), _SLIDER, 1, 2)
 
     def add_wide(self, *widgets: QWidget | tuple[QWidget, int]) -> None:
-        """Add widgets side by side over all columns, each with its stretch."""
         line = QWidget(self)
         ui.row(*widgets, into=line, margins=0)
         self._grid.addWidget(line, self._next(), 0, 1, -1)
@@ -319,7 +316,6 @@ class DemoDock(QDockWidget):
         self.setWidget(scroll)
 
     def set_wanted(self, wanted: bool) -> None:
-        """Show or hide it, now and at the next start."""
         if wanted != self.wanted:
             self.wanted = wanted
             self._store.setValue(self._key, wanted)
@@ -332,7 +328,6 @@ class DemoDock(QDockWidget):
 
     @Slot()
     def show_if_wanted(self) -> None:
-        """Show or hide it; the width of the window follows."""
         there = self.wanted and self._use.demo_in_use
         if there and self.isHidden():
             self._make_room()

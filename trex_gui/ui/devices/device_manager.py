@@ -55,7 +55,6 @@ class DeviceManager(QObject):
         return self.current.link is ConnectionState.DISCONNECTED and not self.current.starting
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port; a device of another kind is disconnected first."""
         controller = self._controllers[port.device]
         self._switch_to(controller, lambda: controller.connect_to(port))
 

@@ -65,7 +65,6 @@ class Ports(QObject):
         self._timer.start()
 
     def demo_of(self, device: str) -> Port:
-        """Return the entry of the simulated device of a kind."""
         return next(
             port for port in self.entries if port.kind is PortKind.DEMO and port.device == device
         )
@@ -82,7 +81,6 @@ class Ports(QObject):
 
     @Slot()
     def refresh(self) -> None:
-        """Look again which ports there are."""
         entries = [
             self._entry(PortKind.SERIAL, port.device, _label(port.device, port.description))
             for port in sorted(list_ports.comports())
@@ -134,7 +132,6 @@ class Ports(QObject):
         return Port(kind, url, label, device)
 
     def find(self, url: str) -> Port | None:
-        """Return the entry with this address, if there is one."""
         return next((port for port in self.entries if port.url == url and url), None)
 
     def note_used(self, port: Port) -> None:

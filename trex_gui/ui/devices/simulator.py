@@ -59,7 +59,6 @@ class Simulator(QObject):
         self._process.finished.connect(self._on_finished)
 
     def start(self) -> None:
-        """Start it, or announce it again when it runs."""
         if self.url:
             self.ready.emit(self.url)
         elif self._process.state() is QProcess.ProcessState.NotRunning:
@@ -182,7 +181,6 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         simulator.ended.connect(self._on_simulator_ended)
 
     def watch(self, watched: bool) -> None:
-        """Start or stop polling."""
         if watched and not self._timer.isActive():
             self._timer.start()
             self._poll()
@@ -198,7 +196,6 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self._send("line plug" if plugged else "line unplug")
 
     def set_mute(self, mute: bool) -> None:
-        """Cut or connect the wire that carries replies."""
         self._send(f"line mute {switch(mute)}")
 
     def set_noise(self, probability: float) -> None:
@@ -208,8 +205,6 @@ class DemoDevice(QObject, Generic[SnapshotT]):
     # --- Lines to the simulator ---------------------------------------------------------
 
     def _send(self, line: str, then: Callable[[], None] | None = None) -> None:
-        """Send a control line, and poll once it is executed."""
-
         def answered(answer: str) -> None:
             if answer.startswith("error"):
                 self.rejected.emit(_sentence(answer.removeprefix("error ")))

@@ -123,7 +123,6 @@ class FindDialog(QDialog):
         )
 
     def look(self) -> None:
-        """Show it; the user starts the scan."""
         self.show()
         self.activateWindow()
         self._start.setFocus()
@@ -146,7 +145,6 @@ class FindDialog(QDialog):
 
     @Slot()
     def _on_ports_changed(self) -> None:
-        """Offer every port that can be scanned; check marks stay."""
         with QSignalBlocker(self._list):
             self._list.clear()
             for port in self._ports.entries:

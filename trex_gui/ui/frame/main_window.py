@@ -29,9 +29,8 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import Scheme, theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.banner import Banner
-from trex_gui.ui.widgets.file_drop import AnyFileDrop
-from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
+from trex_gui.ui.widgets.file_drop import FileDrop
+from trex_gui.ui.widgets.messages import Banner, InlinePrompt, PromptAnswer
 
 _SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
 
@@ -53,7 +52,6 @@ class MainWindow(QMainWindow):
         notifier: Notifier,
         parent: QWidget | None = None,
     ) -> None:
-        """Make an empty frame; `add_workspaces` fills it."""
         super().__init__(parent)
         self.setObjectName("mainWindow")
         self.setWindowTitle(self.tr("TReX Studio"))
@@ -72,7 +70,7 @@ class MainWindow(QMainWindow):
         self._help = HelpDialog(self)
         self._warning = UnconfirmedStopWarning(device_manager, self.question, self)
         # After the event: a question about the file must not block the program it comes from.
-        drop = AnyFileDrop(self)
+        drop = FileDrop(self)
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 
     def add_workspaces(self, workspaces: Sequence[Workspace]) -> None:
@@ -132,7 +130,7 @@ class MainWindow(QMainWindow):
     # --- Files --------------------------------------------------------------------------
 
     @Slot(object)
-    def _on_dropped(self, paths: tuple[Path, ...]) -> None:
+    def _on_dropped(self, paths: Sequence[Path]) -> None:
         self.activateWindow()
         if len(paths) == 1:
             self.open_file(paths[0])
@@ -379,7 +377,6 @@ class UnconfirmedStopWarning(QObject):
         )
 
     def _on_over(self) -> None:
-        """Close the window if the stop was confirmed; else the warning was cancelled."""
         if self._manager.is_idle and not self._manager.unconfirmed_stop:
             QTimer.singleShot(0, self._window.close)
         else:

@@ -1,12 +1,13 @@
 """Starting and ending recordings, and the windows of open ones."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from PySide6.QtCore import QEvent, QObject, QSettings, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QObject, QSettings, Qt, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QLabel, QSizePolicy, QWidget
 
 from trex_gui.core.recording.kinds import RecordingError
@@ -14,8 +15,7 @@ from trex_gui.core.recording.store import SUFFIX
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.transport import size_text, time_text
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.workers.record_thread import RecordThread
@@ -37,12 +37,12 @@ class RecordIndicator(QWidget):
     def __init__(
         self, recorder: RecordThread[Any], parent: QWidget | None = None, *, prefix: str = ""
     ) -> None:
-        """`prefix` starts all object names."""
         super().__init__(parent)
         builders.named(self, f"{prefix}recordIndicator", accessible=self.tr("Recording"))
         self._recorder = recorder
 
-        self._dot = QLabel(self)
+        dot = QLabel(self)
+        set_sign(dot, "record", "led_red", self.fontMetrics().height())
         self._text = builders.label(self, f"{prefix}recordText", bold=True)
         self._file = builders.label(self, f"{prefix}recordFile", plain=True)
         # A long name is cut rather than making the window wide; its tool tip has all of it.
@@ -57,12 +57,10 @@ class RecordIndicator(QWidget):
         )
         self._timer = runtime().timer(self)
         self._timer.setInterval(_UPDATE_INTERVAL_MS)
-        builders.row(self._dot, self._text, (self._file, 1), stop, into=self, margins=0)
+        builders.row(dot, self._text, (self._file, 1), stop, into=self, margins=0)
 
         self._timer.timeout.connect(self._update_text)
         recorder.changed.connect(self._on_changed)
-        theme().changed.connect(self._on_theme_changed)
-        self._on_theme_changed()
         self._on_changed()
 
     @Slot()
@@ -90,20 +88,6 @@ class RecordIndicator(QWidget):
         self._file.setText(elided)
         self._file.setToolTip(str(recorder.path or ""))
         self.setAccessibleDescription(f"{text}, {name}")
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        side = self.fontMetrics().height()
-        self._dot.setPixmap(icon("record", "led_red").pixmap(QSize(side, side)))
-
-
-class _RecordingDrop(FileDrop):
-    def __init__(self, frame: QWidget, workspace: QWidget) -> None:
-        super().__init__(frame, _DROPPED_SUFFIXES)
-        self._workspace = workspace
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        return self._workspace.isVisible() and super().eventFilter(watched, event)
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,8 +145,12 @@ class RecordingManager(QObject, Generic[WindowT]):
         recorder.failed.connect(notifier.error)
 
     def accept_drops(self, frame: QWidget, workspace: QWidget) -> None:
-        """Open recordings dropped on `frame` while `workspace` is shown in it."""
-        _RecordingDrop(frame, workspace).dropped.connect(self.open_file)
+
+        def takes(paths: Sequence[Path]) -> bool:
+            is_one = len(paths) == 1 and paths[0].suffix.lower() in _DROPPED_SUFFIXES
+            return is_one and workspace.isVisible()
+
+        FileDrop(frame, takes).dropped.connect(lambda paths: self.open_file(paths[0]))
 
     def open_window(self, path: Path) -> WindowT:
         """Return a new window that loads and shows a recording.

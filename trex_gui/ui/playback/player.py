@@ -225,7 +225,6 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
             self._begin(partial(_export, self._recording, path, span, header))
 
     def cancel(self) -> None:
-        """Stop loading or exporting; an export leaves an existing file as it was."""
         self._task.cancel()
 
     def _begin(self, work: Callable[[ProgressCallback], object]) -> None:

@@ -20,7 +20,7 @@ from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders
-from trex_gui.ui.widgets.banner import Banner
+from trex_gui.ui.widgets.messages import Banner
 
 _REDRAW_DELAY_MS = 100
 
@@ -117,7 +117,6 @@ class RecordingWindow(QMainWindow):
     def arrange(
         self, stop: QWidget, buttons: Sequence[QWidget], below_plot: QWidget, above_events: QWidget
     ) -> None:
-        """Lay out the window once; `buttons` are added to the top row."""
         top = builders.row(
             (self._heading, 1), self._show_all, *buttons, self._export, self._picture
         )

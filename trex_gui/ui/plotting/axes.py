@@ -39,7 +39,6 @@ def round_up(value: float) -> float:
 
 
 def ticks(low: float, high: float, step: float) -> list[float]:
-    """Return the multiples of `step` from `low` to `high`, both included."""
     first = math.ceil(low / step - 1e-9)
     last = math.floor(high / step + 1e-9)
     return [n * step for n in range(first, last + 1)]
@@ -146,7 +145,6 @@ def value_labels(values: Sequence[float], unit: str) -> Labels:
 
 
 def time_step(length: float) -> float:
-    """Return the seconds between two labels of a time axis of this length."""
     steps = (step for step in _TIME_STEPS if length / step <= _MAX_TIME_LABELS)
     return next(steps, round_up(length / _MAX_TIME_LABELS))
 
@@ -204,7 +202,6 @@ class Span:
         return self._newest if self.live else self._end
 
     def set_available(self, oldest: float, newest: float) -> None:
-        """Set the times of the oldest and of the newest sample."""
         self._oldest, self._newest = oldest, newest
 
     def set_length(self, seconds: float) -> None:

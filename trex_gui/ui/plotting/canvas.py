@@ -180,7 +180,6 @@ class PlotCanvas(QWidget):
 
     @property
     def frame(self) -> QRectF:
-        """The inside of the plot in pixels."""
         return QRectF(self._box.sceneBoundingRect())
 
     def add_curve(
@@ -208,11 +207,9 @@ class PlotCanvas(QWidget):
         return self._add(Band(item, color, QPen()))
 
     def add_item(self, item: QGraphicsItem) -> None:
-        """Add an item in the units of the axes."""
         self._box.addItem(item, ignoreBounds=True)
 
     def add_overlay(self, item: QGraphicsItem) -> None:
-        """Add an item in pixels."""
         self._plot.scene().addItem(item)
 
     def _pen(self, width: float, style: Qt.PenStyle) -> QPen:

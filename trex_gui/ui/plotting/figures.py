@@ -117,7 +117,6 @@ class TraceTable(QAbstractTableModel):
         self._emit_changed(TraceColumn.CURVE, Qt.ItemDataRole.DecorationRole)
 
     def is_needed(self, column: TraceColumn) -> bool:
-        """Return whether a column has values; some depend on what the user has set."""
         match column:
             case TraceColumn.DIFFERENCE:
                 return self._plot.mark_time is not None
@@ -347,7 +346,6 @@ class EventList(QListWidget):
             paint_placeholder(self, self._placeholder, short=self.tr("No events"))
 
     def _describe(self) -> None:
-        """Set the description that a screen reader reads."""
         shown = self.tr("Choosing one shows its place in the plot.")
         self.setAccessibleDescription(shown if self._events else self._placeholder)
 

@@ -59,7 +59,6 @@ class Pyramid:
         self._blocks = [np.empty((5, columns, 0)) for _ in range(levels + 1)]
 
     def resize(self, rows: int) -> None:
-        """Make room for the blocks of that many rows; what is there stays."""
         for level in range(1, self._levels + 1):
             grown = np.empty((5, self._columns, rows // FACTOR**level))
             done = self._done[level]
@@ -87,7 +86,6 @@ class Pyramid:
             self._done[level] = done
 
     def drop(self, rows: int) -> None:
-        """Forget the first rows, a multiple of the largest block."""
         for level in range(self._levels + 1):
             gone, done = rows // FACTOR**level, self._done[level]
             if level and done > gone:
@@ -222,7 +220,6 @@ class SampleHistory:
 
     @property
     def span(self) -> tuple[float, float] | None:
-        """The oldest and the newest time."""
         return (float(self.times[0]), float(self.times[-1])) if self._size else None
 
     # --- Adding -------------------------------------------------------------------------

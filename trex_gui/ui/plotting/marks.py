@@ -1,4 +1,4 @@
-"""What surrounds a plot: events above it, tags of the curves beside it, values at the cursor."""
+"""Around a plot: events above it, tags of the curves beside it, values at the cursor."""
 
 import math
 from collections.abc import Collection, Sequence
@@ -63,7 +63,7 @@ def charge_text(found: Statistics) -> str:
 
 
 class EventMarks(QWidget):
-    """The strip above the plot with a word for each event; its tool tip is the whole event.
+    """The strip above the plot with a word for each event; the tool tip has all of it.
 
     Signals:
         chosen: an `Event` was clicked.
@@ -90,7 +90,6 @@ class EventMarks(QWidget):
         theme().changed.connect(self.update)
 
     def set_marks(self, marks: list[tuple[float, Event]]) -> None:
-        """Mark these events at these pixels from the left, which rise."""
         if marks != self.marks:
             self.marks = marks
             self.update()
@@ -131,7 +130,7 @@ class EventMarks(QWidget):
 
 
 def _left_ends(centres: Sequence[float], widths: Sequence[float], room: float) -> list[float]:
-    """Return where the words at these places begin; of the last ones, as many as fit."""
+    """Return where the words at these places begin; only the last ones that fit."""
     for first in range(len(centres)):
         moved = spread(centres[first:], widths[first:], 0, room, 4)
         if moved is not None and all(
@@ -153,11 +152,9 @@ class CurveTags(QWidget):
         theme().changed.connect(self.update)
 
     def set_traces(self, traces: Sequence[TraceInfo]) -> None:
-        """Take the curves."""
         self._traces = {trace.name: trace for trace in traces if trace.tag}
 
     def set_heights(self, heights: dict[str, float]) -> None:
-        """Point at these heights, in pixels from the top."""
         if heights != self._heights:
             self._heights = heights
             self.update()
@@ -206,7 +203,7 @@ class Readout(QLabel):
         origin: float,
         shown: Collection[str],
     ) -> None:
-        """Show the values of a source at a time, which is counted from `origin`."""
+        """Show the values at a time, which counts from `origin`."""
         lines = [clock_text(time - origin)]
         if mark is not None:
             since = f"{time - mark:+.3f} s".replace("-", MINUS)
@@ -221,7 +218,7 @@ class Readout(QLabel):
             self.adjustSize()
 
     def show_beside(self, x: float, frame: QRectF) -> None:
-        """Lie right of a pixel, or left of it where there is no room, within the frame."""
+        """Show it right of a pixel, or left of it without room, within the frame."""
         left = x + _BESIDE
         if left + self.width() > frame.right():
             left = x - _BESIDE - self.width()

@@ -15,7 +15,7 @@ from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.builders import button, column, combo_box, label, row
 
-WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)
+_WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)
 """Seconds that can be chosen to be shown."""
 
 _EVERY = 8
@@ -34,7 +34,7 @@ class TracePanel(QWidget):
             self,
             "currentsWindow",
             self.tr("Time shown"),
-            items=[(self._length_text(seconds), seconds) for seconds in WINDOWS],
+            items=[(self._length_text(seconds), seconds) for seconds in _WINDOWS],
             on_activate=self._on_window_chosen,
         )
         window_label = label(self, text=self.tr("Show the &last"), buddy=self._window)
@@ -79,7 +79,6 @@ class TracePanel(QWidget):
         self._show_state()
 
     def set_source(self, source: Traces) -> None:
-        """Show these curves."""
         self.plot.set_source(source)
         self._table.show_source()
         self._view.resizeColumnToContents(0)
@@ -87,11 +86,10 @@ class TracePanel(QWidget):
 
     @Slot(str)
     def set_note(self, text: str) -> None:
-        """Show a text at the top left until the next one."""
         self._note.setText(text)
 
     def frame(self) -> None:
-        """Draw the new samples; the figures follow some frames later."""
+        """Draw new samples; the figures follow some frames later."""
         self._frames += 1
         if self.plot.span.live:
             self.plot.draw()
@@ -99,7 +97,6 @@ class TracePanel(QWidget):
             self._refresh_figures()
 
     def refresh(self) -> None:
-        """Draw everything at once."""
         self.plot.draw()
         self._refresh_figures()
 

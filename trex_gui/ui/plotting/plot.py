@@ -43,13 +43,9 @@ FloatsT = TypeVar("FloatsT", float, Floats)
 class TracePlot(FocusFramed):
     """Curves on up to two axes, limits, events, a cursor and a mark.
 
-    Curves of the source's first unit are on the left axis, all others on the right one. They
-    are drawn in values of the left axis: a second view box would cost as much as a second
-    plot. x is seconds from the right edge, so that nothing but the curves moves while live.
-
-    The mouse: wheel zooms, a drag selects a span, Shift and drag pans, a click sets the mark
-    that differences count from. The keys: arrows move the cursor, with Ctrl the plot; + and -
-    zoom, M sets or removes the mark, L goes back to live.
+    Curves of the source's first unit are on the left axis, all others on the right one, drawn in
+    values of the left axis: a second view box would cost as much as a second plot. x is seconds
+    from the right edge, so that nothing but the curves moves while live.
 
     Signals:
         view_changed: another span is shown, or it is live again or no longer.
@@ -77,7 +73,7 @@ class TracePlot(FocusFramed):
         name: str = "",
         line_width: float = 1,
     ) -> None:
-        """Show that many seconds; a screen reader reads `name`."""
+        """Show `window` seconds; a screen reader reads `name`."""
         super().__init__(parent)
         self._line_width = line_width
         self.span = Span(window)
@@ -116,7 +112,7 @@ class TracePlot(FocusFramed):
         column(self._marks, (self._canvas, 1), into=self, margins=1, spacing=0)  # for the focus
 
         self._canvas.hovered.connect(self._on_hovered)
-        self._canvas.unhovered.connect(self._on_unhovered)
+        self._canvas.unhovered.connect(lambda: self.set_cursor(None))
         self._canvas.clicked.connect(self._on_clicked)
         self._canvas.selected.connect(self._on_selected)
         self._canvas.zoomed.connect(self._on_zoomed)
@@ -127,7 +123,7 @@ class TracePlot(FocusFramed):
     # --- What is shown ------------------------------------------------------------------
 
     def set_source(self, source: Traces) -> None:
-        """Show these curves from now on; those with `shown`, at first."""
+        """Show these curves."""
         for shape in (*self._curves.values(), *self._limits.values(), *self._peaks.values()):
             shape.set_visible(False)
         self.source = source
@@ -146,18 +142,16 @@ class TracePlot(FocusFramed):
         self.draw()
 
     def set_empty_text(self, text: str) -> None:
-        """Show this while there is nothing to draw: why, and what to do."""
+        """Show why there is nothing to draw, and what to do."""
         if text != self._empty.text():
             self._empty.setText(text)
             self._show_readout()
 
     def set_shown(self, name: str, shown: bool) -> None:
-        """Draw a curve, or no longer."""
         (self.shown.add if shown else self.shown.discard)(name)
         self.draw()
 
     def set_cursor(self, time: float | None) -> None:
-        """Put the cursor there, or remove it."""
         if time is None:
             self._hovered = None
         self.cursor_time = time
@@ -165,28 +159,24 @@ class TracePlot(FocusFramed):
         self.cursor_changed.emit()
 
     def set_mark(self, time: float | None) -> None:
-        """Count differences from there, or from nowhere."""
+        """Count differences from a time; `None` removes the mark."""
         self.mark_time = time
         self._show_cursors()
         self.cursor_changed.emit()
 
     def set_window(self, seconds: float) -> None:
-        """Show that many seconds."""
         self.span.set_length(seconds)
         self._on_view_changed()
 
     def show_span(self, start: float, end: float) -> None:
-        """Show this part and stay there."""
         self.span.show(start, end)
         self._on_view_changed()
 
     def hold(self) -> None:
-        """Stay at what is shown now."""
         self.span.hold()
         self._on_view_changed()
 
     def go_live(self) -> None:
-        """Follow the newest sample."""
         self.span.live = True
         self._on_view_changed()
 
@@ -195,7 +185,6 @@ class TracePlot(FocusFramed):
         self.view_changed.emit()
 
     def text_of_time(self, time: float) -> str:
-        """Return a time as text, counted from the origin."""
         return clock_text(time - (self.origin or 0.0))
 
     # --- Drawing ------------------------------------------------------------------------
@@ -289,7 +278,6 @@ class TracePlot(FocusFramed):
         return trace.unit != self._left.unit
 
     def _height(self, trace: TraceInfo, value: FloatsT) -> FloatsT:
-        """Return values of a trace in the unit of the left axis."""
         if not self._is_right(trace):
             return value
         at0, at1 = (self._right.onto(self._left, each) for each in (0.0, 1.0))
@@ -340,10 +328,6 @@ class TracePlot(FocusFramed):
         if self.source is not None:
             self._hovered = x
             self.set_cursor(self._time_at(x))
-
-    @Slot()
-    def _on_unhovered(self) -> None:
-        self.set_cursor(None)
 
     @Slot(float)
     def _on_clicked(self, x: float) -> None:

@@ -2,13 +2,13 @@
 
 from functools import cache
 
-from PySide6.QtCore import QByteArray, QObject, QRectF, Qt, Slot
+from PySide6.QtCore import QByteArray, QRectF, Qt
 from PySide6.QtGui import QAction, QColor, QIcon, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
-from PySide6.QtWidgets import QAbstractButton
+from PySide6.QtWidgets import QAbstractButton, QLabel
 
 from trex_gui.core.resource_files import resource
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import follow_theme, theme
 
 _SIZES = (16, 24, 32, 48, 64)  # pixels; what lies between is scaled down from the next
 
@@ -27,38 +27,14 @@ def icon(name: str, color: str = "icon") -> QIcon:
     )
 
 
-def application_icon() -> QIcon:
-    """Return the program's own icon, in its own colours."""
-    return _application_icon()
-
-
 def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") -> None:
     """Give an action or a button an icon that follows the theme; a later call replaces it."""
-    follower = target.findChild(_Follower, "iconFollower")
-    if follower is None:
-        follower = _Follower(target)
-    follower.show(name, color)
+    follow_theme(target, "icon", lambda: target.setIcon(icon(name, color)))
 
 
-class _Follower(QObject):
-    """Renews the icon of its parent when the theme changes."""
-
-    def __init__(self, target: QAction | QAbstractButton) -> None:
-        super().__init__(target)
-        self.setObjectName("iconFollower")
-        self._target = target
-        self._name = ""
-        self._color = "icon"
-        theme().changed.connect(self._on_theme_changed)
-
-    def show(self, name: str, color: str) -> None:
-        self._name = name
-        self._color = color
-        self._target.setIcon(icon(name, color))
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        self._target.setIcon(icon(self._name, self._color))
+def set_sign(label: QLabel, name: str, color: str, size: int) -> None:
+    """Show an icon in a label, which follows the theme; a later call replaces it."""
+    follow_theme(label, "sign", lambda: label.setPixmap(icon(name, color).pixmap(size, size)))
 
 
 @cache
@@ -78,7 +54,8 @@ def _render(name: str, color: int, disabled: int, selected: int) -> QIcon:
 
 
 @cache
-def _application_icon() -> QIcon:
+def application_icon() -> QIcon:
+    """Return the program's own icon, in its own colours."""
     renderer = QSvgRenderer(str(resource("icons/trex-studio.svg")))
     made = QIcon()
     for size in (*_SIZES, 128, 256):

@@ -4,7 +4,7 @@ The colours are data: `resources/themes/*.toml`, one file a scheme, the same nam
 """
 
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
@@ -12,7 +12,7 @@ from typing import Literal
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QGuiApplication, QPalette
-from PySide6.QtWidgets import QApplication, QPushButton, QToolButton, QToolTip
+from PySide6.QtWidgets import QApplication, QPushButton, QToolButton, QToolTip, QWidget
 
 from trex_gui.core.resource_files import resource
 
@@ -31,7 +31,6 @@ class Colours:
     named: dict[str, QColor]
 
     def qpalette(self) -> QPalette:
-        """Build the palette of an application in this scheme."""
         palette = QPalette()
         for role, color in self.palette.items():
             palette.setColor(_role(role), color)
@@ -167,39 +166,57 @@ def _is_dark(background: QColor) -> bool:
     return background.lightnessF() < 0.5
 
 
-class _Tint(QObject):
-    """Keeps a button in a theme colour; lives as its child."""
+class _Follower(QObject):
+    """Repeats what depends on the theme; lives as a child of its target."""
 
-    def __init__(self, button: QPushButton | QToolButton, name: str) -> None:
-        super().__init__(button)
-        self.setObjectName("tint")
-        self._button = button
-        self._name = name
+    apply: Callable[[], object]
+
+    def __init__(self, target: QObject, key: str) -> None:
+        super().__init__(target)
+        self.setObjectName(key)
         theme().changed.connect(self._on_theme_changed)
-        self._on_theme_changed()
 
     @Slot()
     def _on_theme_changed(self) -> None:
-        palette = QPalette()
-        fill = _before_fusion(theme().color(self._name))
-        text = theme().color(f"{self._name}_text")
-        for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
-            palette.setColor(group, QPalette.ColorRole.Button, fill)
-            palette.setColor(group, QPalette.ColorRole.ButtonText, text)
-        self._button.setPalette(palette)
+        self.apply()
+
+
+def follow_theme(target: QObject, key: str, apply: Callable[[], object]) -> None:
+    """Call `apply` now and when the theme changes; a later call with the same key replaces it."""
+    options = Qt.FindChildOption.FindDirectChildrenOnly
+    follower = target.findChild(_Follower, key, options) or _Follower(target, key)
+    follower.apply = apply
+    apply()
+
+
+def set_text_color(widget: QWidget, name: str) -> None:
+    """Show the text of a widget in a theme colour."""
+
+    def apply() -> None:
+        palette = widget.palette()
+        palette.setColor(widget.foregroundRole(), theme().color(name))
+        widget.setPalette(palette)
+
+    follow_theme(widget, "textColor", apply)
 
 
 def tint(button: QPushButton | QToolButton, name: str) -> None:
-    """Paint a button in the theme's colour `name` with the text in `<name>_text`.
+    """Paint a button in the theme colour `name` with the text in `<name>_text`.
 
-    It follows the theme; disabled, it looks like any other disabled button. An icon for it is
-    to be taken in the same text colour: `set_icon(button, "stop", "stop_text")`.
+    Disabled, it looks like any other disabled button. An icon for it takes the same text colour:
+    `set_icon(button, "stop", "stop_text")`.
     """
-    previous = button.findChild(_Tint, "tint")
-    if previous is not None:
-        previous.setParent(None)
-        previous.deleteLater()
-    _Tint(button, name)
+
+    def apply() -> None:
+        palette = QPalette()
+        fill = _before_fusion(theme().color(name))
+        text = theme().color(f"{name}_text")
+        for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
+            palette.setColor(group, QPalette.ColorRole.Button, fill)
+            palette.setColor(group, QPalette.ColorRole.ButtonText, text)
+        button.setPalette(palette)
+
+    follow_theme(button, "tint", apply)
 
 
 def _before_fusion(color: QColor) -> QColor:

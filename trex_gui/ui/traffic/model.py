@@ -39,7 +39,6 @@ class RowBuffer:
         return self._dropped + len(self.rows)
 
     def since(self, count: int) -> Sequence[Transaction]:
-        """Return the rows after the first `count`, as far as they are kept."""
         return self.rows[max(count - self._dropped, 0) :]
 
     def add(self, transaction: Transaction) -> None:

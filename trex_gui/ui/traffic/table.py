@@ -70,7 +70,6 @@ class TrafficTable(QAbstractTableModel):
         self.rebuild()
 
     def set_paused(self, paused: bool) -> None:
-        """List no further rows; after a pause the next `refresh` adds them."""
         rows = self._traffic.everything.rows
         self._paused_at = (rows[-1].number if rows else 0) if paused else None
 

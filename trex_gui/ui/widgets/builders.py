@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from typing import TypeVar
 
-from PySide6.QtCore import QObject, Qt, SignalInstance
+from PySide6.QtCore import QEvent, QObject, Qt, SignalInstance
 from PySide6.QtGui import QAction, QIcon, QKeySequence, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -27,12 +27,12 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import theme, tint
 from trex_gui.ui.widgets.behaviour import name_headers
 
 
 class NoWheelComboBox(QComboBox):
-    """The wheel changes it only while it has the focus; else it scrolls what is behind."""
+    """The wheel changes it only while it has the focus; otherwise the page scrolls."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -43,6 +43,31 @@ class NoWheelComboBox(QComboBox):
             super().wheelEvent(event)
         else:
             event.ignore()
+
+
+class RedButton(QPushButton):
+    """Stop button: acts on press, not on release. Enter in a dialog never presses it."""
+
+    def __init__(
+        self, name: str, stop: Callable[[], object], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setAutoDefault(False)
+        set_bold(self)
+        tint(self, "stop")
+        set_icon(self, "stop", "stop_text")
+        self.pressed.connect(stop)
+
+    def describe(self, text: str, tip: str) -> None:
+        self.setText(text)
+        self.setAccessibleName(text)
+        self.setToolTip(tip)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            set_bold(self)
 
 
 Handler = Callable[..., object] | SignalInstance
@@ -270,7 +295,6 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
 
 
 def progress_bar(parent: QWidget, name: str, accessible: str) -> QProgressBar:
-    """Create a progress bar without a text in it."""
     made = named(QProgressBar(parent), name, accessible=accessible)
     made.setTextVisible(False)
     return made
@@ -304,7 +328,6 @@ def action(
 
 
 def set_bold(widget: QWidget, bold: bool = True) -> None:
-    """Show the text of a widget in bold, or not."""
     font = widget.font()
     if font.bold() != bold:
         font.setBold(bold)

@@ -18,7 +18,6 @@ class SaveAnswer(Enum):
 
 
 def tr(text: str) -> str:
-    """Translate a text of this file."""
     return QCoreApplication.translate("questions", text)
 
 
@@ -73,16 +72,13 @@ def _may(window: QWidget, title: str, text: str) -> bool:
 
 
 def file_filter() -> str:
-    """What a file dialog lists."""
     return tr("Text files (*.txt);;All files (*)")
 
 
 def last_folder(store: QSettings) -> Path:
-    """Return where the last settings file was opened or saved."""
     documents = QStandardPaths.StandardLocation.DocumentsLocation
     return Path(str(store.value(_FOLDER, QStandardPaths.writableLocation(documents))))
 
 
 def remember_folder(store: QSettings, path: Path) -> None:
-    """Keep where a settings file was opened or saved."""
     store.setValue(_FOLDER, str(path.parent))

@@ -1,11 +1,11 @@
 """Labels: notes, elided and muted text, signs, legend keys."""
 
-from PySide6.QtCore import QPointF, QSize, Qt, Slot
+from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
-from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.icons import set_sign
+from trex_gui.ui.theme.theme import follow_theme, set_text_color, theme
 
 
 class Note(QLabel):
@@ -19,7 +19,6 @@ class Note(QLabel):
         self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
         self.setMinimumHeight(lines * self.fontMetrics().lineSpacing())
-        theme().changed.connect(self._on_theme_changed)
 
     def show_note(self, text: str, *, alarming: bool = False) -> None:
         """Show a text; an alarming one is bold and in the warning colour."""
@@ -30,14 +29,7 @@ class Note(QLabel):
             font = self.font()
             font.setBold(alarming)
             self.setFont(font)
-            self._on_theme_changed()
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        name = "warning" if self._alarming else "window_text"
-        palette = self.palette()
-        palette.setColor(self.foregroundRole(), theme().color(name))
-        self.setPalette(palette)
+            set_text_color(self, "warning" if alarming else "window_text")
 
 
 class ElidedLabel(QLabel):
@@ -77,24 +69,15 @@ class Sign(QLabel):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._shown = ("", "icon")
         size = self.fontMetrics().height() + 2
         self.setFixedSize(size, size)
-        theme().changed.connect(self._on_theme_changed)
 
     def show_sign(self, name: str, color: str = "icon") -> None:
-        """Show an icon in a colour of the theme; an empty name shows none."""
-        if (name, color) != self._shown:
-            self._shown = (name, color)
-            self._on_theme_changed()
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        name, color = self._shown
+        """Show an icon in a theme colour; an empty name shows none."""
         if name:
-            self.setPixmap(icon(name, color).pixmap(self.size()))
+            set_sign(self, name, color, self.width())
         else:
-            self.clear()
+            follow_theme(self, "sign", self.clear)
 
 
 class Muted(QLabel):
@@ -104,14 +87,7 @@ class Muted(QLabel):
         super().__init__(text, parent)
         self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.PlainText)
-        theme().changed.connect(self._on_theme_changed)
-        self._on_theme_changed()
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        palette = self.palette()
-        palette.setColor(self.foregroundRole(), theme().color("muted"))
-        self.setPalette(palette)
+        set_text_color(self, "muted")
 
 
 class LegendKey(QLabel):

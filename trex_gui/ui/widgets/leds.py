@@ -112,7 +112,6 @@ class Leds(QWidget):
             lamp.set_lit(is_lit(self._shown[index], seconds, second=index == 1))
 
     def _run(self) -> None:
-        """Animate only what moves, and only where it is seen."""
         moves = any(pattern not in {"on", "off"} for pattern in self._shown)
         if self.isVisible() and moves != self._timer.isActive():
             if moves:

@@ -28,7 +28,6 @@ class PaintedSlider(QSlider):
         return 0
 
     def paint_groove(self, painter: QPainter, handle: QRect) -> None:
-        """Paint what lies under the handle; `x_of` says where a value is."""
         raise NotImplementedError
 
     def paint_below(self, painter: QPainter, handle: QRect) -> None:
@@ -163,7 +162,6 @@ class StickSlider(PaintedSlider):
             event.accept()
 
     def paint_groove(self, painter: QPainter, handle: QRect) -> None:
-        """Paint the groove, the fill from rest, and a mark there."""
         color = theme().color
         middle = handle.center().y()
         left, right = self.x_of(self.minimum(), handle), self.x_of(self.maximum(), handle)

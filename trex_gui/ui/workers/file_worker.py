@@ -131,7 +131,6 @@ class FileTask(QObject):
         worker.start(FileWorker.Priority.LowPriority)
 
     def cancel(self) -> None:
-        """End the work early."""
         if self._worker is not None:
             self._worker.cancel()
 
@@ -163,7 +162,6 @@ class FileTask(QObject):
         self._finish(self.sender(), Done())
 
     def _finish(self, sender: QObject, done: Done) -> None:
-        """Report the end of the current worker once."""
         worker = self._worker
         if worker is not None and sender is worker:
             self._worker = None

@@ -136,12 +136,10 @@ class RecordThread(QObject, Generic[RecordT]):
 
     @property
     def recording(self) -> bool:
-        """Whether records are being written."""
         return self._worker is not None and not self._closing
 
     @property
     def seconds(self) -> float:
-        """Duration of the recording so far."""
         return now() - self._started if self.recording else 0.0
 
     @property
@@ -150,7 +148,6 @@ class RecordThread(QObject, Generic[RecordT]):
         return self._backlog.lost
 
     def start(self, path: Path) -> bool:
-        """Start recording into a file, which is replaced; return whether that is possible."""
         raise NotImplementedError
 
     def begin(
@@ -177,7 +174,6 @@ class RecordThread(QObject, Generic[RecordT]):
 
     @Slot(object)
     def put_event(self, event: Event) -> None:
-        """Record an event as a marker."""
         self.put(marker(event.time, event.kind.value, event.text))
 
     def put(self, *records: RecordT | Marker) -> None:

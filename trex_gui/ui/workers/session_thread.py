@@ -55,7 +55,6 @@ class LineWorker(WorkerThread):
         self._session.run()
 
     def submit(self, request: object) -> None:
-        """Queue a request for the session."""
         self._requests.put(request)
 
     def close(self, timeout_ms: int = _TIMEOUT_MS) -> bool:
@@ -109,7 +108,6 @@ class SessionThread(QObject):
 
     @property
     def is_open(self) -> bool:
-        """Whether a session owns the port or is about to open it."""
         return self._worker is not None
 
     def start(self, make_session: MakeSession, *, may_move: bool) -> None:
@@ -192,7 +190,6 @@ class SessionThread(QObject):
         adopt_orphan(worker)
 
     def _take_reports(self) -> None:
-        """Deliver queued reports; no event loop may be running any more."""
         QCoreApplication.sendPostedEvents(self, QEvent.Type.MetaCall)
 
     @Slot(object)
@@ -219,7 +216,6 @@ class SessionThread(QObject):
         self._writes.clear()
 
     def _fault(self) -> Closed:
-        """Return the result of a session without a last report."""
         error = StudioError(self.tr("Internal error: the connection was closed."))
         return Closed(error, self._may_move)
 

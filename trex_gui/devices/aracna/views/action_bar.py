@@ -8,8 +8,8 @@ from trex_gui.devices.aracna.session.messages import Play, StepBegun
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
-from trex_gui.ui.widgets.red_button import RedButton
 
 _REFRESH_MS = 100
 

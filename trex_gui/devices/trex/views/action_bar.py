@@ -12,8 +12,8 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme, tint
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
-from trex_gui.ui.widgets.red_button import RedButton
 
 
 class TimeoutNotice(QWidget):

@@ -17,8 +17,7 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.banner import Banner
-from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
+from trex_gui.ui.widgets.messages import Banner, InlinePrompt, PromptAnswer
 
 _MOST_KEPT = 999_999
 

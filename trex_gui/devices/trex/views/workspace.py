@@ -43,8 +43,7 @@ from trex_gui.ui.frame.workspace import (
 )
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.file_drop import TEXT
-from trex_gui.ui.widgets.inline_prompt import PromptAnswer
+from trex_gui.ui.widgets.messages import PromptAnswer
 
 GUIDE_URL = "https://www.pololu.com/docs/0J1"
 
@@ -140,7 +139,9 @@ class TrexWorkspace(Workspace):
     @property
     def file_kinds(self) -> Sequence[FileKind]:
         name = self.tr("a settings file of a TReX")
-        return (FileKind(TEXT, name, self.files.open_file, self.files.edit_file),)
+        return (
+            FileKind({".txt", ".yaml", ".yml"}, name, self.files.open_file, self.files.edit_file),
+        )
 
     @property
     def docks(self) -> Sequence[QDockWidget]:

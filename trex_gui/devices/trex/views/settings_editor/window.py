@@ -25,8 +25,8 @@ from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.banner import Banner
 from trex_gui.ui.widgets.builders import column
+from trex_gui.ui.widgets.messages import Banner
 
 
 class SettingsEditor(QMainWindow):

@@ -1,0 +1,177 @@
+"""Rows across a window: a message that stays until it is read, and a question."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
+
+from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.theme.icons import set_sign
+from trex_gui.ui.widgets import builders as ui
+
+
+class _MessageRow(QFrame):
+    """A sign, a text and a button."""
+
+    def __init__(self, name: str, parent: QWidget | None, *, selectable: bool = False) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setAutoFillBackground(True)
+        self._sign = QLabel(self)
+        self._text = ui.label(
+            self, f"{name}Text", wrap=True, expand=True, plain=True, selectable=selectable
+        )
+        self._layout = ui.row(
+            (self._sign, 0, Qt.AlignmentFlag.AlignTop),
+            (self._text, 1),
+            into=self,
+            margins=(10, 6, 6, 6),
+            spacing=10,
+        )
+        self.hide()
+
+    @property
+    def text(self) -> str:
+        """The message or question; empty while there is none."""
+        return self._text.text()
+
+    def _show_sign(self, name: str) -> None:
+        set_sign(self._sign, name, name, self.fontMetrics().height() + 4)
+
+
+class Banner(_MessageRow):
+    """Shows the newest message of a notifier, or of its owner; hidden while there is none."""
+
+    def __init__(self, parent: QWidget | None = None, notifier: Notifier | None = None) -> None:
+        super().__init__("banner", parent, selectable=True)
+        dismiss = ui.tool_button(self, "bannerDismiss", self.tr("Dismiss"), on_click=self.clear)
+        dismiss.setAutoRaise(True)
+        self._layout.addWidget(dismiss, 0, Qt.AlignmentFlag.AlignTop)
+        if notifier is not None:
+            notifier.info.connect(self.show_news)
+            notifier.error.connect(self.show_problem)
+            notifier.cleared.connect(self.clear)
+        self.clear()
+
+    @Slot(str)
+    def show_problem(self, text: str) -> None:
+        self._show_sign("warning")
+        self._show(text)
+
+    @Slot(str)
+    def show_news(self, text: str) -> None:
+        self._show_sign("info")
+        self._show(text)
+
+    @Slot()
+    def clear(self) -> None:
+        self._show("")
+
+    def _show(self, text: str) -> None:
+        self._text.setText(text)
+        # Screen readers need a name while there is no message.
+        self._text.setAccessibleName("" if text else self.tr("No message"))
+        self.setVisible(bool(text))
+
+
+@dataclass(frozen=True, slots=True)
+class PromptAnswer:
+    """One way to go on: the name of its button, the text on it, and what it does."""
+
+    name: str
+    text: str
+    then: Callable[[], object]
+
+
+def _always() -> bool:
+    return True
+
+
+def _nothing() -> None:
+    pass
+
+
+class InlinePrompt(_MessageRow):
+    """A question with a button for each answer, which leaves the stop button visible.
+
+    Cancel is beside every answer and does nothing. A new question replaces the present one,
+    which counts as cancelled.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("question", parent)
+        self._still: Callable[[], bool] = _always
+        self._otherwise: Callable[[], object] = _nothing
+        self._buttons: list[QPushButton] = []
+        self._cancel = ui.button(
+            self, "questionCancel", self.tr("Cancel"), default=False, on_click=self.withdraw
+        )
+        self._layout.addWidget(self._cancel)
+        self._show_sign("warning")
+
+    def ask(
+        self,
+        text: str,
+        *answers: PromptAnswer,
+        still: Callable[[], bool] = _always,
+        otherwise: Callable[[], object] = _nothing,
+    ) -> None:
+        """Ask; returns before the answer.
+
+        Args:
+            text: the question.
+            answers: the ways to go on, besides Cancel.
+            still: whether the question still makes sense; see `reconsider`.
+            otherwise: what to do when it is cancelled or no longer makes sense.
+        """
+        self.withdraw()
+        self._still, self._otherwise = still, otherwise
+        self._text.setText(text)
+        self.setAccessibleName(text)
+        for answer in answers:
+            button = ui.button(self, answer.name, answer.text, default=False)
+            button.clicked.connect(partial(self._on_answered, answer))
+            self._layout.insertWidget(self._layout.indexOf(self._cancel), button)
+            self._buttons.append(button)
+        self.show()
+        self._cancel.setFocus()
+
+    @Slot()
+    def withdraw(self) -> None:
+        """Cancel the question."""
+        otherwise = self._otherwise
+        self._close()
+        otherwise()
+
+    def reconsider(self) -> None:
+        """Withdraw a question that no longer makes sense."""
+        if self.text and not self._still():
+            self.withdraw()
+
+    def _on_answered(self, answer: PromptAnswer) -> None:
+        if self._still():
+            self._close()
+            answer.then()
+        else:
+            self.withdraw()
+
+    def _close(self) -> None:
+        self.hide()
+        self._still, self._otherwise = _always, _nothing
+        self._text.clear()
+        buttons, self._buttons = self._buttons, []
+        for button in buttons:
+            self._layout.removeWidget(button)
+            button.hide()
+            button.setParent(None)
+            button.deleteLater()  # later: this may be called by its click
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self.withdraw()
+        else:
+            super().keyPressEvent(event)
