@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>LearnDialog</name>
+    <message numerus="yes">
+        <source>Learn channel(s) {0} again</source>
+        <translation>
+            <numerusform>Learn channel {0} again</numerusform>
+            <numerusform>Learn channels {0} again</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ParametersPage</name>
     <message numerus="yes">
         <source>%n pending change(s): click Apply settings to write.</source>
@@ -59,6 +69,16 @@
         <translation>
             <numerusform>%n setting of the {0} will change.</numerusform>
             <numerusform>%n settings of the {0} will change.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ReviewPage</name>
+    <message numerus="yes">
+        <source>%n earlier pending edit(s) will be written, too.</source>
+        <translation>
+            <numerusform>%n earlier pending edit will be written, too.</numerusform>
+            <numerusform>%n earlier pending edits will be written, too.</numerusform>
         </translation>
     </message>
 </context>

@@ -300,7 +300,7 @@ def test_review_compares_values_with_stored_ones(learning: LearningDialog) -> No
     assert texts.count("was not reversed") == 2
     assert "This replaces a pending edit" in learning.text("learnReasons1")
     edits = learning.text("learnEarlierEdits")
-    assert edits == "2 earlier edits are in the list of Apply, too."
+    assert edits == "2 earlier pending edits will be written, too."
 
     assert "so that full output is reliably reached" in learning.text("learnCommonReasons")
     for channel in (1, 2):

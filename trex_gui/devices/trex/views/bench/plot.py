@@ -17,7 +17,6 @@ from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.builders import column, label, row
 from trex_gui.ui.widgets.labels import LegendKey
 
-_WIDEST_LABEL = f"{MINUS}127"
 _SPEED_REACH = 134.0
 _AFTER = 0.6
 """Seconds shown after the end of a test."""
@@ -30,7 +29,11 @@ _MAX_CURRENT_LABELS = 4
 
 
 class BenchPlot(QWidget):
-    """A test, the one it is compared with, and the profile of the next one."""
+    """A test, the one it is compared with, and the profile of the next one.
+
+    Attributes:
+        highest: A, at the top of the lower plot.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -39,17 +42,19 @@ class BenchPlot(QWidget):
         self._run: Run | None = None
         self._before: Run | None = None
         self._profile: Profile | None = None
-        self._abort: float | None = None
-        self._limit: float | None = None
         self._axes = (0.0, 0.0)
-        self.highest = _MIN_CURRENT  # A, at the top of the lower plot
+        self.highest = _MIN_CURRENT
 
         self._speeds = PlotCanvas(self.tr("Speed setpoint, against time"), self)
         self._currents = PlotCanvas(self.tr("Current drawn, against time"), self)
-        canvases = (self._speeds, self._currents)
-        for canvas, name in zip(canvases, ("benchSpeeds", "benchCurrents"), strict=True):
+        canvases = {"benchSpeeds": self._speeds, "benchCurrents": self._currents}
+        half = self.fontMetrics().height() // 2 + 2
+        side = self.fontMetrics().horizontalAdvance("000.0 s") // 2 + 2
+        for name, canvas in canvases.items():
             canvas.viewport.setObjectName(name)
             canvas.setMinimumHeight(70)
+            has_labels = canvas is self._currents
+            canvas.set_margins(left=f"{MINUS}127", top=half, right=side, x_axis=has_labels)
             canvas.hovered.connect(self._on_hovered)
             canvas.unhovered.connect(self._on_unhovered)
         dash = Qt.PenStyle.DashLine
@@ -59,8 +64,9 @@ class BenchPlot(QWidget):
         self._limit_line = self._currents.add_line("warning", dash)
         self._drawn_before = self._currents.add_curve("muted")
         self._drawn = self._currents.add_curve("motor2")
-        self._ends = [canvas.add_line("neutral", dash, vertical=True) for canvas in canvases]
-        self._cursors = [canvas.add_line("pointer", vertical=True) for canvas in canvases]
+        both = canvases.values()
+        self._ends = [canvas.add_line("neutral", dash, vertical=True) for canvas in both]
+        self._cursors = [canvas.add_line("pointer", vertical=True) for canvas in both]
         self._values = label(self, "benchValues")
         self._before_key = LegendKey(self.tr("Compared"), "muted", self)
         self._abort_key = LegendKey("", "danger", self, dash)
@@ -75,13 +81,7 @@ class BenchPlot(QWidget):
             spacing=self.fontMetrics().averageCharWidth() * 2,
         )
         column(legend, (self._speeds, 2), (self._currents, 3), into=self, margins=0, spacing=2)
-
-        half = self.fontMetrics().height() // 2 + 2
-        side = self.fontMetrics().horizontalAdvance("000.0 s") // 2 + 2
-        for canvas in canvases:
-            has_labels = canvas is self._currents
-            canvas.set_margins(left=_WIDEST_LABEL, top=half, right=side, x_axis=has_labels)
-        self._show()
+        self.show_runs(None, None)
 
     @property
     def seconds(self) -> float:
@@ -92,42 +92,36 @@ class BenchPlot(QWidget):
         return max(lengths, default=1.0) + _AFTER
 
     def show_plan(self, profile: Profile, abort: float, limit: float | None) -> None:
-        """Take the profile of the next test, and its abort current and limit in A."""
-        if (profile, abort, limit) != (self._profile, self._abort, self._limit):
-            self._profile, self._abort, self._limit = profile, abort, limit
+        """Show the profile of the next test, and its abort current and limit in A."""
+        if profile != self._profile:
+            self._profile = profile
             self._planned.set_points(*_arrays(profile.course()))
+        self._abort_line.set_value(abort)
+        self._abort_key.setText(self.tr("Abort {0:g} A").format(abort))
+        self._limit_line.set_value(limit)
+        self._limit_key.setVisible(limit is not None)
+        self._limit_key.setText(self.tr("Limit {0:g} A").format(limit or 0))
 
     def show_runs(self, run: Run | None, before: Run | None) -> None:
-        """Draw a test, which may still run, the one it is compared with, and the plan."""
+        """Show a test, which may still run, and the one it is compared with."""
         self._run, self._before = run, before
-        self._show()
-
-    def sizeHint(self) -> QSize:
-        return QSize(self.fontMetrics().averageCharWidth() * 70, self.fontMetrics().height() * 16)
-
-    def _show(self) -> None:
-        runs = [run for run in (self._run, self._before) if run is not None]
-        peak = max((amps for run in runs for _, amps in run.currents), default=0.0)
+        peak = max((amps for test in (run, before) if test for _, amps in test.currents), default=0)
         peak = max(_MIN_CURRENT, 1.05 * peak)
         axes = self.seconds, round_up(peak / _MAX_CURRENT_LABELS)
         highest = axes[1] * math.ceil(peak / axes[1] - 1e-9)
         if axes != self._axes or highest != self.highest:
             self._axes, self.highest = axes, highest
             self._show_axes(*axes)
-        self._setpoints.set_points(*_steps(self._run))
-        for curve, run in ((self._drawn, self._run), (self._drawn_before, self._before)):
-            curve.set_points(*_arrays(run.currents if run is not None else ()))
-        self._before_key.setVisible(self._before is not None)
-        for line, key, amps, name in (
-            (self._abort_line, self._abort_key, self._abort, self.tr("Abort {0:g} A")),
-            (self._limit_line, self._limit_key, self._limit, self.tr("Limit {0:g} A")),
-        ):
-            key.setVisible(amps is not None)
-            key.setText(name.format(amps) if amps is not None else "")
-            line.set_value(amps)
+        self._setpoints.set_points(*_steps(run))
+        for curve, test in ((self._drawn, run), (self._drawn_before, before)):
+            curve.set_points(*_arrays(test.currents if test is not None else ()))
+        self._before_key.setVisible(before is not None)
         for end in self._ends:
-            end.set_value(self._run.ended if self._run is not None else None)
+            end.set_value(run.ended if run is not None else None)
         self._on_unhovered()
+
+    def sizeHint(self) -> QSize:
+        return QSize(self.fontMetrics().averageCharWidth() * 70, self.fontMetrics().height() * 16)
 
     def _show_axes(self, end: float, step: float) -> None:
         marks = ticks(0, end, round_up(end / _MAX_SECONDS_LABELS))

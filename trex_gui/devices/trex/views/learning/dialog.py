@@ -322,9 +322,7 @@ class LearnDialog(QDialog):
         self._again.setVisible(not never and not waits)
         self._again.setEnabled(not learning.sampling)
         numbers = () if learning.tests is None else learning.tests.to_learn_again
-        text = self.tr("Learn channels {0} again")
-        if len(numbers) == 1:
-            text = self.tr("Learn channel {0} again")
+        text = self.tr("Learn channel(s) {0} again", "", len(numbers))
         self._learn_again.setText(text.format(", ".join(map(str, numbers))))
         self._learn_again.setVisible(step is LearningStep.TEST and bool(numbers))
 

@@ -287,9 +287,7 @@ class ReviewPage(QWidget):
         self._curve.show_channel(self._form.channel)
         self._common.setVisible(any(form.channel.choice is not None for form in self._forms))
         count = self._learning.other_edits
-        text = self.tr("1 earlier edit is in the list of Apply, too.")
-        if count != 1:
-            text = self.tr("{0} earlier edits are in the list of Apply, too.").format(count)
+        text = self.tr("%n earlier pending edit(s) will be written, too.", "", count)
         self._earlier.show_note(text, alarming=True)
         self._earlier.setVisible(count > 0)
         self._show_signs()
