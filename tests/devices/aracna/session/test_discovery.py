@@ -9,10 +9,11 @@ from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, h
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
 from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE, ScanProgress
-from trex_gui.core.discovery.scan import scan_port
+from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
-from trex_gui.devices.aracna.discovery import PROBE, PROBES, AracnaScan, find_aracna
+from trex_gui.devices.aracna.discovery import ARACNA_PROBER, PROBE, PROBES, FoundRobot
 from trex_gui.devices.aracna.protocol.commands import QUERY
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.trex.discovery import TREX_PROBER
@@ -25,8 +26,17 @@ VIRTUAL = ConnectionSettings("virtual", LineSettings(9600, Detection.ODD), devic
 __all__ = ["orders"]  # a fixture
 
 
-def search(stage: AracnaStage) -> AracnaScan:
-    return find_aracna(VIRTUAL, open_wire=lambda _settings: stage.transport)
+def search(stage: AracnaStage) -> PortScan:
+    return search_at(stage.transport)
+
+
+def search_at(wire: Transport) -> PortScan:
+    return scan_port(VIRTUAL, {"aracna": ARACNA_PROBER}, open_wire=lambda _settings: wire)
+
+
+def diagnosis(stage: AracnaStage) -> str:
+    [found] = search(stage).diagnoses
+    return found.text
 
 
 # --- Aracna ---------------------------------------------------------------------------------
@@ -37,6 +47,7 @@ def test_robot_is_found_at_its_only_line_setting() -> None:
     begun = stage.now
     result = search(stage)
     [found] = result.found
+    assert isinstance(found, FoundRobot)
     assert found.settings == PortSettings("virtual", SerialFormat(38_400))
     assert (found.name, found.motors, found.device_number, found.echo) == (
         "Aracna 1",
@@ -63,6 +74,7 @@ def test_robot_reset_by_opening_port_is_found_after_boot(ago: float, *, keeps_la
 
 def test_early_build_with_two_motors_is_found() -> None:
     [found] = search(AracnaStage(motors=2, reports_motors=False)).found
+    assert isinstance(found, FoundRobot)
     assert (found.name, found.motors) == ("Aracna 0", 2)
 
 
@@ -104,22 +116,22 @@ def test_silent_port_is_reported_with_hint_within_3_s() -> None:
     result = search(stage)
     assert not result.found
     assert stage.now - begun < 3.0
-    assert "No Aracna answers on virtual at 38400" in result.diagnosis().text
-    assert "power" in result.diagnosis().text
+    assert "No Aracna answers on virtual at 38400" in result.diagnoses[0].text
+    assert "power" in result.diagnoses[0].text
 
 
 def test_unknown_reply_is_shown_in_diagnosis() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b"\r\nERR 7\r\n")
-    assert "not as an Aracna does: ERR 7" in search(stage).diagnosis().text
+    assert "not as an Aracna does: ERR 7" in diagnosis(stage)
 
 
 def test_robot_that_boots_but_never_answers_is_reported() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b".h\r\n")
-    assert "restarting repeatedly" in search(stage).diagnosis().text
+    assert "restarting repeatedly" in diagnosis(stage)
 
 
 def test_echo_is_reported() -> None:
@@ -127,8 +139,8 @@ def test_echo_is_reported() -> None:
     board.power_off()
     line = TrexLine([board], echo=True)
     wire = Wire(line)
-    result = find_aracna(VIRTUAL, open_wire=lambda _settings: wire)
-    assert "comes back" in result.diagnosis().text
+    result = search_at(wire)
+    assert "comes back" in result.diagnoses[0].text
 
 
 def test_network_port_of_fixed_rate_is_not_probed() -> None:
@@ -136,23 +148,24 @@ def test_network_port_of_fixed_rate_is_not_probed() -> None:
     stage.transport.is_configurable = False
     result = search(stage)
     assert not stage.transport.sent
-    assert "No probe for an Aracna was sent" in result.diagnosis().text
-    assert "--device aracna --port virtual" in result.diagnosis().text
+    assert "No probe for an Aracna was sent" in result.diagnoses[0].text
+    assert "--device aracna --port virtual" in result.diagnoses[0].text
 
 
 def test_noise_is_not_reported_as_echo() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b"\xff\x00\xff")
-    assert "not as an Aracna does: FF 00 FF" in search(stage).diagnosis().text
+    assert "not as an Aracna does: FF 00 FF" in diagnosis(stage)
 
 
 def test_search_reports_progress_and_can_be_cancelled() -> None:
     stage = AracnaStage()
     stage.do("line mute on")
     steps: list[ScanProgress] = []
-    result = find_aracna(
+    result = scan_port(
         VIRTUAL,
+        {"aracna": ARACNA_PROBER},
         progress=steps.append,
         cancelled=lambda: len(steps) == 2,
         open_wire=lambda _settings: stage.transport,
@@ -168,8 +181,7 @@ def test_search_reports_progress_and_can_be_cancelled() -> None:
 def test_lost_port_ends_search() -> None:
     stage = AracnaStage()
     stage.transport.fail = PortUnavailable("It is gone.")
-    with pytest.raises(PortUnavailable):
-        search(stage)
+    assert isinstance(search(stage).error, PortUnavailable)
     assert stage.transport.closed
 
 
@@ -182,7 +194,7 @@ def test_search_sends_no_command_that_trex_obeys(settings: LineSettings, orders:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
     for _ in range(2):
         wire = Wire(TrexLine([board]))
-        assert not find_aracna(VIRTUAL, open_wire=lambda _settings, wire=wire: wire).found  # type: ignore[misc]
+        assert not search_at(wire).found
     assert not orders
     assert not board.memory.writes
 

@@ -8,11 +8,12 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.discovery import find_aracna
+from trex_gui.devices.aracna.discovery import ARACNA_PROBER
 from trex_gui.devices.aracna.protocol.units import travel_seconds
 from trex_gui.devices.aracna.session.messages import (
     Connected,
@@ -86,8 +87,9 @@ def session(robot: SimulatedDevice, qtbot: QtBot) -> Iterator[SessionRunner]:
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 def test_just_started_robot_is_found_and_connected(robot: SimulatedDevice, qtbot: QtBot) -> None:
-    [found] = find_aracna(PortSettings(robot.url, timeouts=Timeouts(extra=0.2))).found
-    assert found.motors == 8
+    settings = PortSettings(robot.url, timeouts=Timeouts(extra=0.2))
+    [found] = scan_port(settings, {"aracna": ARACNA_PROBER}).found
+    assert found.name == "Aracna 1"
     session = SessionRunner(robot.url, qtbot)
     assert session.wait(Connected).motors == 8
     assert session.worker.close(15_000)

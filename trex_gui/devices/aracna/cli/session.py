@@ -6,13 +6,14 @@ from typing import Any, Self
 
 from trex_gui.core.cli import CommandFailed, Interruption, required_port, say
 from trex_gui.core.discovery.prober import Evidence
+from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import StudioError
 from trex_gui.core.host import host
 from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.discovery import FoundRobot, find_aracna
+from trex_gui.devices.aracna.discovery import ARACNA_PROBER, FoundRobot
 from trex_gui.devices.aracna.protocol.units import degrees
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.aracna.session.messages import (
@@ -252,13 +253,15 @@ def _raise_fault(report: Report) -> None:
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
     settings = PortSettings(url, timeouts=Timeouts(extra=options["extra_timeout"]))
-    search = find_aracna(settings, open_wire=host().open_transport)
-    if search.found:
-        [found] = search.found
+    scan = scan_port(settings, {"aracna": ARACNA_PROBER}, open_wire=host().open_transport)
+    if scan.error is not None:
+        raise scan.error
+    for found in scan.found:
+        assert isinstance(found, FoundRobot)  # noqa: S101 - for the type checker
         text = f"{found.name}, {found.motors} motors"
         return PortAnswer(text, "Aracna", str(found.version.version))
-    diagnosis = search.diagnosis()
-    return PortAnswer(diagnosis.text if diagnosis.evidence > Evidence.ECHO else "")
+    strange = [each.text for each in scan.diagnoses if each.evidence > Evidence.ECHO]
+    return PortAnswer("".join(strange))
 
 
 def _describe(found: FoundRobot) -> str:
