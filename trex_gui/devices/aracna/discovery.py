@@ -26,9 +26,7 @@ from trex_gui.devices.aracna.session.errors import diagnose, is_boot_message, is
 
 PROBE = commands.EMPTY + commands.QUERY
 
-PROBES = 5
-"""How often the probe is sent; with the listening, 3.2 s on a local port."""
-
+PROBES = 5  # how often the probe is sent; with the listening, 3.2 s on a local port
 _PROBE_INTERVAL = 0.45
 _SLICE = 0.02
 _KEPT = 48
@@ -55,11 +53,7 @@ class FoundRobot:
 
 
 class AracnaProber:
-    """Probes one line for a robot.
-
-    Attributes:
-        found: the robot, if it has answered.
-    """
+    """Probes one line for a robot; `found` is empty until it has answered."""
 
     parts = (PROBES,)
 
@@ -89,11 +83,7 @@ class AracnaProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Send the probe until the robot answers, `PROBES` times at most.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
+        """Send the probe until the robot answers, `PROBES` times at most."""
         del part  # there is one
         extra = self._settings.timeouts.extra
         if not wire.is_configurable and not self._known:

@@ -41,20 +41,12 @@ class StoppedResponding:
 Report = Moving | Passed | Moved | SpeedsHeld | StepBegun | PlayEnded | Stuck | Restarted
 """Reports of the session that are recorded as they are."""
 
-Record = Report | StoppedResponding | Marker
-"""Times are seconds on the session's clock."""
+Record = Report | StoppedResponding | Marker  # times are seconds on the session's clock
 
 
 @dataclass(frozen=True, slots=True)
 class Header:
-    """Describes the recording of a robot.
-
-    Attributes:
-        started: in UTC.
-        clock: the session's clock (s) at that time.
-        version: version of the robot's firmware.
-        motors: number of motors.
-    """
+    """Describes the recording of a robot; `clock` is the session's (s) at the start."""
 
     started: datetime
     clock: float
@@ -75,11 +67,7 @@ class Header:
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> "Header":
-        """Return the header of the rows of a header table.
-
-        Raises:
-            ValueError: a row is missing or damaged.
-        """
+        """Return the header of these rows; ValueError if one is missing or damaged."""
         try:
             header = cls(
                 started=datetime.fromisoformat(values["started_utc"]).astimezone(UTC),

@@ -33,35 +33,25 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
 
-NEAR = 10
-"""Units off its goal within which a motor has reached it: servos stop within a margin."""
-
+NEAR = 10  # units off its goal within which a motor has reached it: servos stop within a margin
 NO_STOP = (
     "Nothing on this link stops a running motion: the motors continue to their goals, "
     "{0:.1f} s at most. Only servo power stops them. Ctrl-C again exits without waiting."
 )
 
-_CHECK_INTERVAL = 0.1
-"""Seconds between two checks for an interruption."""
+_CHECK_INTERVAL = 0.1  # seconds between two checks for an interruption
 
 
 def port_settings(port: str | None, extra_time: float) -> PortSettings:
-    """Return the settings of a robot's port.
-
-    Raises:
-        UsageError: no port is given.
-    """
     return PortSettings(required_port(port), LINE, timeouts=Timeouts(extra=extra_time))
 
 
 class CommandSession:
     """An open line to a robot that has answered.
 
-    Its methods raise CommandFailed if the line is lost, or the robot waits for a motor or rejects
-    the request.
+    CommandFailed: the line is lost, or the robot waits for a motor or rejects the request.
 
     Attributes:
-        robot: its answer.
         faults: what went wrong, as sentences.
     """
 
@@ -151,12 +141,7 @@ class CommandSession:
 
 
 class MotionSession(CommandSession):
-    """Moves a robot, reports the running motion, and halts the robot on an interruption.
-
-    Attributes:
-        halted: whether the program was interrupted.
-        moved: the last complete motion.
-    """
+    """Moves a robot, reports the running motion, and halts the robot on an interruption."""
 
     def __init__(
         self, settings: PortSettings, interrupted: Interruption, *, motors: bool = True

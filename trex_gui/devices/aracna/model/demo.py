@@ -9,8 +9,7 @@ from PySide6.QtCore import QObject
 
 from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, switch
 
-PASSING = 6
-"""Bytes of a reply before it is cut: `.c`, a position, its comma."""
+PASSING = 6  # bytes of a reply before it is cut: `.c`, a position, its comma
 
 
 class Loss(Enum):
@@ -33,17 +32,7 @@ class FirmwareState(Enum):
 
 @dataclass(frozen=True, slots=True)
 class DemoServo:
-    """State of one servo.
-
-    Attributes:
-        position, goal: in units, 0-1023.
-        speed: speed register; 0 is the highest speed.
-        moving: whether it has not reached its goal, even if it cannot.
-        torque: whether it holds: not before its first goal, nor without servo power.
-        dead: whether it ignores commands and does not reply.
-        blocked: whether something holds it.
-        load: share of its speed that it loses, 0-1.
-    """
+    """State of one servo, as `show` reports it; `load` is the share of its speed that it loses."""
 
     position: int
     goal: int
@@ -65,14 +54,7 @@ class DemoServo:
 
 @dataclass(frozen=True, slots=True)
 class RobotSnapshot:
-    """State of the simulated robot.
-
-    Attributes:
-        boots: number of starts of the firmware.
-        led: whether the LED of the board is lit.
-        servo_power: whether the servos have power.
-        servos: motor 0 first.
-    """
+    """State of the simulated robot; `boots` counts the starts of its firmware."""
 
     state: FirmwareState
     boots: int
@@ -153,10 +135,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         self._send(f"line {loss.value}")
 
     def repair(self) -> None:
-        """Clear all faults of servos and wire, and switch everything on.
-
-        An unplugged cable stays unplugged; positions and speeds of the servos stay.
-        """
+        """Clear all faults but an unplugged cable; servos keep their positions and speeds."""
         self._discard_unsent()
         for motor in range(len(self.snapshot.servos) if self.snapshot is not None else 0):
             self.set_dead(motor, dead=False)

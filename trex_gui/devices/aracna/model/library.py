@@ -44,18 +44,10 @@ class Library(QObject):
     """One project; each edit replaces it and is one undo step.
 
     Edits raise `BadRequest`, and change nothing, for an unknown or invalid name, a name that is
-    taken, or a position outside 0-1023.
-
-    Signals:
-        changed: poses, sequences, the file, or whether it is saved.
-
-    Attributes:
-        undo: edits since the file was opened; saving keeps them.
-        path: of the file; `None` before it is saved.
-        findings: from reading the file.
+    taken, or a position outside 0-1023. Saving keeps the undo steps.
     """
 
-    changed = Signal()
+    changed = Signal()  # poses, sequences, the file, or whether it is saved
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -96,21 +88,13 @@ class Library(QObject):
         self._load(Project(poses=BUILT_IN_POSES), None, None, ())
 
     def open(self, path: Path) -> tuple[Finding, ...]:
-        """Open a pose file, and return its findings.
-
-        Raises:
-            SettingsError: it cannot be read; then nothing has changed.
-        """
+        """Open a pose file, and return its findings; after a SettingsError nothing has changed."""
         file = read_file(path)
         self._load(file.project, path, file.data, file.findings)
         return file.findings
 
     def save(self, path: Path | None = None) -> None:
-        """Write the file, here or elsewhere; it stays there from now on.
-
-        Raises:
-            SettingsError: it cannot be written, or has no path yet; the old one is still there.
-        """
+        """Write the file, here or elsewhere; after a SettingsError the old one is still there."""
         target = path or self.path
         if target is None:
             raise SettingsError(self.name, [Finding(None, None, "it has no place on disk yet")])
@@ -162,10 +146,7 @@ class Library(QObject):
         self._edit(self.tr("Move {0}").format(name), self._with_items(kind, others))
 
     def add_pose(self, positions: Many[int], name: str = "") -> str:
-        """Append a pose (0-1023, one position for each motor), and return its name.
-
-        The default is the first free one of `pose`, `pose 2` and so on.
-        """
+        """Append a pose (0-1023, one position for each motor), and return its name."""
         taken = self.project.pose_names
         name = checked_name(name.strip() or free_name(self.tr("pose"), taken), taken)
         poses = (*self.project.poses, _pose(name, positions))
@@ -173,10 +154,7 @@ class Library(QObject):
         return name
 
     def capture(self, present: Many[int | None], name: str = "") -> str:
-        """Append the robot's present position as a pose, and return its name.
-
-        An unknown position (`None`, or the -1 that the robot reports) is rejected.
-        """
+        """Append the robot's present position as a pose, and return its name."""
         known = [position for position in present if position is not None and position >= 0]
         if len(known) < len(present) or not present:
             unknown = [motor for motor, each in enumerate(present) if each is None or each < 0]

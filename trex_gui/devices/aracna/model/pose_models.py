@@ -125,15 +125,11 @@ class StepColumn(IntEnum):
 class StepTable(QAbstractTableModel):
     """The steps of one sequence or gait; edits go to the library, gaits are read-only.
 
-    Signals:
-        shown: another item is shown, or its steps have changed.
-
     Attributes:
         item: the sequence or gait; it may be gone from the library.
-        steps: its steps.
     """
 
-    shown = Signal()
+    shown = Signal()  # another item is shown, or its steps have changed
 
     def __init__(self, library: Library, parent: QObject | None = None) -> None:
         super().__init__(parent)

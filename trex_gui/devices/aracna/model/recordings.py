@@ -39,8 +39,7 @@ MAX_ROWS = 2_000_000
 _NO_GAP = math.inf
 """The robot reports positions only while it moves; between motions they do not change."""
 
-_Row = tuple[float, ...]
-"""A time (s) and a position for each motor (degrees; NaN if unknown)."""
+_Row = tuple[float, ...]  # a time (s) and a position for each motor (degrees; NaN if unknown)
 
 
 class AracnaRecorder(RecordThread[Record]):
@@ -74,10 +73,7 @@ class AracnaRecorder(RecordThread[Record]):
 
     @Slot()
     def stop(self) -> None:
-        """End the recording; `ended` follows once the file is complete.
-
-        A last marker keeps its length, since nothing may have happened for a long time.
-        """
+        """End the recording with a marker, which keeps its length if nothing has happened."""
         self.put(marker(now(), EventKind.NOTE.value, self.tr("The recording ends here.")))
         super().stop()
 
@@ -132,11 +128,7 @@ class RobotPlayback(RecordingPlayer[Header, Record, RobotState]):
 
     @classmethod
     def open(cls, path: Path, parent: QObject | None = None) -> "RobotPlayback":
-        """Open a recording and start loading it.
-
-        Raises:
-            RecordingError: the file cannot be opened.
-        """
+        """Open a recording and start loading it; RecordingError if that is impossible."""
         playback = cls(Recording(path, FORMAT), parent)
         playback.start_loading()
         return playback

@@ -50,10 +50,6 @@ class Robot(DeviceConnection[PortSettings]):
         link_changed: `link` and `status`; `changed` has been emitted before.
         halted: the user has stopped everything; pressed controls must be released.
         rejected: why a command was not carried out; also sent to the notifier.
-
-    Attributes:
-        state: what the robot has reported; read-only.
-        dragging: whether goals are sent while the user drags.
     """
 
     link_changed = Signal()
@@ -193,10 +189,7 @@ class Robot(DeviceConnection[PortSettings]):
     # --- Commands -----------------------------------------------------------------------
 
     def move(self, goals: Sequence[int]) -> bool:
-        """Move every motor to a goal, cropped to its limits; return whether it is sent.
-
-        While a motion runs, the newest goals wait for its end.
-        """
+        """Move every motor to a goal, after a running motion; return whether the goals are sent."""
         if not self._can_move():
             return False
         cropped = self.limits.crop(goals)
@@ -234,12 +227,9 @@ class Robot(DeviceConnection[PortSettings]):
             self.changed.emit()
 
     def set_speeds(self, speeds: Sequence[int]) -> None:
-        """Choose a speed for each motor, 0-1023 (0: unlimited).
+        """Set speeds for every later motion, 0-1023 (0: unlimited); BadRequest if one is not.
 
-        They are sent now, or after the playing sequence, and apply to every later motion.
-
-        Raises:
-            BadRequest: wrong number of speeds, or one out of range.
+        They are sent now, or after the playing sequence.
         """
         self.speeds.choose(speeds)
         values = self.speeds.values

@@ -74,21 +74,15 @@ class Rate:
 
 @dataclass(slots=True)
 class RobotState:
-    """The newest of everything.
+    """The newest of everything; times are on the session's clock.
 
     Attributes:
-        version: of the firmware; `None` before it has answered.
         present: position of each motor; `None` where unknown.
         goals: sent last.
         moving: the `.c` that is not answered yet.
-        moved: the last complete reply to a `.c`.
-        awaited_motor: whose position arrives next.
         uncertain: whether a motion that is no longer observed may still be running.
-        unobserved_until: when such a motion should end, on the session's clock; kept when it is
-            over.
-        speeds: the last reply to a `.v`.
-        play: the playing sequence.
-        step: its running step; `None` before the first.
+        unobserved_until: when such a motion should end; kept when it is over.
+        step: the running step; `None` before the first.
     """
 
     motors: int
@@ -134,7 +128,7 @@ class RobotState:
                 self.uncertain, self.step = self.goals is not None, None
             case Connected(version=version):
                 self.version = version
-                # A robot that answers `.q` waits for no motor. Servos may move all the same:
+                # a robot that answers `.q` waits for no motor. Servos may move all the same:
                 # opening the port may have reset the board, which does not stop them.
                 self._stop_observing()
             case StepBegun():

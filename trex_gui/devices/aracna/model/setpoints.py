@@ -18,11 +18,7 @@ _KEY = "aracna/limits"
 
 
 class JointLimits(QObject):
-    """The limits of each joint, saved in the settings; the firmware enforces none.
-
-    Signals:
-        changed: a limit has changed.
-    """
+    """The limits of each joint, saved in the settings; the firmware enforces none."""
 
     changed = Signal()
 
@@ -45,11 +41,7 @@ class JointLimits(QObject):
         return self._all == factory_limits(len(self._all))
 
     def set(self, motor: int, low: int, high: int) -> None:
-        """Set the limits of a joint (0-1023).
-
-        Raises:
-            ValueError: they are not in order, or out of range.
-        """
+        """Set the limits of a joint; ValueError if they are not in order, or outside 0-1023."""
         limits = Limits(low, high)
         if motor >= len(self._all):
             self._all += factory_limits(motor + 1)[len(self._all) :]
@@ -81,11 +73,7 @@ class JointLimits(QObject):
 
 
 class Targets(QObject):
-    """The goal of each motor that the sliders show, sent or not; always within the limits.
-
-    Signals:
-        changed: `goals` have changed.
-    """
+    """The goal of each motor that the sliders show, sent or not; always within the limits."""
 
     changed = Signal()
 
@@ -115,11 +103,7 @@ class Targets(QObject):
 
 
 class SpeedSettings(QObject):
-    """The speed of each motor for the next motion, 0-1023 (0: unlimited).
-
-    Signals:
-        changed: `values` or `are_chosen`.
-    """
+    """The speed of each motor for the next motion, 0-1023 (0: unlimited)."""
 
     changed = Signal()
 
@@ -133,11 +117,7 @@ class SpeedSettings(QObject):
         self.changed.emit()
 
     def choose(self, speeds: Sequence[int]) -> None:
-        """Set the speeds.
-
-        Raises:
-            BadRequest: wrong number of speeds, or one out of range.
-        """
+        """Set the speeds; BadRequest if their number is wrong, or one is out of range."""
         motors = len(self.values)
         if len(speeds) != motors or any(not 0 <= speed <= HIGHEST for speed in speeds):
             given = ", ".join(map(str, speeds))

@@ -14,8 +14,7 @@ from dataclasses import dataclass
 from trex_gui.devices.aracna.poses.project import Pose
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
 
-SLOW_SECONDS = 3.0
-"""Time in which the authors' robot goes to flat, and from there to stand."""
+SLOW_SECONDS = 3.0  # time in which the authors' robot goes to flat, and from there to stand
 
 
 def all_legs(name: str, inner: int, outer: int) -> Pose:
@@ -53,7 +52,6 @@ class Gait:
     """Stages one after the other, at least one.
 
     Attributes:
-        about: what it does; a sentence.
         cyclic: it can repeat: the first stage starts in the last pose.
         ours: the robot's authors do not have it.
     """

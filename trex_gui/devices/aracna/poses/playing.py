@@ -14,9 +14,7 @@ from trex_gui.devices.aracna.protocol.joints import Limits, crop
 from trex_gui.devices.aracna.protocol.units import CEILING, travel_seconds
 from trex_gui.devices.aracna.session.messages import Step
 
-Present = Many[int | None]
-"""Position of each motor; `None` where unknown."""
-
+Present = Many[int | None]  # position of each motor; `None` where unknown
 COMMAND_SECONDS = 0.1
 """What a step takes at least: `.v` and `.c` without motion take 42-55 and 33-37 ms."""
 
@@ -46,8 +44,7 @@ def steps_of(
 ) -> tuple[Step, ...]:
     """Return the steps of a sequence or gait for as many motors as `limits`, cropped to them.
 
-    Raises:
-        BadRequest: there are no steps, poses are not defined, or the time scale is not above 0.
+    BadRequest: there are no steps, poses are not defined, or the time scale is not above 0.
     """
     if not time_scale > 0:
         raise BadRequest(f"a time scale is more than 0, not {time_scale}")

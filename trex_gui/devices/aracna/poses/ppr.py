@@ -50,11 +50,7 @@ class PoseFile:
 
 
 def read_file(path: Path) -> PoseFile:
-    """Read a pose file.
-
-    Raises:
-        SettingsError: it cannot be read, is too large, or not text.
-    """
+    """Read a pose file; SettingsError if it cannot be read, is too large, or not text."""
     data = load(path, "poses")
     found: list[Finding] = []
     try:
@@ -73,11 +69,7 @@ def read_file(path: Path) -> PoseFile:
 
 
 def write_file(path: Path, project: Project) -> bytes:
-    """Write a pose file atomically and return its content.
-
-    Raises:
-        SettingsError: it cannot be written.
-    """
+    """Write a pose file atomically and return its content; SettingsError if that fails."""
     text = write_ppr(project)
     save(path, text)
     return text.encode("utf-8")

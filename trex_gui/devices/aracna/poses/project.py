@@ -8,21 +8,12 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.protocol.units import CENTRE, HIGHEST, MOTORS
 
 SHORTEST_MS = 1
-LONGEST_MS = 3_600_000
-"""An hour; PyPose itself offers up to 5000 ms."""
-
-DEFAULT_MS = 500
-"""PyPose's default for a step."""
-
-RESOLUTION = 1024
-"""Positions that a servo distinguishes."""
-
-MOST_MOTORS = 253
-"""Servos that a bus can address (identifiers 0-252)."""
-
+LONGEST_MS = 3_600_000  # an hour; PyPose itself offers up to 5000 ms
+DEFAULT_MS = 500  # pyPose's default for a step
+RESOLUTION = 1024  # positions that a servo distinguishes
+MOST_MOTORS = 253  # servos that a bus can address (identifiers 0-252)
 _LONGEST_NAME = 100
-_SEPARATORS = ":,|"
-"""Characters that separate names and values in a pose file."""
+_SEPARATORS = ":,|"  # characters that separate names and values in a pose file
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,11 +24,6 @@ class Pose:
     positions: tuple[int, ...]
 
     def __post_init__(self) -> None:
-        """Check that a file can hold it.
-
-        Raises:
-            ValueError: the name has a colon or line end, or a position is outside 0-1023.
-        """
         _check_name("pose", self.name)
         for motor, position in enumerate(self.positions):
             if not 0 <= position <= HIGHEST:
@@ -59,11 +45,6 @@ class SequenceStep:
     milliseconds: int = DEFAULT_MS
 
     def __post_init__(self) -> None:
-        """Check that a file can hold it.
-
-        Raises:
-            ValueError: the time is out of range, or the name has a comma, a bar or a line end.
-        """
         if not is_usable_in_step(self.pose_name):
             name = self.pose_name
             raise ValueError(f"a step names a pose without comma, bar or line end, unlike {name!r}")
@@ -81,11 +62,6 @@ class Sequence:
     steps: tuple[SequenceStep, ...] = ()
 
     def __post_init__(self) -> None:
-        """Check that a file can hold it.
-
-        Raises:
-            ValueError: the name has a colon or a line end.
-        """
         _check_name("sequence", self.name)
 
     @property
@@ -103,12 +79,10 @@ class Project:
     """Poses and sequences of one robot.
 
     Attributes:
-        name: of the robot.
         resolutions: positions that each servo distinguishes; as many as there are motors.
         poses, sequences: in the order of the file, with unique names. Sequences may name poses that
             are not defined.
         rest: other lines as they are; they are written back at the end.
-        line_end: as in the file.
     """
 
     name: str = "Aracna"
@@ -158,11 +132,7 @@ def free_number(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str
 
 
 def checked_name(name: str, taken: Iterable[str]) -> str:
-    """Return a name without blanks around it.
-
-    Raises:
-        BadRequest: it is empty, too long, taken, or has characters that a file cannot hold.
-    """
+    """Return a name without blanks around it; BadRequest if it is taken or not possible."""
     found = name.strip()
     if not found:
         raise BadRequest("a name has at least one character")

@@ -9,33 +9,19 @@ from collections.abc import Sequence
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.protocol.units import HIGHEST
 
-BAUD = 38_400
-"""Its UART runs at 38400 8N1, without flow control."""
-
-QUERY = b".q\n"
-"""Three bytes: as many as the chip keeps while the firmware is busy."""
-
-EMPTY = b"\n"
-"""Ends an unfinished line in the firmware's buffer; has no other effect."""
-
+BAUD = 38_400  # its UART runs at 38400 8N1, without flow control
+QUERY = b".q\n"  # three bytes: as many as the chip keeps while the firmware is busy
+EMPTY = b"\n"  # ends an unfinished line in the firmware's buffer; has no other effect
 LED = {True: b".l1\n", False: b".l0\n"}
 
 
 def speeds(values: Sequence[int], motors: int) -> bytes:
-    """Return the command that sets every servo's speed, 0-1023 (0: unlimited).
-
-    Raises:
-        BadRequest: wrong number of values, or one out of range.
-    """
+    """Return the command that sets every servo's speed, 0-1023 (0: unlimited)."""
     return _line("v", "speed", values, motors)
 
 
 def positions(values: Sequence[int], motors: int) -> bytes:
-    """Return the command that moves every servo to a goal, 0-1023.
-
-    Raises:
-        BadRequest: wrong number of values, or one out of range.
-    """
+    """Return the command that moves every servo to a goal, 0-1023."""
     return _line("c", "position", values, motors)
 
 

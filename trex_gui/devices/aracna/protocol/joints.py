@@ -46,17 +46,12 @@ JOINTS = tuple(
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Lowest and highest position of a joint, 0-1023."""
+    """Lowest and highest position of a joint, 0-1023; ValueError if they are not in order."""
 
     low: int = 0
     high: int = HIGHEST
 
     def __post_init__(self) -> None:
-        """Check the order and the range.
-
-        Raises:
-            ValueError: `low` is above `high`, or one is outside 0-1023.
-        """
         if not 0 <= self.low <= self.high <= HIGHEST:
             raise ValueError(f"limits are 0 to {HIGHEST} in order, not {self.low} to {self.high}")
 

@@ -5,14 +5,11 @@ from dataclasses import dataclass
 
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
 
-UNREADABLE = -1
-"""Reported for a servo that does not answer."""
-
+UNREADABLE = -1  # reported for a servo that does not answer
 MOST_MOTORS = 11
 """The firmware's line buffer of 59 characters has no room for more values of four digits."""
 
-_MOTORS_BY_VERSION = {0: 2}
-"""Motors of firmware that does not report their number, by version."""
+_MOTORS_BY_VERSION = {0: 2}  # motors of firmware that does not report their number, by version
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,12 +60,8 @@ class Unrecognized:
 
 Reply = Hello | Version | Speeds | Positions | Led | Unrecognized
 
-_LONGEST = 200
-"""Bytes kept without a line end; the longest reply of eight motors has 43."""
-
-_NUMBER = rb"-1|0|[1-9]\d{0,4}"
-"""As `%d` prints it: no padding, and no sign except in -1."""
-
+_LONGEST = 200  # bytes kept without a line end; the longest reply of eight motors has 43
+_NUMBER = rb"-1|0|[1-9]\d{0,4}"  # as `%d` prints it: no padding, and no sign except in -1
 _QUERY = re.compile(rb"\.q(0|[1-9]\d{0,4})(?:,([1-9]\d{0,2}))?")
 _VALUES = re.compile(rb"\.([vc])((?:%b)(?:,(?:%b))*)" % (_NUMBER, _NUMBER))
 _LED = re.compile(rb"\.l([01])")

@@ -6,19 +6,11 @@ Ref: Robotis AX-12 and AX-18 documentation.
 import math
 
 MOTORS = 8
-HIGHEST = 1023
-"""The highest position and the highest speed setting."""
-
-CENTRE = 512
-"""The middle of a servo's travel, 150 degrees."""
-
+HIGHEST = 1023  # the highest position and the highest speed setting
+CENTRE = 512  # the middle of a servo's travel, 150 degrees
 DEGREES_PER_UNIT = 300 / 1023
-UNITS_PER_SECOND = 2.28
-"""Position units per second for each unit of speed (0.1114 rpm)."""
-
-DEGREES_PER_SECOND = 0.669
-"""Degrees per second for each unit of speed."""
-
+UNITS_PER_SECOND = 2.28  # position units per second for each unit of speed (0.1114 rpm)
+DEGREES_PER_SECOND = 0.669  # degrees per second for each unit of speed
 CEILING = 870
 """The speed above which a setting has no further effect: 97 rpm, no load, AX-18A at 12 V.
 

@@ -37,27 +37,17 @@ from trex_gui.devices.aracna.session.messages import LineStats
 
 LINE = SerialFormat(commands.BAUD)
 
-REPLY_TIMEOUT = 1.0
-"""Seconds for `.q`, `.l` and `.v`; the slowest takes 0.06 s on a wire."""
-
+REPLY_TIMEOUT = 1.0  # seconds for `.q`, `.l` and `.v`; the slowest takes 0.06 s on a wire
 QUERY_RETRY = 5.0
 """Seconds after which `.q` is repeated behind a reply that stopped halfway. The chip keeps one `.q`
 and answers it once, however often it was sent."""
 
-_KEPT = 48
-"""Bytes kept of unrecognized data, for error messages."""
+_KEPT = 48  # bytes kept of unrecognized data, for error messages
 
 
 @dataclass(frozen=True, slots=True)
 class SentCommand:
-    """A command on its way.
-
-    Attributes:
-        letter: `q`, `v`, `c` or `l`.
-        values: one for each motor for `.v` and `.c`, else empty.
-        sent: on the line's clock.
-        timeout: seconds until its reply is late.
-    """
+    """A command on its way; `timeout` is in seconds from `sent`."""
 
     letter: str
     values: tuple[int, ...]
@@ -118,7 +108,6 @@ class AracnaClient:
 
     Attributes:
         motors: how many values a command has; 0 before the first `.q` reply.
-        pending: the command on its way.
         received: the first bytes that arrived, for a diagnosis.
     """
 
@@ -185,11 +174,7 @@ class AracnaClient:
     # --- Replies ------------------------------------------------------------------------
 
     def listen(self, seconds: float = 0.0) -> list[CommandEvent]:
-        """Return what has happened, waiting up to `seconds` for the first byte.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
+        """Return what has happened, waiting up to `seconds` for the first byte."""
         data = self.transport.read(1, seconds) if seconds > 0 else b""
         checked = self.transport.clock()  # what had not arrived by then was late
         try:

@@ -26,13 +26,10 @@ JobT = TypeVar("JobT", Move, SetLed, Drag, Job, "Job | Drag")
 
 
 class JobQueue:
-    """Queued jobs in order, the one in flight, and the newest drag.
+    """Queued jobs in order, the one in flight, and the newest drag that was not sent yet.
 
-    Every job gets exactly one outcome, reported here.
-
-    Attributes:
-        drag: the newest one that was not sent yet.
-        is_setting_speeds: whether only the speeds of the motion in flight were sent.
+    Every job gets exactly one outcome, reported here. `is_setting_speeds`: only the speeds of the
+    motion in flight were sent.
     """
 
     def __init__(self, report: Callable[[Report], None], clock: Callable[[], float]) -> None:

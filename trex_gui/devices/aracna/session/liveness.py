@@ -2,21 +2,13 @@
 
 from enum import Enum, auto
 
-KEEPALIVE_INTERVAL = 2.0
-"""Seconds without a reply after which an idle robot is queried."""
-
-QUERY_INTERVAL = 0.5
-"""Seconds between two queries while a reply is awaited."""
-
-RECONNECT_INTERVAL = 1.0
-"""Seconds between two queries to a robot that is not responding."""
-
+KEEPALIVE_INTERVAL = 2.0  # seconds without a reply after which an idle robot is queried
+QUERY_INTERVAL = 0.5  # seconds between two queries while a reply is awaited
+RECONNECT_INTERVAL = 1.0  # seconds between two queries to a robot that is not responding
 BOOT_TIME = 1.1
 """Seconds after `.h` in which the firmware reads nothing: one of blinking, and a margin."""
 
-BOOT_TIMEOUT = 6.0
-"""Seconds allowed for a restart: a boot loader may delay it."""
-
+BOOT_TIMEOUT = 6.0  # seconds allowed for a restart: a boot loader may delay it
 CONNECT_TIMEOUT = 15.0
 """Seconds after which a robot that only reports its start is given up when connecting."""
 
@@ -35,7 +27,7 @@ class LivenessMonitor:
 
     Attributes:
         reason: why a reply to `.q` is awaited; `None` while the robot responds.
-        was_restarted: whether it has reported a start since its last `.q` reply.
+        was_restarted: it has reported a start since its last `.q` reply.
     """
 
     def __init__(self, now: float) -> None:

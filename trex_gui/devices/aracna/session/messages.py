@@ -75,13 +75,9 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Play:
-    """Play steps one after the other; `PlayEnded` follows.
+    """Play steps `rounds` times (0: endless), between the blends; `PlayEnded` follows.
 
-    Attributes:
-        blend_in: played once, before the steps.
-        steps: played `rounds` times; 0 is endless.
-        blend_out: played once, after the steps, unless they were aborted.
-        time_scale: factor on every step's seconds: 2 is half as fast.
+    Aborted steps are not followed by the blend-out. `time_scale` 2 is half as fast.
     """
 
     id: int
@@ -125,10 +121,8 @@ class LineStats:
 
     Attributes:
         requests: commands sent, including a pending one.
-        timeouts: commands without a reply.
         corrupted: commands whose reply was lost or unusable.
         unrecognized: lines that are no reply of an Aracna.
-        restarts: how often the board reported its start.
         slowest: the longest round trip in seconds, motions excluded.
     """
 
@@ -166,12 +160,7 @@ class Restarted:
 
 @dataclass(frozen=True, slots=True)
 class Moving:
-    """A `.c` was sent at `time`.
-
-    Attributes:
-        starts: where each motor was; `None` where unknown.
-        expected: seconds until its reply is complete, from distance and speed.
-    """
+    """A `.c` was sent; its reply should take `expected` seconds. Starts may be unknown (`None`)."""
 
     time: float
     goals: tuple[int, ...]
@@ -189,10 +178,7 @@ class Passed:
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """The reply to a `.c`: the position of each motor, -1 if it could not be read.
-
-    All are -1 if the reply was lost.
-    """
+    """The reply to a `.c`: the position of each motor, -1 if it could not be read or was lost."""
 
     time: float
     goals: tuple[int, ...]
@@ -240,9 +226,9 @@ class NotResponding:
 
 @dataclass(frozen=True, slots=True)
 class StepBegun:
-    """A step begins: `index` within `part` (`in`, `steps` or `out`), in `round` from 0.
+    """A step begins, `late` seconds behind schedule.
 
-    `late` is by how many seconds.
+    `index` within `part` (`in`, `steps` or `out`), and `round`, are from 0.
     """
 
     time: float

@@ -23,12 +23,8 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.devices.aracna.session.servo_estimates import ServoEstimates
 
-REPLY_TIME = 0.04
-"""Seconds that a `.c` takes without any motion: 33 to 37 ms on a wire."""
-
-_SHORTEST = 0.5
-"""Part of a step's seconds that is left for its motion, however late it starts."""
-
+REPLY_TIME = 0.04  # seconds that a `.c` takes without any motion: 33 to 37 ms on a wire
+_SHORTEST = 0.5  # part of a step's seconds that is left for its motion, however late it starts
 _SCALES = (0.05, 20.0)
 
 
@@ -43,11 +39,7 @@ class ScheduledStep:
 
 
 def check_play(play: Play, motors: int) -> None:
-    """Check a sequence before it is played.
-
-    Raises:
-        BadRequest: it has no steps, wrong numbers of positions, or values out of range.
-    """
+    """Raise a BadRequest for no steps, a wrong number of positions, or values out of range."""
     if not (play.steps or play.blend_in or play.blend_out):
         raise BadRequest("There is no step to play.")
     if play.rounds < 0:
@@ -68,11 +60,6 @@ def check_play(play: Play, motors: int) -> None:
 
 
 def check_scale(scale: float) -> None:
-    """Check a time scale.
-
-    Raises:
-        BadRequest: it is not between 0.05 and 20.
-    """
     low, high = _SCALES
     if not low <= scale <= high:
         raise BadRequest(f"The time scale is {low:g} to {high:g}, not {scale:g}.")
@@ -91,14 +78,7 @@ def _numbered(part: str, steps: Sequence[Step], number: int = 0) -> Iterator[Sch
 
 
 class StepClock:
-    """Schedules the steps of a sequence.
-
-    Attributes:
-        time_scale: factor on the seconds of every step that starts from now on.
-        due: when the next step is to start, on the line's clock.
-        current: the running step; `None` before the first.
-        is_ending: whether only the blend-out follows the running step.
-    """
+    """Schedules the steps of a sequence; `due` is the next one's start, on the line's clock."""
 
     def __init__(self, play: Play, now: float) -> None:
         self.play = play
@@ -134,10 +114,7 @@ class StepClock:
 
 
 class SequencePlayer:
-    """The playing sequence and the state of its step: speeds, then goals, then arrival.
-
-    `servos` are the estimates that it plans with.
-    """
+    """The playing sequence and the state of its step: speeds, then goals, then arrival."""
 
     def __init__(self, report: Callable[[Report], None], servos: ServoEstimates) -> None:
         self._report = report
@@ -152,11 +129,6 @@ class SequencePlayer:
         return self._clock is not None
 
     def start(self, play: Play, now: float) -> None:
-        """Start playing.
-
-        Raises:
-            BadRequest: it cannot be played on this robot.
-        """
         check_play(play, len(self.servos.speeds))
         self._speeds_before = None
         self._clock = StepClock(play, now)
@@ -168,11 +140,7 @@ class SequencePlayer:
             self._clock.end()
 
     def set_time_scale(self, time_scale: float) -> None:
-        """Change the time scale from the next step on.
-
-        Raises:
-            BadRequest: it is out of range.
-        """
+        """Change the time scale from the next step on; BadRequest if it is out of range."""
         check_scale(time_scale)
         if self._clock is not None:
             self._clock.time_scale = time_scale

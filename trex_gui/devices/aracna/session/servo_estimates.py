@@ -22,34 +22,19 @@ A servo that lost power is unlimited afterwards, and only the reply to a `.v` sh
 are sent again this often, which takes `SET_SPEEDS_TIME`.
 """
 
-TRUST_BEFORE_MOVE = 0.5
-"""The same before a single `Move`."""
-
-DOUBTFUL = 12
-"""Units off its goal beyond which a motor may have lost power on its way."""
-
+TRUST_BEFORE_MOVE = 0.5  # the same before a single `Move`
+DOUBTFUL = 12  # units off its goal beyond which a motor may have lost power on its way
 FAR = 50
 """Units off its goal at which a motor has failed, as in the authors' self-test: it is blocked, or
 servo power was off."""
 
-_TOO_FAST = 1.05
-"""A speed may exceed the needed one by this factor before it is set again."""
-
-_ARRIVED = 5
-"""Units off its goal at which a motor needs no motion."""
-
-MARGIN, ALLOWANCE = 1.25, 1.0
-"""A motion may take a quarter and a second longer than without load."""
+_TOO_FAST = 1.05  # a speed may exceed the needed one by this factor before it is set again
+_ARRIVED = 5  # units off its goal at which a motor needs no motion
+MARGIN, ALLOWANCE = 1.25, 1.0  # a motion may take a quarter and a second longer than without load
 
 
 class ServoEstimates:
-    """Last known positions and speeds, and the joint limits in force.
-
-    Attributes:
-        present: positions, 0-1023; `None` where unknown.
-        speeds: speed settings, 0-1023 (0: unlimited); `None` where unknown.
-        limits: of each motor; goals are cropped to them. None before the first `set_limits`.
-    """
+    """Last known positions and speeds, `None` where unknown, and the joint limits in force."""
 
     def __init__(self, motors: int = 0) -> None:
         self.limits: tuple[Limits, ...] = ()
@@ -62,11 +47,7 @@ class ServoEstimates:
         self._speeds_reported_at = 0.0
 
     def set_limits(self, limits: Sequence[tuple[int, int]]) -> None:
-        """Take new limits, lowest and highest position of each motor.
-
-        Raises:
-            BadRequest: not in order, or outside 0-1023; the old ones stay.
-        """
+        """Take new limits, lowest and highest position; BadRequest leaves the old ones in force."""
         try:
             self.limits = tuple(Limits(low, high) for low, high in limits)
         except ValueError as error:

@@ -67,14 +67,9 @@ from trex_gui.devices.aracna.session.servo_estimates import (
     move_timeout,
 )
 
-STATS_INTERVAL = 1.0
-"""Seconds between two reports of the line's statistics."""
-
-_SLICE = 0.02
-"""Seconds to wait for reply bytes before checking for requests."""
-
-_IDLE = 0.05
-"""Seconds to wait for requests before checking the line: a `.h` may arrive."""
+STATS_INTERVAL = 1.0  # seconds between two reports of the line's statistics
+_SLICE = 0.02  # seconds to wait for reply bytes before checking for requests
+_IDLE = 0.05  # seconds to wait for requests before checking the line: a `.h` may arrive
 
 
 class AracnaSession:
@@ -234,9 +229,7 @@ class AracnaSession:
     def _send(self, job: Job | Drag) -> bool:
         """Send a job, or first the speeds of a motion; return whether it was only those.
 
-        Raises:
-            BadRequest: not one value of 0-1023 for each motor.
-            PortUnavailable: the line is gone.
+        BadRequest: not one value of 0-1023 for each motor.
         """
         match job:
             case Move(goals=goals, speeds=speeds) | Drag(goals=goals, speeds=speeds):
@@ -381,11 +374,7 @@ class AracnaSession:
         self._drop(now, Ending.RESTARTED, RobotError(ErrorCode.RESTARTED))
 
     def _set_not_responding(self, error: StudioError) -> None:
-        """Report that the robot does not respond.
-
-        Raises:
-            NoReply, BadReply: no robot has ever answered; says what to check.
-        """
+        """Report that the robot does not respond; raise why, if none has ever answered."""
         if self._liveness.reason is QueryReason.CONNECTING:
             raise diagnose(self._settings, self._client.received)
         now = self._now()

@@ -12,33 +12,20 @@ from enum import Enum
 
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
-BUFFER = 59
-"""Characters of a line, newline included; the sixtieth byte ends the string."""
-
-BLINKING = 1.0
-"""Seconds of blinking after `.h`, in which nothing is read."""
-
-_BLINKS = 10
-"""Toggles of the LED in that time; an even number leaves it off."""
-
-SPEED_PAUSE = 0.025
-"""Seconds between writing the speeds and reading them back."""
-
+BUFFER = 59  # characters of a line, newline included; the sixtieth byte ends the string
+BLINKING = 1.0  # seconds of blinking after `.h`, in which nothing is read
+_BLINKS = 10  # toggles of the LED in that time; an even number leaves it off
+SPEED_PAUSE = 0.025  # seconds between writing the speeds and reading them back
 WRITING = 0.000125
 """Seconds of a packet that writes; inferred, as `READING`, from the round trips: 42 to 55 ms for
 `.v`, 33 to 37 ms for `.c` without motion."""
 
-READING = 0.000875
-"""Seconds of a packet that reads, with or without a reply."""
-
-_BATCH = 0.05
-"""Seconds of polls that are simulated together when none of them can be the last one."""
+READING = 0.000875  # seconds of a packet that reads, with or without a reply
+_BATCH = 0.05  # seconds of polls that are simulated together when none of them can be the last one
 
 
 _ARRAY = 4
-_SMASHED = 9
-"""Characters in a field that destroy the stack."""
-
+_SMASHED = 9  # characters in a field that destroy the stack
 _UNUSED = 10
 _SEPARATORS = b",\n"
 
@@ -85,16 +72,7 @@ class Hang(Exception):  # noqa: N818
 
 
 class Firmware:
-    """The firmware and its state.
-
-    Attributes:
-        servos: on the bus, motor 0 first.
-        version: reported by `.q`.
-        tells_motors: whether `.q` reports the number of motors; builds before 22 Sep 2012 do not.
-        led: whether the debug LED is on.
-        boots: number of starts.
-        counters: lines read, commands executed, lines ignored, restarts by invalid lines, hangs.
-    """
+    """The firmware and its state; `boots` counts its starts."""
 
     def __init__(
         self,

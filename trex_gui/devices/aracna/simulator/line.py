@@ -18,17 +18,12 @@ from trex_gui.devices.aracna.simulator.firmware import (
 )
 from trex_gui.devices.aracna.simulator.servos import MARGIN, Servo
 
-OWN = SerialFormat(38_400)
-"""How a fitting host is set: 38400 8N1."""
-
-REAL_BAUD = 16_000_000 / 16 / 26
-"""The rate that the board derives from 16 MHz, 38461.5 bit/s."""
-
+OWN = SerialFormat(38_400)  # how a fitting host is set: 38400 8N1
+REAL_BAUD = 16_000_000 / 16 / 26  # the rate that the board derives from 16 MHz, 38461.5 bit/s
 HOLDS = 3
 """Bytes that the UART holds while the program is busy: a buffer of two, and a shift register."""
 
-_OLD_MOTORS = 2
-"""Motors of version 0, of 22 Sep 2012."""
+_OLD_MOTORS = 2  # motors of version 0, of 22 Sep 2012
 
 
 class RobotStation:
@@ -37,8 +32,6 @@ class RobotStation:
     The UART is polled, without interrupt: only while the program waits for a byte is one read.
 
     Attributes:
-        firmware: its program and state.
-        powered: whether the board has power.
         held: bytes received while the program was busy.
         keeps_last: which byte is kept when more than three arrive: the last, as in the chip's
             data sheet (a new byte replaces the one in the shift register), or the third.
@@ -157,12 +150,7 @@ class RobotStation:
 
 
 class AracnaLine(SimulatedLine):
-    """One robot with its wire, just switched on; servos and booting take time even unpaced.
-
-    Attributes:
-        servos: motor 0 first.
-        station: the board.
-    """
+    """One robot with its wire, just switched on; servos and booting take time even unpaced."""
 
     def __init__(
         self,
@@ -186,7 +174,7 @@ class AracnaLine(SimulatedLine):
             version: of the firmware; by default 0 with two motors and else 1.
             positions: of the servos, 0-1023; by default all are centred.
             margin: units from its goal at which a servo stops.
-            reports_motors: whether `.q` reports the number of motors.
+            reports_motors: whether `.q` reports their number; before 22 Sep 2012 it did not.
             boot_loader: seconds before each `.h`.
             keeps_last: see `RobotStation`.
         """

@@ -9,9 +9,7 @@ from enum import Enum
 
 from trex_gui.devices.aracna.protocol.units import CEILING, HIGHEST, UNITS_PER_SECOND
 
-FAILED = -1
-"""Value that the board's library returns for a servo without reply."""
-
+FAILED = -1  # value that the board's library returns for a servo without reply
 MARGIN = 2
 """Distance in units from the goal at which a servo stops. Assumed: the document says "some"."""
 
@@ -32,13 +30,10 @@ class Servo:
         goal: the last goal it accepted, 0-1023.
         speed: speed register, 0-1023; 0 is the highest speed.
         torque: whether it holds; off from power-up to the first goal.
-        powered: whether it has servo power.
         alive: whether it responds. A dead servo stops, and continues its motion when it is alive
             again (assumed).
         blocked: whether something holds it: then it stays "moving" until it is free.
         load: share of its speed that it loses, 0-1.
-        margin: distance in units from the goal at which it stops.
-        ceiling: speed above which a setting has no further effect.
         lag: seconds between a goal and the moving flag, for tests.
         to_fail: number of reads of a register that fail next.
     """

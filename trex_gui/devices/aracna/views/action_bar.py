@@ -84,10 +84,7 @@ class ActionBar(QWidget):
             self._timer.start() if is_counting else self._timer.stop()
 
     def _activity_text(self, left: float) -> tuple[str, bool]:
-        """Return what the robot is known to do, and whether that is alarming.
-
-        `left` is how many seconds the motion should last.
-        """
+        """Return what the robot is known to do, and if that alarms; `left` is in seconds."""
         link, state = self._robot.link, self._robot.state
         if link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
             text = self.tr("No robot is connected.")

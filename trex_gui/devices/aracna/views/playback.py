@@ -109,13 +109,9 @@ class RobotPlaybackWindow(RecordingWindow):
 
 
 class JointValues(QWidget):
-    """A row for each motor; a dash where nothing was known.
+    """A row for each motor; a dash where nothing was known."""
 
-    Signals:
-        toggled: number of a motor and whether its curve is drawn.
-    """
-
-    toggled = Signal(int, bool)
+    toggled = Signal(int, bool)  # a motor, and whether its curve is drawn
 
     def __init__(self, motors: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)

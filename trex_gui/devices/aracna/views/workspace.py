@@ -68,12 +68,7 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
 
 
 class AracnaWorkspace(Workspace):
-    """Everything in the window that is specific to an Aracna; has no state of the robot.
-
-    Attributes:
-        library: the poses and sequences.
-        recordings: records, and owns the windows of recordings.
-    """
+    """Everything in the window that is specific to an Aracna; has no state of the robot."""
 
     def __init__(self, controller: AracnaController, frame: MainWindow) -> None:
         robot = controller.robot

@@ -14,15 +14,11 @@ from trex_gui.ui.widgets.behaviour import take_typed
 
 _FOLDER = "aracna/folder"
 
-_MOST_FINDINGS = 8
-"""Findings in a message, which has to fit into the window."""
+_MOST_FINDINGS = 8  # findings in a message, which has to fit into the window
 
 
 class PoseFiles(QObject):
-    """Opens and saves the file of a library, asks before data is lost, and reports the result.
-
-    Each method returns whether it was done.
-    """
+    """Opens and saves the file of a library, and asks before data is lost."""
 
     def __init__(self, library: Library, notifier: Notifier, window: QWidget) -> None:
         super().__init__(window)

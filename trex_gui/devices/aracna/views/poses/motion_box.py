@@ -37,16 +37,9 @@ _LINES = 5
 
 
 class MotionBox(QGroupBox):
-    """Edits the sequences of a library, and shows the gaits.
+    """Edits the sequences of a library, and shows the gaits."""
 
-    Signals:
-        shown: another item is current, or its steps have changed.
-
-    Attributes:
-        table: the steps of the current item.
-    """
-
-    shown = Signal()
+    shown = Signal()  # another item is current, or its steps have changed
 
     def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(self.tr("Sequences and gaits"), parent)

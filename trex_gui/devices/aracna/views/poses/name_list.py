@@ -15,13 +15,9 @@ _LINES = 4
 
 
 class NameList(QListView):
-    """Edits poses or sequences: rename (F2), delete (Delete), duplicate, move (Alt+arrows, drag).
+    """Edits poses or sequences: rename (F2), delete (Del), duplicate, move (Alt+arrows, drag)."""
 
-    Signals:
-        chosen: another item is current.
-    """
-
-    chosen = Signal()
+    chosen = Signal()  # another item is current
 
     def __init__(
         self,

@@ -19,13 +19,7 @@ from trex_gui.ui.widgets.labels import ElidedLabel
 
 
 class PosesPage(QWidget):
-    """Edits a library beside a drawing of the robot that plays it.
-
-    Attributes:
-        files: opens and saves.
-        capture: saves the robot's position as a new pose.
-        play: plays the current sequence or gait, if that is possible.
-    """
+    """Edits a library beside a drawing of the robot that plays it."""
 
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -183,13 +183,7 @@ class PlayBar(QWidget):
 
 @dataclass(frozen=True, slots=True)
 class Preview:
-    """What would be played.
-
-    Attributes:
-        play: the request; `None` if it cannot be played.
-        text: length, crops and late motors, or why it cannot be played.
-        notes: remarks on steps, by index.
-    """
+    """What would be played, or why nothing can be; `notes` are remarks on steps, by index."""
 
     play: Play | None = None
     text: str = ""

@@ -16,13 +16,9 @@ _ACROSS = 4
 
 
 class PoseBox(QGroupBox):
-    """Edits the poses of a library.
+    """Edits the poses of a library."""
 
-    Signals:
-        pose_chosen: the name of the current pose; empty for none.
-    """
-
-    pose_chosen = Signal(str)
+    pose_chosen = Signal(str)  # name of the current pose; empty for none
 
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(self.tr("Poses"), parent)

@@ -29,19 +29,13 @@ _OUTWARD = {
 _MIRROR = {Side.RIGHT_FRONT: 1, Side.LEFT_FRONT: -1, Side.LEFT_BACK: 1, Side.RIGHT_BACK: -1}
 
 _CENTRE = 150.0
-_REDUCTION = 0.35
-"""Drawn part of a servo's angle."""
-
-_BODY = 0.24
-"""Half the edge of the body; the picture goes from -1 to 1 both ways."""
-
+_REDUCTION = 0.35  # drawn part of a servo's angle
+_BODY = 0.24  # half the edge of the body; the picture goes from -1 to 1 both ways
 _HIP = 0.26
 _UPPER = 0.33
 _LOWER = 0.34
 _RADIUS = 0.075
-_REACH = 0.13
-"""Distance within which the mouse points at a joint."""
-
+_REACH = 0.13  # distance within which the mouse points at a joint
 Point = tuple[float, float]
 
 
@@ -78,15 +72,10 @@ def _along(start: Point, angle: float, length: float) -> Point:
 
 
 class RobotDrawing(QWidget):
-    """Shows which joint is which and how it turns; takes no focus.
+    """Shows which joint is which and how it turns; takes no focus."""
 
-    Signals:
-        pointed: the motor whose joint the mouse points at; -1 for none.
-        chosen: the motor whose joint was clicked.
-    """
-
-    pointed = Signal(int)
-    chosen = Signal(int)
+    pointed = Signal(int)  # the motor whose joint the mouse points at; -1 for none
+    chosen = Signal(int)  # the motor whose joint was clicked
 
     def __init__(self, state: RobotState, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -25,15 +25,10 @@ _ALTERNATING = (_SPEED, _LOW, _HIGH)
 
 
 class JointRow(QObject):
-    """The widgets of one motor in the table's grid.
+    """The widgets of one motor in the table's grid."""
 
-    Signals:
-        goal_edited: the user has changed the target.
-        pointed: the motor while mouse or focus is on it, then -1.
-    """
-
-    goal_edited = Signal()
-    pointed = Signal(int)
+    goal_edited = Signal()  # by the user
+    pointed = Signal(int)  # the motor while mouse or focus is on it, then -1
 
     def __init__(self, robot: Robot, motor: int, parent: QWidget) -> None:
         super().__init__(parent)
@@ -199,18 +194,12 @@ class JointRow(QObject):
 
 
 class JointTable(QWidget):
-    """Shows and changes the targets, speeds and limits of a robot.
+    """Shows and changes the targets, speeds and limits of a robot."""
 
-    Signals:
-        goal_edited: the user has changed a target.
-        grabbed, released: the user presses or releases a slider.
-        pointed: the motor that mouse or focus is on; -1 for none.
-    """
-
-    goal_edited = Signal()
-    grabbed = Signal()
+    goal_edited = Signal()  # by the user
+    grabbed = Signal()  # a slider
     released = Signal()
-    pointed = Signal(int)
+    pointed = Signal(int)  # the motor that mouse or focus is on; -1 for none
 
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -29,8 +29,7 @@ from trex_gui.ui.widgets.labels import Note
 _GAP = 8
 _WIDEST_RATE = 888.8
 _CAPTION_LINES = 6
-_MIN_SKETCH_WIDTH = 130
-"""Pixels; in a narrower drawing the joints overlap."""
+_MIN_SKETCH_WIDTH = 130  # pixels; in a narrower drawing the joints overlap
 
 
 class RobotPage(QWidget):
@@ -173,15 +172,10 @@ class Sketch(QWidget):
 
 
 class Controls(QWidget):
-    """Controls for all joints: move, live mode, sliders, speed, limits.
-
-    Signals:
-        move_clicked: send the sliders' goals now.
-        limits_toggled: whether limits are shown.
-    """
+    """Controls for all joints: move, live mode, sliders, speed, limits."""
 
     move_clicked = Signal()
-    limits_toggled = Signal(bool)
+    limits_toggled = Signal(bool)  # whether limits are shown
 
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
