@@ -16,7 +16,7 @@ from tests.support.window import LEFT, WindowDriver
 
 TEXT = "product: TReX\n# my rover\nserial_timeout: 5  # 0.5 s\n"
 BEGINNINGS = (
-    ("Factory values of a TReX Jr, firmware 1.1", "motor_mode", 0),
+    ("Factory defaults of a TReX Jr, firmware 1.1", "motor_mode", 0),
     ("Sample: A tank: two tracks, driven by radio with one stick", "parabolic_channels", 3),
 )
 

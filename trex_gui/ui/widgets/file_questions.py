@@ -4,7 +4,7 @@ from enum import Enum, auto
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 _FOLDER = "settings/folder"
 
@@ -82,3 +82,18 @@ def last_folder(store: QSettings) -> Path:
 
 def remember_folder(store: QSettings, path: Path) -> None:
     store.setValue(_FOLDER, str(path.parent))
+
+
+def ask_to_open(window: QWidget, title: str, store: QSettings) -> Path | None:
+    """Let the user choose a settings file, in the last folder first."""
+    folder = str(last_folder(store))
+    chosen, _ = QFileDialog.getOpenFileName(window, title, folder, file_filter())
+    return Path(chosen) if chosen else None
+
+
+def ask_to_save(
+    window: QWidget, title: str, proposal: Path, filters: str | None = None
+) -> Path | None:
+    """Let the user choose where to save a file, by default a settings file."""
+    chosen, _ = QFileDialog.getSaveFileName(window, title, str(proposal), filters or file_filter())
+    return Path(chosen) if chosen else None

@@ -33,8 +33,8 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.count_editor import CountEditor
-from trex_gui.devices.trex.views.settings_editor.numbered_text import NumberedText
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
+from trex_gui.devices.trex.views.settings_editor.text_page import NumberedText
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.theme.theme import theme
 

@@ -82,6 +82,7 @@ class ComparisonView(QWidget):
         self.table = ComparisonTable(self)
         self._fitting = False
         self._widths_chosen = False
+        self._has_comparison = False
 
         self._summary = label(self, "comparisonSummary", wrap=True)
         # Not default: Enter means something else in a dialog.
@@ -134,11 +135,13 @@ class ComparisonView(QWidget):
         self.table.show_comparison(comparison, before, after, with_ticks=with_ticks)
         self._all.setVisible(with_ticks)
         self._none.setVisible(with_ticks)
+        self._has_comparison = True
         self._describe(summary)
 
     def show_nothing(self, reason: str = "") -> None:
         """Show an empty table, and why it is empty."""
         self.show_comparison(Comparison(()), self.tr("Before"), self.tr("After"), with_ticks=False)
+        self._has_comparison = False
         self._summary.setText(reason)
 
     def freeze(self, before: str, after: str) -> None:
@@ -147,6 +150,21 @@ class ComparisonView(QWidget):
         for part in (self._all, self._none, self._equal):
             part.hide()
         self._summary.clear()
+
+    def update_comparison(
+        self,
+        comparison: Comparison,
+        before: str,
+        after: str,
+        *,
+        with_ticks: bool = True,
+        summary: str = "",
+    ) -> None:
+        """Show a comparison, or renew it if one is shown."""
+        if self._has_comparison:
+            self.renew(comparison, summary)
+        else:
+            self.show_comparison(comparison, before, after, with_ticks=with_ticks, summary=summary)
 
     def renew(self, comparison: Comparison, summary: str = "", *, tick_new: bool = True) -> None:
         """Update both sides; cleared check boxes stay cleared, new changes get `tick_new`."""

@@ -1,37 +1,48 @@
 """Opening and saving settings files, from the window and in windows of their own."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, Signal, Slot
-from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
+from PySide6.QtCore import QObject, QSettings, Qt, Signal, Slot
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QListWidget,
+    QListWidgetItem,
+    QWidget,
+)
 
-from trex_gui.core.errors import BadRequest
+from trex_gui.core.errors import BadRequest, StudioError, sentence
 from trex_gui.core.files import Finding, SettingsError, load, save
+from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument, text_of
+from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.settings.code_export import Language, export_code, file_name
-from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
-from trex_gui.devices.trex.views.settings_editor.load_dialog import LoadDialog, ReadFile
-from trex_gui.devices.trex.views.settings_editor.new_dialog import NewDialog
+from trex_gui.devices.trex.views.settings_editor.compare_dialogs import LoadDialog, ReadFile
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.builders import column, label, named
+from trex_gui.ui.widgets.labels import Note
 
 
 class SettingsFiles(QObject):
-    """Asks for a file, shows what is in it, and says what became of it.
+    """File dialogs, editors and messages for settings files.
 
     Signals:
-        staged: the settings of a file became edits of the board's.
+        staged: settings of a file are edits now.
 
     Attributes:
-        editors: the windows that are open, each with one file.
+        editors: the open windows, each with one file.
     """
 
     staged = Signal()
@@ -45,28 +56,20 @@ class SettingsFiles(QObject):
         self._loading: LoadDialog | None = None
         self.editors: list[SettingsEditor] = []
 
-    # --- Asking -------------------------------------------------------------------------
-
     def ask_and_open(self) -> None:
-        """Let the user choose a file to look at."""
-        chosen, _ = QFileDialog.getOpenFileName(
-            self._window,
-            self.tr("Open settings file"),
-            str(file_questions.last_folder(self._store)),
-            file_questions.file_filter(),
-        )
-        if chosen:
-            self.open_file(Path(chosen))
+        title = self.tr("Open settings file")
+        path = file_questions.ask_to_open(self._window, title, self._store)
+        if path is not None:
+            self.open_file(path)
 
     def ask_and_save(self) -> bool:
         """Let the user choose where to save the settings shown; return whether they are."""
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
-        name = file_questions.last_folder(self._store) / f"{key}_settings.txt"
-        chosen, _ = QFileDialog.getSaveFileName(
-            self._window, self.tr("Save settings file"), str(name), file_questions.file_filter()
-        )
-        return bool(chosen) and self.save_file(Path(chosen))
+        proposal = file_questions.last_folder(self._store) / f"{key}_settings.txt"
+        title = self.tr("Save settings file")
+        path = file_questions.ask_to_save(self._window, title, proposal)
+        return path is not None and self.save_file(path)
 
     def ask_and_export(self) -> None:
         """Let the user choose where to save the settings shown as a program, and its language."""
@@ -81,8 +84,8 @@ class SettingsFiles(QObject):
         )
         if chosen:
             path = Path(chosen)
-            written = {language.suffix: language for language in Language}
-            self.export_file(path, written.get(path.suffix.lower(), filters[kind]))
+            typed = {language.suffix: language for language in Language}
+            self.export_file(path, typed.get(path.suffix.lower(), filters[kind]))
 
     def ask_and_begin(self) -> None:
         """Let the user choose what a new file begins with, and open a window for it."""
@@ -95,19 +98,19 @@ class SettingsFiles(QObject):
     def open_file(self, path: Path, *, remember: bool = True) -> None:
         """Show what a file would change of the board; with no board, the file itself.
 
-        With `remember`, its folder is where the next file is looked for.
+        With `remember`, the next file dialog opens in its folder.
         """
         if self._device.state is None:
             self.edit_file(path, remember=remember)
             return
-        settings: Settings | None = None
-        findings: tuple[Finding, ...] = ()
         try:
             data = load(path)
             text, _ = text_of(data, path.name)
         except SettingsError as error:
-            self._refuse(path, error)
+            self._report_unreadable(path, error)
             return
+        settings: Settings | None = None
+        findings: tuple[Finding, ...]
         try:
             settings, findings = read_settings(data, path.name)
         except SettingsError as error:
@@ -126,7 +129,7 @@ class SettingsFiles(QObject):
         try:
             document = SettingsDocument.open(path)
         except SettingsError as error:
-            self._refuse(path, error)
+            self._report_unreadable(path, error)
             return None
         if remember:
             file_questions.remember_folder(self._store, path)
@@ -134,35 +137,29 @@ class SettingsFiles(QObject):
 
     @Slot(object)
     def open_editor(self, document: SettingsDocument) -> SettingsEditor:
-        """Open a window for a file."""
         editor = SettingsEditor(document, self._device)
         self.editors.append(editor)
         editor.send_requested.connect(partial(self._send, editor))
         editor.new_requested.connect(self.ask_and_begin)
         editor.open_requested.connect(self._on_open_requested)
         editor.saved.connect(partial(file_questions.remember_folder, self._store))
-        editor.closed.connect(partial(self._forget, editor))
+        editor.closed.connect(partial(self._on_editor_closed, editor))
         _raise(editor)
         return editor
 
     @Slot()
     def _on_open_requested(self) -> None:
-        """Open another file beside the one that is edited."""
-        chosen, _ = QFileDialog.getOpenFileName(
-            self._window,
-            self.tr("Open settings file"),
-            str(file_questions.last_folder(self._store)),
-            file_questions.file_filter(),
-        )
-        if chosen:
-            self.edit_file(Path(chosen))
+        title = self.tr("Open settings file")
+        path = file_questions.ask_to_open(self._window, title, self._store)
+        if path is not None:
+            self.edit_file(path)
 
-    def _forget(self, editor: SettingsEditor) -> None:
+    def _on_editor_closed(self, editor: SettingsEditor) -> None:
         if editor in self.editors:
             self.editors.remove(editor)
 
     def _send(self, editor: SettingsEditor) -> None:
-        """Offer the board what an editor shows."""
+        """Offer to load the settings of an editor into the board."""
         document = editor.document
         if document.settings is not None and self._device.state is not None:
             dialog = self._offer(
@@ -193,18 +190,16 @@ class SettingsFiles(QObject):
         self._window.activateWindow()
         self.staged.emit()
 
-    def _refuse(self, path: Path, error: SettingsError) -> None:
+    def _report_unreadable(self, path: Path, error: SettingsError) -> None:
         reasons = "; ".join(str(finding) for finding in error.findings)
         self._notifier.error.emit(self.tr("{0} was not opened: {1}.").format(path.name, reasons))
 
-    # --- Closing ------------------------------------------------------------------------
-
     def may_close(self) -> bool:
-        """Ask in each window that has unsaved changes; whether all may close."""
+        """Ask in each window with unsaved changes; return whether all may close."""
         return all(editor.may_close() for editor in list(self.editors))
 
     def close_all(self) -> None:
-        """Close every window without another question."""
+        """Close every window without a question."""
         for editor in list(self.editors):
             editor.close_at_once()
 
@@ -225,12 +220,10 @@ class SettingsFiles(QObject):
         self._notifier.info.emit(text.format(path))
 
     def save_file(self, path: Path) -> bool:
-        """Write the settings shown, edits included; return whether they are saved.
+        """Save the settings shown, edits included; return whether they are saved.
 
-        Of a file that is there only the values are written.
-
-        The user's comments stay, and so does what the board does not show now: the
-        calibrations of the other input source.
+        In an existing file only the values change. The user's comments stay, and so do the
+        calibrations of the other input source, which the board does not show.
         """
         settings = self._device.draft.shown
         if settings is None:
@@ -258,15 +251,17 @@ class SettingsFiles(QObject):
         fresh = write_settings(settings, title_lines=[f"Saved by TReX Studio, {now}."])
         if not path.exists():
             return fresh, ""
+        reason = ""
         try:
             before, _ = text_of(load(path), path.name)
             old, _ = read_settings(before, path.name)
+            if old.product.key != settings.product.key:
+                reason = self.tr("holds settings of a {0}.").format(old.product.name)
         except SettingsError:
-            why = self.tr("is not a readable settings file.")
-            return (fresh if file_questions.may_replace(self._window, path.name, why) else None), ""
-        if old.product.key != settings.product.key:
-            why = self.tr("holds settings of a {0}.").format(old.product.name)
-            return (fresh if file_questions.may_replace(self._window, path.name, why) else None), ""
+            reason = self.tr("is not a readable settings file.")
+        if reason:
+            may_replace = file_questions.may_replace(self._window, path.name, reason)
+            return (fresh if may_replace else None), ""
         shown = {key.source for key in settings.calibrations}
         hidden = {key: c for key, c in old.calibrations.items() if key.source not in shown}
         whole = replace(settings, calibrations={**settings.calibrations, **hidden})
@@ -280,7 +275,7 @@ class SettingsFiles(QObject):
         return text, kept.format(names) if hidden else ""
 
     def preview(self) -> QDialog | None:
-        """Show the pages that would be printed of the settings shown."""
+        """Show the settings shown as they would be printed."""
         settings, state = self._device.draft.shown, self._device.state
         if settings is None or state is None:
             return None
@@ -297,3 +292,93 @@ class SettingsFiles(QObject):
 def _raise(editor: SettingsEditor) -> None:
     editor.show()
     editor.activateWindow()
+
+
+class NewDialog(QDialog):
+    """Lets the user choose what a new settings file begins with.
+
+    Signals:
+        made: the new `SettingsDocument`.
+    """
+
+    made = Signal(object)
+
+    def __init__(self, device: Device, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("newSettingsDialog")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(self.tr("New settings file"))
+        self.resize(620, 440)
+        self._device = device
+        self._makers: list[Callable[[], SettingsDocument]] = []
+
+        about = label(self, text=self.tr("Start the new file with:"))
+        self._list = named(QListWidget(self), "beginningsList", accessible=about.text())
+        self._list.setAlternatingRowColors(True)
+        self._list.setSpacing(2)
+        self._trouble = Note(1, self)
+        self._trouble.hide()
+        standard = QDialogButtonBox.StandardButton
+        buttons = QDialogButtonBox(standard.Ok | standard.Cancel, self)
+        column(about, (self._list, 1), self._trouble, buttons, into=self)
+
+        self._fill()
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.close)
+        self._list.itemActivated.connect(self.accept)
+
+    def _fill(self) -> None:
+        shown = self._device.draft.shown if self._device.state is not None else None
+        if shown is not None:
+            text = self.tr("The board as shown: {0}, firmware {1}")
+            self._add(text.format(shown.product.name, shown.firmware), self._from_board)
+        text = self.tr("Factory defaults of a {0}, firmware {1}")
+        for model in device_table().models:
+            for firmware in reversed(model.firmware):
+                make = partial(self._from_factory, model, firmware)
+                self._add(text.format(model.name, firmware), make)
+        for path in sorted(resource("samples").glob("*.txt")):
+            if not path.stem.endswith("factory_defaults"):
+                self._add(self.tr("Sample: {0}").format(_title(path)), partial(_from_sample, path))
+        self._list.setCurrentRow(0)
+
+    def _add(self, text: str, make: Callable[[], SettingsDocument]) -> None:
+        item = QListWidgetItem(text, self._list)
+        item.setToolTip(text)
+        self._makers.append(make)
+
+    def _from_board(self) -> SettingsDocument:
+        shown = self._device.draft.shown
+        if shown is None:
+            raise StudioError(self.tr("no board is connected any more"))
+        name, title = f"{shown.product.key}_settings.txt", self.tr("As shown for a board.")
+        return SettingsDocument.of_settings(shown, name, title)
+
+    def _from_factory(self, model: Model, firmware: str) -> SettingsDocument:
+        name, title = f"{model.key}_settings.txt", self.tr("Factory defaults.")
+        return SettingsDocument.of_settings(factory_settings(model, firmware), name, title)
+
+    @Slot()
+    def accept(self) -> None:
+        row = self._list.currentRow()
+        if row < 0:
+            return
+        try:
+            document = self._makers[row]()
+        except StudioError as error:
+            self._trouble.show_note(sentence(error), alarming=True)
+            self._trouble.show()
+            return
+        self.made.emit(document)
+        super().accept()
+
+
+def _from_sample(path: Path) -> SettingsDocument:
+    return SettingsDocument(load(path).decode("utf-8"), path.name)
+
+
+def _title(path: Path) -> str:
+    """Return the first comment of a sample, which says what it is for."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    comments = (line.removeprefix("#").strip() for line in lines if line.startswith("# "))
+    return next(comments, path.stem).rstrip(".")

@@ -2,16 +2,9 @@
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
+from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from trex_gui.core.files import Finding, Severity
 from trex_gui.devices.trex.settings.rules import LintFinding
@@ -19,21 +12,12 @@ from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.builders import button, column, label, row
+from trex_gui.ui.widgets.builders import button, column, flat_table, label, row
 
 _LINE = Qt.ItemDataRole.UserRole
 _COLOURS = {"error": "danger", "warning": "warning", "info": "info"}
-
-
-@dataclass(frozen=True, slots=True)
-class _Row:
-    """The content of one row."""
-
-    sign: str
-    kind: str
-    line: int | None
-    key: str
-    message: str
+_WIDEST = {0: 20, 1: 7, 2: 34}
+"""Characters, by column."""
 
 
 def line_of_key(text: str, key: str) -> int | None:
@@ -43,10 +27,10 @@ def line_of_key(text: str, key: str) -> int | None:
 
 
 class FindingsPanel(QWidget):
-    """A table of the findings of reader and linter; a double click requests the line.
+    """A table of the findings of reader and linter.
 
     Signals:
-        line_chosen: the number of a line, from 1, to show.
+        line_chosen: a line, from 1, was double-clicked.
         accepted: a `LintFinding`; its change is to be made.
     """
 
@@ -54,7 +38,7 @@ class FindingsPanel(QWidget):
     accepted = Signal(object)
 
     def __init__(self, parent: QWidget | None = None, *, with_lines: bool = True) -> None:
-        """List findings; `with_lines`: a double click shows the line."""
+        """Create the panel; `with_lines`: a double click shows the line."""
         super().__init__(parent)
         self.setObjectName("findingsPanel")
         self._with_lines = with_lines
@@ -63,44 +47,33 @@ class FindingsPanel(QWidget):
         self._text = ""
 
         self._summary = label(self, "findingsSummary", wrap=True)
-        self._accept = button(self, "acceptFindingButton", self.tr("Accept the proposal"))
-        self._table = QTableWidget(0, 4, self)
-        self._table.setObjectName("findingsTable")
-        self._table.setAccessibleName(self.tr("Findings"))
-        self._table.setHorizontalHeaderLabels(
-            [self.tr("Kind"), self.tr("Line"), self.tr("Setting"), self.tr("What was found")]
+        self._accept = button(
+            self,
+            "acceptFindingButton",
+            self.tr("Accept the proposal"),
+            on_click=self._on_accept_clicked,
         )
-        self._table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self._table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self._table.setAlternatingRowColors(True)
-        self._table.setShowGrid(False)
-        self._table.setTabKeyNavigation(False)
-        self._table.verticalHeader().hide()
+        self._table = flat_table(QTableWidget(0, 4, self), "findingsTable", self.tr("Findings"))
+        self._table.setHorizontalHeaderLabels(
+            [self.tr("Kind"), self.tr("Line"), self.tr("Setting"), self.tr("Message")]
+        )
         header = self._table.horizontalHeader()
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        header.setHighlightSections(False)
         header.setStretchLastSection(True)
-        self._fitting = runtime().timer(self)
-        self._fitting.setSingleShot(True)
-        self._fitting.setInterval(0)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        self._fitting = runtime().idle_timer(self, self._table.resizeRowsToContents)
 
-        below = row(1, self._accept)
-        column(self._summary, (self._table, 1), below, into=self, margins=0)
+        column(self._summary, (self._table, 1), row(1, self._accept), into=self, margins=0)
 
         self._table.itemActivated.connect(self._on_activated)
         self._table.itemDoubleClicked.connect(self._on_activated)
-        self._table.currentCellChanged.connect(self._on_current_changed)
-        self._accept.clicked.connect(self._on_accept)
-        # Later: while columns take their width, no row knows yet how high it has to be.
+        self._table.currentCellChanged.connect(self._update_accept)
+        # Later: row heights are only known when all columns have their widths.
         header.sectionResized.connect(self._fitting.start)
-        self._fitting.timeout.connect(self._table.resizeRowsToContents)
         theme().changed.connect(self._fill)
         self._fill()
 
     @property
     def count(self) -> int:
-        """How many findings are listed."""
         return len(self._findings) + len(self._lint_findings)
 
     def show_findings(
@@ -140,72 +113,65 @@ class FindingsPanel(QWidget):
             )
             if count
         ]
-        words = self.tr("{0}.").format(", ".join(parts))
+        sentences = [f"{', '.join(parts)}."]
         if self._with_lines:
-            words += " " + self.tr("A double click shows the line.")
+            sentences.append(self.tr("Double-click a finding to show its line."))
         if errors:
-            words += " " + self.tr("A file with errors cannot be used.")
-        return words
+            sentences.append(self.tr("A file with errors cannot be used."))
+        return " ".join(sentences)
 
     @Slot()
     def _fill(self) -> None:
         current = self._table.currentRow()
         self._table.clearContents()
         self._table.setRowCount(self.count)
-        for number, found in enumerate(self._rows()):
-            line = "" if found.line is None else str(found.line)
-            message = f"{found.message[:1].upper()}{found.message[1:]}"
-            for section, text in enumerate((found.kind, line, found.key, message)):
+        for number, (sign, kind, line, key, message) in enumerate(self._rows()):
+            sentence = f"{message[:1].upper()}{message[1:]}"
+            for section, text in enumerate((kind, str(line or ""), key, sentence)):
                 item = QTableWidgetItem(text)
-                item.setData(_LINE, found.line)
+                item.setData(_LINE, line)
                 item.setToolTip(text)
                 if section == 0:
-                    item.setIcon(icon(found.sign, _COLOURS[found.sign]))
+                    item.setIcon(icon(sign, _COLOURS[sign]))
                 self._table.setItem(number, section, item)
         proposals = [n for n, found in enumerate(self._lint_findings) if found.change]
         if current < 0 and proposals:
             current = len(self._findings) + proposals[0]
         self._table.setCurrentCell(min(current, self.count - 1), 0)
-        self._fit()
-        self._on_current_changed()
+        character = self.fontMetrics().averageCharWidth()
+        for section, widest in _WIDEST.items():  # the message wraps in the rest
+            self._table.resizeColumnToContents(section)
+            width = min(self._table.columnWidth(section) + 2 * character, widest * character)
+            self._table.setColumnWidth(section, width)
+        self._fitting.start()
+        self._update_accept()
 
-    def _rows(self) -> Iterator[_Row]:
+    def _rows(self) -> Iterator[tuple[str, str, int | None, str, str]]:
+        """Yield sign, kind, line, key and message."""
+        kinds = {Severity.ERROR: self.tr("Error"), Severity.WARNING: self.tr("Warning")}
         for found in self._findings:
-            is_error = found.severity is Severity.ERROR
-            kind = self.tr("Error") if is_error else self.tr("Warning")
-            sign = "error" if is_error else "warning"
-            yield _Row(sign, kind, found.line, found.key or "", found.message)
+            kind = kinds[found.severity]
+            yield found.severity.value, kind, found.line, found.key or "", found.message
         for finding in self._lint_findings:
             lines = (line_of_key(self._text, key) for key in finding.keys)
             line = next((line for line in lines if line is not None), None)
             message = finding.message
             if finding.change:
                 message += " " + self.tr("Proposal: {0}.").format(finding.proposal.rstrip("."))
-            yield _Row("info", self.tr("Suggestion"), line, ", ".join(finding.keys), message)
-
-    def _fit(self) -> None:
-        """Wrap the messages in the width that the other columns leave."""
-        header = self._table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        character = self.fontMetrics().averageCharWidth()
-        for section, widest in ((0, 14), (1, 7), (2, 34)):
-            self._table.resizeColumnToContents(section)
-            size = header.sectionSize(section) + 2 * character
-            header.resizeSection(section, min(size, widest * character))
-        self._fitting.start()
+            yield "info", self.tr("Suggestion"), line, ", ".join(finding.keys), message
 
     def _current_finding(self) -> LintFinding | None:
         row = self._table.currentRow() - len(self._findings)
         return self._lint_findings[row] if 0 <= row < len(self._lint_findings) else None
 
     @Slot()
-    def _on_current_changed(self) -> None:
+    def _update_accept(self) -> None:
         finding = self._current_finding()
         self._accept.setVisible(any(found.change for found in self._lint_findings))
         self._accept.setEnabled(finding is not None and bool(finding.change))
 
     @Slot()
-    def _on_accept(self) -> None:
+    def _on_accept_clicked(self) -> None:
         finding = self._current_finding()
         if finding is not None:
             self.accepted.emit(finding)

@@ -1,6 +1,6 @@
-"""Settings on paper: a table of everything, what differs from the default in bold."""
+"""Settings on paper: all in tables, changes from the default in bold."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping
 from datetime import datetime
 from html import escape
 from itertools import groupby
@@ -21,8 +21,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QDialog, QWidget
 
-from trex_gui.core.files import Finding, SettingsError
-from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS, CalibrationKey
+from trex_gui.core.files import SettingsError
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS
 from trex_gui.devices.trex.settings.document import Settings
 
 _DOTS_PER_INCH = 300
@@ -30,49 +30,43 @@ _MARGINS = QMarginsF(18, 15, 15, 12)
 
 
 class PrintedSettings(QObject):
-    """One print-out: made once, then shown, printed or saved."""
+    """A print-out of settings, to show, print or save."""
 
-    def __init__(
-        self,
-        settings: Settings,
-        name: str,
-        remarks: Iterable[str] = (),
-        parent: QObject | None = None,
-    ) -> None:
-        """Print settings that a file called `name`, or a board, gives, with remarks below."""
-        super().__init__(parent)
+    def __init__(self, settings: Settings, name: str, remarks: Iterable[str] = ()) -> None:
+        """Print the settings of a file or a board called `name`, with remarks below."""
+        super().__init__()
         self._settings = settings
         self._name = name
         self._remarks = tuple(remarks)
         self._now = datetime.now().astimezone()
         self._printer: object = None
 
-    # --- What it looks like -------------------------------------------------------------
-
     def html(self) -> str:
-        """The whole print-out; plain tables that a `QTextDocument` can lay out."""
+        """Return plain tables that a `QTextDocument` can lay out."""
         board = self._settings.product.name
         if self._settings.firmware is not None:
             board = self.tr("{0}, firmware {1}").format(board, self._settings.firmware)
-        parts = [
-            f"<h2>{escape(self._name)}</h2>",
-            f"<p>{escape(board)}<br>",
-            escape(self.tr("Printed {0} by TReX Studio.").format(f"{self._now:%Y-%m-%d %H:%M}")),
-            "<br>" + escape(self.tr("Bold: not as from the factory.")) + "</p><br>",
-            self._parameters(),
-            self._calibrations(),
-            self._remark_list(),
-        ]
-        return "".join(parts)
+        printed = self.tr("Printed {0} by TReX Studio.").format(f"{self._now:%Y-%m-%d %H:%M}")
+        about = (board, printed, self.tr("Bold: differs from the factory default."))
+        return "".join(
+            [
+                f"<h2>{escape(self._name)}</h2>",
+                f"<p>{'<br>'.join(map(escape, about))}</p><br>",
+                self._parameters(),
+                f"<h3>{escape(self.tr('Calibrations'))}</h3>",
+                self._calibrations(),
+                self._remark_list(),
+            ]
+        )
 
     def _parameters(self) -> str:
-        titles = (
-            self.tr("Parameter"),
-            self.tr("Key"),
-            self.tr("Value"),
-            self.tr("Wire"),
-            self.tr("Default"),
-        )
+        titles = {
+            self.tr("Parameter"): 29,
+            self.tr("Key"): 29,
+            self.tr("Value"): 20,
+            self.tr("Wire"): 6,
+            self.tr("Default"): 16,
+        }
         rows = []
         specs = sorted(self._settings.specs.readable, key=lambda spec: spec.group)
         for group, members in groupby(specs, key=lambda spec: spec.group):
@@ -82,32 +76,25 @@ class PrintedSettings(QObject):
                 wire = self._settings.parameters.get(spec.key)
                 value = self.tr("not given") if wire is None else spec.text(wire)
                 cells = (spec.name, spec.key, value, "" if wire is None else str(wire))
-                is_other = wire is not None and wire != spec.default
-                rows.append(_row((*cells, spec.text(spec.default)), bold=is_other))
-        return _table(titles, (29, 29, 20, 6, 16), rows)
+                is_changed = wire not in {None, spec.default}
+                rows.append(_row((*cells, spec.text(spec.default)), bold=is_changed))
+        return _table(titles, rows)
 
     def _calibrations(self) -> str:
         rows = []
-        for key in CalibrationKey:
-            found = self._settings.calibrations.get(key)
-            if found is not None:
-                source, channel = key.source, key.channel
-                counts = [getattr(found, field) for field in CALIBRATION_FIELDS]
-                cells = [self.tr("{0} channel {1}").format(source.value, channel), key]
-                cells += [f"{source.text(count)} ({count})" for count in counts]
-                rows.append(_row(cells))
-        title = f"<h3>{escape(self.tr('Calibrations'))}</h3>"
-        if not rows:
-            return title + f"<p>{escape(self.tr('None are given.'))}</p>"
-        titles = (
-            self.tr("Channel"),
-            self.tr("Key"),
-            self.tr("Minimum"),
-            self.tr("Neutral"),
-            self.tr("Maximum"),
-            self.tr("Deadband"),
-        )
-        return title + _table(titles, (18, 18, 16, 16, 16, 16), rows)
+        for key, found in self._settings.calibration_items():
+            counts = [getattr(found, field) for field in CALIBRATION_FIELDS]
+            values = (f"{key.source.text(count)} ({count})" for count in counts)
+            rows.append(_row((key.label, key, *values)))
+        titles = {
+            self.tr("Channel"): 18,
+            self.tr("Key"): 18,
+            self.tr("Minimum"): 16,
+            self.tr("Neutral"): 16,
+            self.tr("Maximum"): 16,
+            self.tr("Deadband"): 16,
+        }
+        return _table(titles, rows) if rows else f"<p>{escape(self.tr('None are given.'))}</p>"
 
     def _remark_list(self) -> str:
         if not self._remarks:
@@ -116,7 +103,7 @@ class PrintedSettings(QObject):
         return f"<h3>{escape(self.tr('Findings'))}</h3><ul>{items}</ul>"
 
     def document(self) -> QTextDocument:
-        """The print-out; pages and their numbers come with printing."""
+        """Return the print-out without pages; `print_to` adds them."""
         document = QTextDocument()
         font = document.defaultFont()
         font.setPointSizeF(9)
@@ -124,7 +111,7 @@ class PrintedSettings(QObject):
         document.setDocumentMargin(0)
         document.setMetaInformation(QTextDocument.MetaInformation.DocumentTitle, self._name)
         document.setHtml(self.html())
-        # Paper is white, whatever the colours of the window are.
+        # Paper is white, whatever the colours of the theme.
         black = QTextCharFormat()
         black.setForeground(Qt.GlobalColor.black)
         everything = QTextCursor(document)
@@ -132,10 +119,8 @@ class PrintedSettings(QObject):
         everything.mergeCharFormat(black)
         return document
 
-    # --- Where it goes ------------------------------------------------------------------
-
     def print_to(self, device: QPagedPaintDevice) -> int:
-        """Draw every page, a line with its number below; return how many there are."""
+        """Draw every page with its number below; return the number of pages."""
         document = self.document()
         painter = QPainter()
         if not painter.begin(device):
@@ -155,10 +140,10 @@ class PrintedSettings(QObject):
             document.drawContents(painter, page.translated(0, number * page.height()))
             painter.restore()
             painter.setFont(font)
-            words = self.tr("{0}, page {1} of {2}").format(self._name, number + 1, count)
+            text = self.tr("{0}, page {1} of {2}").format(self._name, number + 1, count)
             below = QRectF(0, page.height(), page.width(), foot)
-            how = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
-            painter.drawText(below, how, words)
+            corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
+            painter.drawText(below, corner, text)
         painter.end()
         return count
 
@@ -166,7 +151,7 @@ class PrintedSettings(QObject):
         """Write the pages into a PDF file.
 
         Raises:
-            SettingsError: it cannot be written; says why.
+            SettingsError: it cannot be written.
         """
         buffer = QBuffer()
         buffer.open(QIODevice.OpenModeFlag.WriteOnly)
@@ -180,21 +165,21 @@ class PrintedSettings(QObject):
         try:
             path.write_bytes(bytes(buffer.data().data()))
         except OSError as error:
-            why = f"it cannot be written: {error.strerror or error}"
-            raise SettingsError(str(path), [Finding(None, None, why)]) from error
+            reason = f"it cannot be written: {error.strerror or error}"
+            raise SettingsError.of(path, reason) from error
 
     def preview(self, window: QWidget) -> QDialog:
-        """Show the pages, from where they can be printed.
+        """Return a dialog that shows and prints the pages.
 
         Raises:
             SettingsError: this system's Qt cannot print.
         """
-        # Not everywhere installed, and never needed before somebody prints.
+        # Not installed everywhere, and only needed for printing.
         try:
             from PySide6.QtPrintSupport import QPrinter, QPrintPreviewDialog  # noqa: PLC0415
         except ImportError as error:
-            why = f"Qt's printing is not installed here ({error}); save a PDF file instead"
-            raise SettingsError(self._name, [Finding(None, None, why)]) from error
+            reason = f"Qt's printing is not installed here ({error}); save a PDF file instead"
+            raise SettingsError.of(self._name, reason) from error
         printer = QPrinter(QPrinter.PrinterMode.HighResolution)
         printer.setPageMargins(_MARGINS, QPageLayout.Unit.Millimeter)
         printer.setDocName(self._name)
@@ -212,12 +197,10 @@ def _row(cells: Iterable[str], *, bold: bool = False) -> str:
     return "<tr>" + "".join(f"<td>{text}</td>" for text in texts) + "</tr>"
 
 
-def _table(titles: Sequence[str], widths: Sequence[int], rows: Iterable[str]) -> str:
-    """Return a table whose titles stand on each page; widths are in per cent."""
+def _table(titles: Mapping[str, int], rows: Iterable[str]) -> str:
+    """Return a table with the titles on each page; titles have their widths in per cent."""
     head = "".join(
-        f'<th align="left" width="{width}%">{escape(title)}</th>'
-        for title, width in zip(titles, widths, strict=True)
+        f'<th align="left" width="{width}%">{escape(title)}</th>' for title, width in titles.items()
     )
-    body = "".join(rows)
     start = '<table width="100%" cellspacing="0" cellpadding="2">'
-    return f"{start}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+    return f"{start}<thead><tr>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table>"

@@ -1,30 +1,40 @@
-"""The text of a settings file: as Save writes it, or to be corrected."""
+"""The text of a settings file, with line numbers: as Save writes it, or to be corrected."""
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import takewhile
 
-from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QSplitter, QWidget
+from PySide6.QtCore import QRect, Qt, Signal, Slot
+from PySide6.QtGui import (
+    QFontDatabase,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QTextCursor,
+    QTextFormat,
+)
+from PySide6.QtWidgets import QPlainTextEdit, QSplitter, QTextEdit, QWidget
 
 from trex_gui.core.files import Severity
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
-from trex_gui.devices.trex.views.settings_editor.numbered_text import NumberedText
-from trex_gui.ui.widgets.builders import button, column, label, row
+from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.builders import button, column, label, named, row
 
-_MARK = "\ufeff"
+_BYTE_ORDER_MARK = "\ufeff"
+_MARGIN = 6
 
 EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")
-"""What Qt's editor shows as the end of a line; YAML has two more characters for it."""
+"""The line ends of Qt's editor; YAML has two more."""
 
 
 def with_line_ends(lines: Sequence[str], before: str) -> str:
-    """Join the lines of an editor to text with the line ends of the text before.
+    """Join the lines of an editor with the line ends of the text before.
 
-    Lines unchanged at the beginning and the end keep theirs; the others get that of the first.
+    Unchanged lines at the start and the end keep theirs; the others get that of the first line.
     """
     ends, old, typed = EDITOR_BREAK.findall(before), EDITOR_BREAK.split(before), list(lines)
     if typed == old:
@@ -45,10 +55,13 @@ def _common_start(one: list[str], other: list[str]) -> int:
 
 
 class TextPage(QWidget):
-    """Follows the document; while that cannot be read, its text can be edited here.
+    """The text of the document, which can be edited here while it has errors.
 
     Signals:
         checked: the text was read again.
+
+    Attributes:
+        editor: the text itself, for Undo and Redo.
     """
 
     checked = Signal()
@@ -66,84 +79,77 @@ class TextPage(QWidget):
             self.tr("Chec&k again"),
             icon="reload",
             tip=self.tr("Read the text again and list its errors"),
+            on_click=self._on_check_clicked,
         )
-        self._text = NumberedText(self)
-        self._text.setObjectName("settingsText")
-        self._text.setAccessibleName(self.tr("Text of the settings file"))
-        self._findings = FindingsPanel(self)
-        self._findings.setObjectName("textFindings")
+        self.editor = named(
+            NumberedText(self), "settingsText", accessible=self.tr("Text of the settings file")
+        )
+        self._findings = named(FindingsPanel(self), "textFindings")
 
         top = row((self._notice, 1), (self._check, 0, Qt.AlignmentFlag.AlignTop))
         both = QSplitter(Qt.Orientation.Vertical, self)
-        both.addWidget(self._text)
+        both.addWidget(self.editor)
         both.addWidget(self._findings)
         both.setStretchFactor(0, 3)
         both.setStretchFactor(1, 2)
         both.setChildrenCollapsible(False)
         column(top, (both, 1), into=self)
 
-        self._text.textChanged.connect(self._on_typed)
-        self._check.clicked.connect(self.check)
+        self.editor.textChanged.connect(self._on_typed)
         self._findings.line_chosen.connect(self.show_line)
         document.changed.connect(self._on_changed)
         self._on_changed()
 
     def show_line(self, line: int) -> None:
-        """Go to a line as findings count them."""
-        self._text.show_line(self._editor_lines([line])[line])
-        self._text.setFocus()
+        """Go to a line, counted as in findings."""
+        self.editor.show_line(self._editor_lines([line])[line])
+        self.editor.setFocus()
 
     def _editor_lines(self, lines: Iterable[int]) -> dict[int, int]:
-        """Return the numbers that the editor gives to lines of YAML."""
+        """Return the editor's numbers for lines of YAML."""
         text = self._document.text
         starts = [0, *(found.end() for found in LINE_END.finditer(text))]
         breaks = [found.end() for found in EDITOR_BREAK.finditer(text)]
         places = {line: starts[max(0, min(line, len(starts)) - 1)] for line in lines}
         return {line: bisect_right(breaks, place) + 1 for line, place in places.items()}
 
-    @property
-    def editor(self) -> NumberedText:
-        """The text itself, for the window's Undo and Redo."""
-        return self._text
-
     @Slot()
-    def check(self) -> None:
-        """Read the text again."""
+    def _on_check_clicked(self) -> None:
         self._document.check()
         self.checked.emit()
 
     @Slot()
     def _on_typed(self) -> None:
-        if self._text.isReadOnly():
+        if self.editor.isReadOnly():
             return
         before = self._document.text
-        body = before.removeprefix(_MARK)
+        body = before.removeprefix(_BYTE_ORDER_MARK)
         mark = before[: len(before) - len(body)]
-        self._shown = mark + with_line_ends(self._text.lines, body)
+        self._shown = mark + with_line_ends(self.editor.lines, body)
         self._document.set_text(self._shown)
 
     @Slot()
     def _on_changed(self) -> None:
         document = self._document
-        self._text.setReadOnly(document.readable)
+        self.editor.setReadOnly(document.readable)
         self._check.setVisible(not document.readable)
         self._findings.setVisible(not document.readable)
         if document.text != self._shown:
             self._shown = document.text
-            place = self._text.verticalScrollBar().value()
-            self._text.setPlainText(document.text.removeprefix(_MARK))
-            self._text.verticalScrollBar().setValue(place)
+            place = self.editor.verticalScrollBar().value()
+            self.editor.setPlainText(document.text.removeprefix(_BYTE_ORDER_MARK))
+            self.editor.verticalScrollBar().setValue(place)
         signs: dict[int, str] = {}
         for found in document.findings:
             if found.line is not None and signs.get(found.line) != Severity.ERROR:
                 signs[found.line] = found.severity.value
         places = self._editor_lines(signs)
-        self._text.mark({places[line]: sign for line, sign in signs.items()})
+        self.editor.mark({places[line]: sign for line, sign in signs.items()})
         if not document.readable:
             self._findings.show_findings(document.findings)
-        self._notice.setText(self._words())
+        self._notice.setText(self._notice_text())
 
-    def _words(self) -> str:
+    def _notice_text(self) -> str:
         document = self._document
         if not document.readable:
             return self.tr(
@@ -152,10 +158,107 @@ class TextPage(QWidget):
             )
         if document.trouble:
             return self.tr(
-                "Shown is the text as it was opened, without your changes: {0}. Save offers to "
+                "This is the text as it was opened, without your changes: {0}. Save offers to "
                 "write the settings as a fresh text."
             ).format(document.trouble)
         return self.tr(
-            "What Save writes. Comments and the order of the lines stay as they are; values are "
-            "changed on the other pages."
+            "Save writes this text. Comments and the order of the lines stay as they are; change "
+            "values on the other pages."
         )
+
+
+class NumberedText(QPlainTextEdit):
+    """Plain text with line numbers, and signs beside marked lines; lines count from 1."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._marked: dict[int, str] = {}
+        self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        self.setTabChangesFocus(True)
+        self._numbers = _Numbers(self)
+
+        self.blockCountChanged.connect(self._fit)
+        self.updateRequest.connect(self._on_update_request)
+        theme().changed.connect(self._numbers.update)
+        self._fit()
+
+    @property
+    def lines(self) -> list[str]:
+        """The lines as typed; `toPlainText` would replace no-break spaces."""
+        return self.document().toRawText().split("\u2029")
+
+    def mark(self, lines: Mapping[int, str]) -> None:
+        """Show signs, such as `error`, beside lines."""
+        self._marked = dict(lines)
+        self._numbers.update()
+
+    def show_line(self, line: int) -> None:
+        """Go to a line and highlight it."""
+        block = self.document().findBlockByNumber(line - 1)
+        if not block.isValid():
+            return
+        cursor = QTextCursor(block)
+        self.setTextCursor(cursor)
+        self.centerCursor()
+        highlight = QTextEdit.ExtraSelection()
+        highlight.cursor = cursor
+        highlight.format.setBackground(self.palette().alternateBase())
+        highlight.format.setProperty(QTextFormat.Property.FullWidthSelection, True)
+        self.setExtraSelections([highlight])
+
+    def _numbers_width(self) -> int:
+        digits = max(3, len(str(self.blockCount())))
+        metrics = self.fontMetrics()
+        return digits * metrics.horizontalAdvance("9") + metrics.height() + 3 * _MARGIN
+
+    def paint_numbers(self, painter: QPainter, visible: QRect) -> None:
+        """Draw the numbers of the visible lines, right-aligned, with signs on the left."""
+        painter.fillRect(visible, self.palette().window())
+        height = self.fontMetrics().height()
+        block = self.firstVisibleBlock()
+        place = self.blockBoundingGeometry(block).translated(self.contentOffset())
+        while block.isValid() and place.top() <= visible.bottom():
+            number = block.blockNumber() + 1
+            is_marked = number in self._marked
+            font = self.font()
+            font.setBold(is_marked)
+            painter.setFont(font)
+            painter.setPen(theme().color("window_text" if is_marked else "muted"))
+            box = QRect(0, round(place.top()), self._numbers.width() - _MARGIN, height)
+            painter.drawText(box, Qt.AlignmentFlag.AlignRight, str(number))
+            if is_marked:
+                sign = self._marked[number]
+                colour = "danger" if sign == "error" else "warning"
+                where = QRect(_MARGIN, round(place.top()), height, height)
+                icon(sign, colour).paint(painter, where)
+            top = place.bottom()
+            block = block.next()
+            place = self.blockBoundingRect(block).translated(0, top)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    @Slot()
+    def _fit(self) -> None:
+        width = self._numbers_width()
+        self.setViewportMargins(width, 0, 0, 0)
+        inside = self.contentsRect()
+        self._numbers.setGeometry(inside.left(), inside.top(), width, inside.height())
+
+    @Slot(QRect, int)
+    def _on_update_request(self, area: QRect, moved: int) -> None:
+        if moved:
+            self._numbers.scroll(0, moved)
+        else:
+            self._numbers.update(0, area.y(), self._numbers.width(), area.height())
+
+
+class _Numbers(QWidget):
+    def __init__(self, text: NumberedText) -> None:
+        super().__init__(text)
+        self._text = text
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        self._text.paint_numbers(QPainter(self), event.rect())

@@ -1,0 +1,299 @@
+"""Compare a settings file with the board or another file, and take values from one to the other."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
+from PySide6.QtWidgets import QDialog, QWidget
+
+from trex_gui.core.errors import BadRequest, sentence
+from trex_gui.core.files import Finding
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.model.settings.draft import diff_against_draft
+from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel, line_of_key
+from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.widgets.builders import button, column, label, named, row
+from trex_gui.ui.widgets.labels import Note
+
+_NAMED = 3
+"""How many settings or findings are listed before the rest is only counted."""
+
+_NO_LIMIT = (1 << 24) - 1
+
+
+@dataclass(frozen=True, slots=True)
+class ReadFile:
+    """A settings file and what was read from it: `settings` is `None` if it cannot be used."""
+
+    name: str
+    text: str
+    settings: Settings | None
+    findings: tuple[Finding, ...]
+
+
+class LoadDialog(QDialog):
+    """Shows what a file would change of the board; follows edits and is not modal.
+
+    Signals:
+        staged: changes became edits; a message.
+        edit_wanted: the user wants to edit the file.
+        ended: why the dialog closed by itself.
+    """
+
+    staged = Signal(str)
+    edit_wanted = Signal()
+    ended = Signal(str)
+
+    def __init__(self, device: Device, file: ReadFile, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("loadSettingsDialog")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(self.tr("Load settings from {0}").format(file.name))
+        self.resize(940, 620)
+        self._device = device
+        self._file = file
+
+        self._head = label(self, "loadHead", wrap=True, plain=True)
+        self._trouble = named(Note(1, self), "loadTrouble")
+        self._findings = named(FindingsPanel(self, with_lines=False), "loadFindings")
+        self._view = ComparisonView(self)
+        self._foot = label(self, "loadFoot", wrap=True)
+        self._take = button(
+            self, "takeChangesButton", icon="edited", default=True, on_click=self._on_take_clicked
+        )
+        self._edit = button(
+            self,
+            "editFileButton",
+            self.tr("&Edit the file instead"),
+            on_click=self._on_edit_clicked,
+        )
+        cancel = button(self, "cancelLoadButton", self.tr("Cancel"), on_click=self.close)
+
+        column(
+            self._head,
+            self._trouble,
+            (self._findings, 1),
+            (self._view, 3),
+            self._foot,
+            row(self._edit, 1, self._take, cancel),
+            into=self,
+        )
+
+        self._view.ticked_changed.connect(self._update_take)
+        device.draft.pending_changed.connect(self._on_draft_changed)
+        device.draft.loaded.connect(self._on_draft_changed)
+        device.link_changed.connect(self._on_link_changed)
+        device.state_changed.connect(self._on_link_changed)
+        self._on_draft_changed()
+
+    def offer_editing(self, offered: bool) -> None:
+        self._edit.setVisible(offered)
+
+    @Slot()
+    def _on_take_clicked(self) -> None:
+        rows = self._view.table.ticked
+        if not rows:
+            return
+        try:
+            self._device.draft.stage(rows, self.tr("Load {0}").format(self._file.name))
+        except BadRequest as error:
+            _show_trouble(self._trouble, sentence(error))
+            return
+        text = (
+            self.tr("{0}: 1 change is an edit now; Apply settings writes it.")
+            if len(rows) == 1
+            else self.tr("{0}: {1} changes are edits now; Apply settings writes them.")
+        )
+        self.staged.emit(text.format(self._file.name, len(rows)))
+        self.close()
+
+    @Slot()
+    def _on_edit_clicked(self) -> None:
+        self.edit_wanted.emit()
+        self.close()
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        if self._device.state is not None:
+            self._update_take()
+        elif self.isVisible():
+            text = self.tr("{0} was not loaded: no board is connected any more.")
+            self.ended.emit(text.format(self._file.name))
+            self.close()
+
+    @Slot()
+    def _on_draft_changed(self) -> None:
+        """Compare again; cleared check boxes stay cleared."""
+        settings = self._file.settings
+        trouble, mismatch = "", ""
+        comparison: Comparison | None = None
+        if settings is None:
+            trouble = self.tr("This file cannot be used: it has errors. Nothing was changed.")
+        else:
+            try:
+                # Settings that only the board's firmware has are not missed.
+                given = replace(settings, firmware=None)
+                comparison = diff_against_draft(self._device.draft, given)
+            except BadRequest as error:
+                trouble = self.tr("This file is for another board. Nothing was changed.")
+                mismatch = str(error)
+        if comparison is not None:
+            self._show_rows(comparison)
+        self._show_findings(mismatch)
+        self._view.setVisible(comparison is not None)
+        self._foot.setVisible(comparison is not None)
+        _show_trouble(self._trouble, trouble)
+        self._head.setText(self._head_text())
+        self._update_take()
+
+    def _show_rows(self, comparison: Comparison) -> None:
+        text = self.tr("Ticked changes become edits. Nothing is written to the board before Apply.")
+        if missing := [row for row in comparison.rows if row.is_missing]:
+            names = ", ".join(row.name for row in missing[:_NAMED])
+            if len(missing) > _NAMED:
+                names = self.tr("{0} and {1} more").format(names, len(missing) - _NAMED)
+            text += "\n" + self.tr("Not in the file, so they stay as they are: {0}.").format(names)
+        self._foot.setText(text)
+        given = replace(comparison, rows=tuple(r for r in comparison.rows if not r.is_missing))
+        self._view.update_comparison(given, self.tr("Board, as shown"), self.tr("File"))
+
+    def _show_findings(self, mismatch: str) -> None:
+        found, summary = self._file.findings, ""
+        if mismatch:
+            line = line_of_key(self._file.text, "product")
+            found = (Finding(line, "product", mismatch), *found)
+            summary = self.tr("The board accepts no settings of this file.")
+        self._findings.show_findings(found, summary=summary)
+        self._findings.setVisible(bool(found))
+        is_short = self._file.settings is not None and not mismatch
+        lines = min(len(found), _NAMED) + 4
+        height = lines * (self.fontMetrics().height() + 12)
+        self._findings.setMaximumHeight(height if is_short else _NO_LIMIT)
+
+    def _head_text(self) -> str:
+        settings, state = self._file.settings, self._device.state
+        if settings is None:
+            return self._file.name
+        product, firmware = settings.product, settings.firmware
+        text = self.tr("{0}: settings for a {1}").format(self._file.name, product.name)
+        if firmware is not None:
+            text += " " + self.tr("with firmware {0}").format(firmware)
+            board = None if state is None else state.signature
+            if board is not None and board.model == product and board.firmware != firmware:
+                text += self.tr("; the board has {0}").format(board.firmware)
+        return f"{text}."
+
+    @Slot()
+    def _update_take(self) -> None:
+        count = len(self._view.table.ticked)
+        if count == 0:
+            text = self.tr("&Make changes edits")
+        elif count == 1:
+            text = self.tr("&Make 1 change an edit")
+        else:
+            text = self.tr("&Make {0} changes edits").format(count)
+        self._take.setText(text)
+        can_stage = self._device.link is ConnectionState.CONNECTED and not self._device.applying
+        self._take.setEnabled(can_stage and count > 0 and not self._view.isHidden())
+
+
+class CompareDialog(QDialog):
+    """Compares the file of an editor with other settings, whose values can be taken.
+
+    Signals:
+        taken: values of the other side became edits; a message.
+    """
+
+    taken = Signal(str)
+
+    def __init__(
+        self,
+        document: SettingsDocument,
+        other: Callable[[], Settings | None],
+        other_name: str,
+        *,
+        renewed_by: SignalInstance | None = None,
+        parent: QWidget | None = None,
+    ) -> None:
+        """Compare with the result of `other`, again whenever `renewed_by` is emitted."""
+        super().__init__(parent)
+        self.setObjectName("compareDialog")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(self.tr("{0} and {1}").format(document.name, other_name))
+        self.resize(940, 560)
+        self._document = document
+        self._other = other
+        self._other_name = other_name
+        self._settings: Settings | None = None
+
+        self._trouble = named(Note(1, self), "compareTrouble")
+        self._view = ComparisonView(self)
+        self._take = button(self, "takeValuesButton", icon="edited", on_click=self._on_take_clicked)
+        close = button(
+            self, "closeCompareButton", self.tr("Close"), default=True, on_click=self.close
+        )
+        column(self._trouble, (self._view, 1), row(1, self._take, close), into=self)
+
+        self._view.ticked_changed.connect(self._update_take)
+        document.changed.connect(self._on_changed)
+        if renewed_by is not None:
+            renewed_by.connect(self._on_changed)
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        # Settings of a board that is gone stay.
+        self._settings = self._other() or self._settings
+        mine, theirs = self._document.settings, self._settings
+        if mine is None or theirs is None:
+            return
+        trouble = ""
+        try:
+            comparison = diff_against_draft(self._document.draft, theirs)
+        except BadRequest as error:
+            trouble = sentence(error)
+            comparison = compare(mine, theirs)
+        differing = len(comparison.differing)
+        self._view.update_comparison(
+            comparison,
+            self._document.name,
+            self._other_name,
+            with_ticks=not trouble,
+            summary=(
+                self.tr("{0} settings: 1 differs, {2} match.")
+                if differing == 1
+                else self.tr("{0} settings: {1} differ, {2} match.")
+            ).format(len(comparison.rows), differing, comparison.equal),
+        )
+        _show_trouble(self._trouble, trouble)
+        self._take.setVisible(not trouble)
+        self._update_take()
+
+    @Slot()
+    def _update_take(self) -> None:
+        count = len(self._view.table.ticked)
+        one, several = self.tr("&Take 1 value into {0}"), self.tr("&Take {1} values into {0}")
+        self._take.setText((one if count == 1 else several).format(self._document.name, count))
+        self._take.setEnabled(count > 0)
+
+    @Slot()
+    def _on_take_clicked(self) -> None:
+        rows = self._view.table.ticked
+        text = self.tr("Take values of {0}").format(self._other_name)
+        try:
+            self._document.draft.stage(rows, text)
+        except BadRequest as error:
+            _show_trouble(self._trouble, sentence(error))
+            return
+        one = self.tr("1 value was taken from {0}.")
+        several = self.tr("{1} values were taken from {0}.")
+        self.taken.emit((one if len(rows) == 1 else several).format(self._other_name, len(rows)))
+
+
+def _show_trouble(note: Note, text: str) -> None:
+    note.show_note(text, alarming=True)
+    note.setVisible(bool(text))
