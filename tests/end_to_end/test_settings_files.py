@@ -156,7 +156,7 @@ def test_load_dialog_explains_mismatches_with_the_board(
     assert "for another board" in dialog.text("loadTrouble")
     line, message = dialog.findings()[0]
     assert line == "2"
-    assert "settings of a TReX Jr" in message
+    assert "for a TReX Jr" in message
     assert not dialog.is_enabled("takeChangesButton")
     dialog.click("editFileButton")
     assert files.editor().document.name == "junior.txt"
