@@ -98,9 +98,9 @@ def test_recording_with_other_motor_count_is_shown(
     window.close()
 
 
-def test_empty_recording_shows_that_nothing_happened(tmp_path: Path, qtbot: QtBot) -> None:
+def test_empty_recording_shows_that_it_has_no_events(tmp_path: Path, qtbot: QtBot) -> None:
     window = open_recording(tmp_path / "a.trexrec", qtbot, [])
     events = window.find(QListView, "eventList")
-    window.wait(lambda: "Nothing happened" in events.accessibleDescription())
+    window.wait(lambda: "no events" in events.accessibleDescription())
     assert not window.is_enabled("playButton")
     window.close()
