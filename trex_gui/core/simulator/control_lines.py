@@ -2,6 +2,8 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from inspect import signature
 from typing import Any
 
 from trex_gui.core.errors import StudioError
@@ -9,7 +11,7 @@ from trex_gui.core.simulator.line import SimulatedLine
 
 SWITCH = {"on": True, "off": False}
 GOODBYE = "ok bye"
-"""Answer to `quit`; the server ends after it."""
+"""Reply to `quit`; the server ends after it."""
 
 _MAX_COUNT = 999_999_999
 _MAX_GARBAGE = 10_000
@@ -19,58 +21,51 @@ class ControlError(Exception):
     """A control line cannot be executed; the text says why."""
 
 
-Command = Callable[[list[str]], str]
-"""Executes the words after a command's name and returns the answer; raises `ControlError`."""
+class WrongUsage(ControlError):  # noqa: N818 - the reply is the usage
+    """The words do not fit the command."""
 
 
-def execute(text: str, commands: Mapping[str, Command]) -> str:
+@dataclass(frozen=True, slots=True)
+class ControlCommand:
+    """A command with its usage.
+
+    `run` takes each word after the name, in lower case, as an argument and returns the reply.
+    It raises `ControlError`.
+    """
+
+    usage: str
+    run: Callable[..., str]
+
+
+def execute(text: str, commands: Mapping[str, ControlCommand]) -> str:
     """Execute a control line; return `ok …` or `error …`, without a line end."""
+    commands = {**commands, "quit": ControlCommand("quit", lambda: GOODBYE.removeprefix("ok "))}
+    name, *words = text.lower().split() or [""]
+    command = commands.get(name)
+    if command is None:
+        what = f"{name!r} is not a command" if name else "no command"
+        return f"error {what}; commands are {', '.join(commands)}"
     try:
-        done = _execute(text.split(), {**commands, "quit": _quit})
+        signature(command.run).bind(*words)
+    except TypeError:
+        return f"error usage: {command.usage}"
+    try:
+        return f"ok {command.run(*words)}".rstrip()
+    except WrongUsage:
+        return f"error usage: {command.usage}"
     except (ControlError, StudioError) as error:
         return "error " + " ".join(str(error).split())
-    return f"ok {done}".rstrip()
-
-
-def _execute(words: Sequence[str], commands: Mapping[str, Command]) -> str:
-    usage = f"commands are {', '.join(commands)}"
-    if not words:
-        raise ControlError(f"no command; {usage}")
-    command = commands.get(words[0].lower())
-    if command is None:
-        raise ControlError(f"{words[0]!r} is not a command; {usage}")
-    return command(list(words[1:]))
-
-
-def _quit(words: Sequence[str]) -> str:
-    require_no_more("quit", words)
-    return GOODBYE.removeprefix("ok ")
-
-
-def require_no_more(name: str, words: Sequence[str]) -> None:
-    """Raise a `ControlError` if a command without arguments got some."""
-    if words:
-        raise ControlError(f"{name} takes no argument")
 
 
 def number_of(text: str, allowed: Sequence[int], what: str) -> int:
-    """Return one of the allowed consecutive numbers.
-
-    Raises:
-        ControlError: it is none of them; `what` names it.
-    """
-    for number in allowed:
-        if text == str(number):
-            return number
+    """Return one of the allowed consecutive numbers; `what` names it in a ControlError."""
+    if text in map(str, allowed):
+        return int(text)
     raise ControlError(f"{what} is {allowed[0]} to {allowed[-1]}, not {text!r}")
 
 
 def real(text: str, what: str, highest: float) -> float:
-    """Return a number from 0 to `highest`.
-
-    Raises:
-        ControlError: it is not a number, or out of range; `what` names it.
-    """
+    """Return a number from 0 to `highest`; `what` names it in a ControlError."""
     try:
         value = float(text)
     except ValueError:
@@ -81,24 +76,21 @@ def real(text: str, what: str, highest: float) -> float:
 
 
 def amount(text: str, what: str = "a number of bytes", highest: int = _MAX_COUNT) -> int:
-    """Return a whole number from 0 to `highest`.
-
-    Raises:
-        ControlError: it is not one; `what` names it.
-    """
+    """Return a whole number from 0 to `highest`; `what` names it in a ControlError."""
     if not (text.isascii() and text.isdigit() and len(text) <= 9) or int(text) > highest:
         raise ControlError(f"{what} is 0 to {highest}, not {text!r}")
     return int(text)
 
 
-def wire(line: SimulatedLine, words: Sequence[str], *more: str) -> str:
-    """Execute what follows `line`; `more` is the usage of commands that the device adds.
+WIRE_USAGE = (
+    "line mute on|off, line drop N [sent], line garbage HEX, line noise P, line unplug, line plug"
+)
 
-    Raises:
-        ControlError: the words are no command.
-    """
+
+def wire(line: SimulatedLine, *words: str) -> str:
+    """Execute what follows `line`."""
     faults = line.faults
-    match [word.lower() for word in words]:
+    match words:
         case ["mute", ("on" | "off") as state]:
             faults.mute = SWITCH[state]
             return f"line mute {state}"
@@ -121,12 +113,10 @@ def wire(line: SimulatedLine, words: Sequence[str], *more: str) -> str:
         case ["plug"]:
             line.plug()
             return "plugged"
-    usage = ("line mute on|off", "line drop N [sent]", *more, "line garbage HEX", "line noise P")
-    raise ControlError(", ".join((*usage, "line unplug or line plug")))
+    raise WrongUsage
 
 
 def show_wire(line: SimulatedLine) -> dict[str, Any]:
-    """Return the state of the wire for `show`."""
     faults = line.faults
     return {"plugged": faults.plugged, "mute": faults.mute, "noise": faults.noise}
 

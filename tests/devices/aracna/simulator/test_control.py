@@ -50,17 +50,17 @@ def test_valid_control_line_is_confirmed(stage: AracnaStage, text: str, answer: 
 
 
 COMMANDS = "commands are reset, power, servo, line, show, quit"
-SERVO = "servo N dead|alive|block|free, servo N load F"
-LINE = "line mute on|off, line drop N [sent]"
+SERVO = "usage: servo N dead|alive|block|free, servo N load F"
+LINE = "usage: line mute on|off, line drop N [sent]"
 
 REJECTED = [
     ("", f"no command; {COMMANDS}"),
     ("warp 9", f"'warp' is not a command; {COMMANDS}"),
-    ("reset now", "reset takes no argument"),
-    ("show all", "show takes no argument"),
-    ("quit now", "quit takes no argument"),
-    ("power", "power on, power off or power cycle"),
-    ("power maybe", "power on, power off or power cycle"),
+    ("reset now", "usage: reset"),
+    ("show all", "usage: show"),
+    ("quit now", "usage: quit"),
+    ("power", "usage: power on|off|cycle"),
+    ("power maybe", "usage: power on|off|cycle"),
     ("servo", SERVO),
     ("servo 3", SERVO),
     ("servo power", SERVO),

@@ -9,12 +9,14 @@ import click
 
 from trex_gui.core.simulator.control_lines import (
     SWITCH,
+    WIRE_USAGE,
+    ControlCommand,
     ControlError,
+    WrongUsage,
     amount,
     execute,
     number_of,
     real,
-    require_no_more,
     show_wire,
     wire,
 )
@@ -23,37 +25,34 @@ from trex_gui.devices.aracna.protocol.units import MOTORS
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
-_SERVO_USAGE = (
-    "servo N dead|alive|block|free, servo N load F, servo N lose moving|position|speed [TIMES] "
-    "or servo power off|on"
-)
-
 
 def control(line: AracnaLine, text: str) -> str:
     """Execute a control line; return `ok …` or `error …`, without a line end."""
-    return execute(text, {name: partial(run, line) for name, run in _COMMANDS.items()})
+    commands = {
+        name: ControlCommand(usage, partial(run, line)) for name, (usage, run) in _COMMANDS.items()
+    }
+    return execute(text, commands)
 
 
-def _reset(line: AracnaLine, words: list[str]) -> str:
-    require_no_more("reset", words)
+def _reset(line: AracnaLine) -> str:
     if not line.station.powered:
         raise ControlError("the board has no power; power on starts it")
     line.station.reset()
     return "the board restarts; the servos continue"
 
 
-def _power(line: AracnaLine, words: list[str]) -> str:
+def _power(line: AracnaLine, state: str) -> str:
     """Switch board and servos, as the robot's own switch does."""
-    match _lower(words):
-        case ["on"]:
+    match state:
+        case "on":
             _power_on(line)
-        case ["off"]:
+        case "off":
             _power_off(line)
-        case ["cycle"]:
+        case "cycle":
             _power_off(line)
             _power_on(line)
         case _:
-            raise ControlError("power on, power off or power cycle")
+            raise WrongUsage
     return "power on" if line.station.powered else "power off"
 
 
@@ -72,15 +71,15 @@ def _servo_power(line: AracnaLine, *, on: bool) -> None:
         servo.set_power(on=on)
 
 
-def _servo(line: AracnaLine, words: list[str]) -> str:
-    match _lower(words):
+def _servo(line: AracnaLine, *words: str) -> str:
+    match words:
         case ["power", ("on" | "off") as state]:
             _servo_power(line, on=SWITCH[state])
             return f"servo power {state}"
         case [name, *rest] if name != "power" and rest:
             servo = line.servos[_motor(line, name)]
             return f"servo {name} {_one_servo(servo, rest)}"
-    raise ControlError(_SERVO_USAGE)
+    raise WrongUsage
 
 
 def _one_servo(servo: Servo, words: list[str]) -> str:
@@ -98,7 +97,7 @@ def _one_servo(servo: Servo, words: list[str]) -> str:
             return _lose(servo, Register(name), 1)
         case ["lose", ("moving" | "position" | "speed") as name, times]:
             return _lose(servo, Register(name), amount(times, "a number of reads"))
-    raise ControlError(_SERVO_USAGE)
+    raise WrongUsage
 
 
 def _lose(servo: Servo, register: Register, times: int) -> str:
@@ -106,19 +105,18 @@ def _lose(servo: Servo, register: Register, times: int) -> str:
     return f"does not answer the next {times} reads of {register.value}"
 
 
-def _wire(line: AracnaLine, words: list[str]) -> str:
-    match _lower(words):
+def _wire(line: AracnaLine, *words: str) -> str:
+    match words:
         case ["cut", "off"]:
             line.faults.to_cut = None
             return "no reply is cut"
         case ["cut", number]:
             line.faults.to_cut = count = amount(number)
             return f"after {count} bytes the rest of a line is lost"
-    return wire(line, words, "line cut N|off")
+    return wire(line, *words)
 
 
-def _show(line: AracnaLine, words: list[str]) -> str:
-    require_no_more("show", words)
+def _show(line: AracnaLine) -> str:
     return json.dumps(state(line))
 
 
@@ -155,20 +153,20 @@ def _state_of(servo: Servo) -> dict[str, Any]:
     }
 
 
-def _lower(words: list[str]) -> list[str]:
-    return [word.lower() for word in words]
-
-
 def _motor(line: AracnaLine, text: str) -> int:
     return number_of(text, range(len(line.servos)), "a servo")
 
 
-_COMMANDS: dict[str, Callable[[AracnaLine, list[str]], str]] = {
-    "reset": _reset,
-    "power": _power,
-    "servo": _servo,
-    "line": _wire,
-    "show": _show,
+_SERVO_USAGE = (
+    "servo N dead|alive|block|free, servo N load F, servo N lose moving|position|speed [TIMES], "
+    "servo power off|on"
+)
+_COMMANDS: dict[str, tuple[str, Callable[..., str]]] = {
+    "reset": ("reset", _reset),
+    "power": ("power on|off|cycle", _power),
+    "servo": (_SERVO_USAGE, _servo),
+    "line": (f"{WIRE_USAGE}, line cut N|off", _wire),
+    "show": ("show", _show),
 }
 
 

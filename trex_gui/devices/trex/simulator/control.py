@@ -8,13 +8,14 @@ from typing import Any
 
 from trex_gui.core.simulator.control_lines import (
     SWITCH,
-    Command,
+    WIRE_USAGE,
+    ControlCommand,
     ControlError,
+    WrongUsage,
     amount,
     execute,
     number_of,
     real,
-    require_no_more,
     show_wire,
     wire,
 )
@@ -142,123 +143,115 @@ def control(line: TrexLine, text: str) -> str:
     name = ""
     if text.strip().startswith("@"):
         name, _, text = text.strip().partition(" ")
-
-    def on_board(run: Callable[[Board, list[str]], str]) -> Command:
-        return lambda words: run(_board(line, name), words)
-
-    commands: dict[str, Command] = {key: on_board(run) for key, run in _COMMANDS.items()}
-    commands["show"] = lambda words: _show(line, _board(line, name), words)
-    commands["line"] = partial(_wire, line)
+    board = _board(line, name)
+    commands = {"line": ControlCommand(_WIRE_USAGE, partial(_wire, line))}
+    on_board: _Commands = {**_COMMANDS, "show": ("show", partial(_show, line))}
+    for key, (usage, run) in on_board.items():
+        found = partial(_no_board, line, name) if board is None else partial(run, board)
+        commands[key] = ControlCommand(usage, found)
     return execute(text, commands)
 
 
-def _board(line: TrexLine, name: str) -> Board:
+def _board(line: TrexLine, name: str) -> Board | None:
     """Return the board with a name such as `@9`; without a name the only board."""
     if not name and len(line.boards) == 1:
         return line.boards[0]
-    for number, board in zip(line.numbers, line.boards, strict=True):
-        if name == f"@{number}":
-            return board
+    boards = zip(line.numbers, line.boards, strict=True)
+    return next((board for number, board in boards if name == f"@{number}"), None)
+
+
+def _no_board(line: TrexLine, name: str, *_words: str) -> str:
     names = ", ".join(f"@{number}" for number in line.numbers)
     if name:
         raise ControlError(f"there is no board {name}, but {names}")
     raise ControlError(f"say which board first: {names}")
 
 
-def _channel(board: Board, words: list[str]) -> str:
-    if len(words) < 2:
-        raise ControlError("channel NUMBER then counts, 1500us, 2.5V, invalid, silent or rest")
-    number = number_of(words[0], CHANNELS, "a channel")
+def _channel(board: Board, channel: str, value: str, *more: str) -> str:
+    number = number_of(channel, CHANNELS, "a channel")
     try:
-        signal = Signal.parse(" ".join(words[1:]), board.channels.source)
+        signal = Signal.parse(" ".join((value, *more)), board.channels.source)
     except ValueError as error:
         raise ControlError(str(error)) from error
     board.channels.connect(number, signal)
     return f"channel {number} gets {signal.text}"
 
 
-def _jumper(board: Board, words: list[str]) -> str:
-    match [word.lower() for word in words]:
-        case ["mode", ("serial" | "rc" | "analog") as mode]:
-            board.mode_jumper = mode
-            return f"mode jumper {mode}; read at power-up"
-        case ["mix", ("on" | "off") as state]:
+def _jumper(board: Board, which: str, state: str) -> str:
+    match which, state:
+        case "mode", ("serial" | "rc" | "analog"):
+            board.mode_jumper = state
+            return f"mode jumper {state}; read at power-up"
+        case "mix", ("on" | "off"):
             board.mix = SWITCH[state]
             return f"mix jumper {state}"
-        case ["so-ground", ("on" | "off") as state]:
-            board.so_ground = SWITCH[state]
-            if board.so_ground:
-                return (
-                    "so-ground jumper on; read at power-up, and no answer gets out until it is off"
-                )
+        case "so-ground", "on":
+            board.so_ground = True
+            return "so-ground jumper on; read at power-up, and no reply gets out until it is off"
+        case "so-ground", "off":
+            board.so_ground = False
             return "so-ground jumper off"
-    raise ControlError("jumper mode serial|rc|analog, jumper mix on|off or jumper so-ground on|off")
+    raise WrongUsage
 
 
-def _power(board: Board, words: list[str]) -> str:
-    match [word.lower() for word in words]:
-        case ["on"]:
+def _power(board: Board, state: str) -> str:
+    match state:
+        case "on":
             board.power_on()
-        case ["off"]:
+        case "off":
             board.power_off()
-        case ["cycle"]:
+        case "cycle":
             board.power_cycle()
         case _:
-            raise ControlError("power on, power off or power cycle")
+            raise WrongUsage
     if board.is_starved:
         return "power on, but the battery is too low for the board to start"
     return "power on" if board.powered else "power off"
 
 
-def _load(board: Board, words: list[str]) -> str:
-    if len(words) != 2:
-        raise ControlError("load MOTOR AMPS")
-    number = number_of(words[0], (1, 2), "a motor")
-    amperes = _amperes(words[1])
+def _motor(text: str) -> int:
+    return number_of(text, (1, 2), "a motor")
+
+
+def _amperes(text: str) -> float:
+    return real(text.removesuffix("a"), "a current in A", _HIGHEST_CURRENT)
+
+
+def _load(board: Board, motor: str, amps: str) -> str:
+    number, amperes = _motor(motor), _amperes(amps)
     board.physics[number - 1].load = amperes
     return f"motor {number} draws {amperes:g} A at full speed"
 
 
-def _current(board: Board, words: list[str]) -> str:
-    if len(words) != 2:
-        raise ControlError("current MOTOR AMPS or current MOTOR auto")
-    number = number_of(words[0], (1, 2), "a motor")
-    if words[1].lower() == "auto":
-        board.force_current(number, None)
-        return f"current {number} is measured"
-    amperes = _amperes(words[1])
+def _current(board: Board, motor: str, amps: str) -> str:
+    number = _motor(motor)
+    amperes = None if amps == "auto" else _amperes(amps)
     board.force_current(number, amperes)
-    return f"current {number} reads {amperes:g} A"
+    return f"current {number} " + ("is measured" if amperes is None else f"reads {amperes:g} A")
 
 
-def _fault(board: Board, words: list[str]) -> str:
-    if len(words) != 2 or words[1].lower() not in SWITCH:
-        raise ControlError("fault MOTOR on or fault MOTOR off")
-    number = number_of(words[0], (1, 2), "a motor")
-    state = words[1].lower()
+def _fault(board: Board, motor: str, state: str) -> str:
+    if state not in SWITCH:
+        raise WrongUsage
+    number = _motor(motor)
     board.set_fault(number, fault=SWITCH[state])
     return f"fault {number} {state}"
 
 
-def _battery(board: Board, words: list[str]) -> str:
-    if len(words) not in {1, 2}:
-        raise ControlError("battery VOLTS or battery VOLTS OHMS")
-    volts = real(words[0].lower().removesuffix("v"), "a battery in V", _HIGHEST_VOLTAGE)
-    if len(words) == 2:
-        board.machine.resistance = real(words[1], "a resistance in ohm", _HIGHEST_RESISTANCE)
+def _battery(board: Board, voltage: str, resistance: str | None = None) -> str:
+    volts = real(voltage.removesuffix("v"), "a battery in V", _HIGHEST_VOLTAGE)
+    if resistance is not None:
+        board.machine.resistance = real(resistance, "a resistance in ohm", _HIGHEST_RESISTANCE)
     board.machine.battery = volts
     if not board.powered:
         board.machine.volts = volts  # nothing draws a current
     return f"battery {volts:g} V, {board.machine.resistance:g} ohm"
 
 
-def _eeprom(board: Board, words: list[str]) -> str:
+def _eeprom(board: Board, key: str, value: str) -> str:
     """Write an EEPROM cell directly; it takes effect at the next power-up."""
-    if len(words) != 2:
-        raise ControlError("eeprom KEY VALUE")
-    key, text = words
     try:
-        board.eeprom.write(key, int(text, 0))
+        board.eeprom.write(key, int(value, 0))
     except KeyError:
         raise ControlError(f"there is no parameter {key!r}") from None
     except ValueError as error:
@@ -267,8 +260,7 @@ def _eeprom(board: Board, words: list[str]) -> str:
     return f"{key} is {board.eeprom[key]}; power cycle to use it"
 
 
-def _factory(board: Board, words: list[str]) -> str:
-    require_no_more("factory", words)
+def _factory(board: Board) -> str:
     board.factory_reset()
     _require_saved(board)
     return "as new"
@@ -279,16 +271,15 @@ def _require_saved(board: Board) -> None:
         raise ControlError(f"done, but not saved: {board.eeprom.unsaved}")
 
 
-def _show(line: TrexLine, board: Board, words: list[str]) -> str:
-    require_no_more("show", words)
+def _show(line: TrexLine, board: Board) -> str:
     shown = report(board)
     shown["counters"]["line"] = dict(line.faults.counters)
     shown["line"] = show_wire(line)
     return json.dumps(shown)
 
 
-def _wire(line: TrexLine, words: list[str]) -> str:
-    match [word.lower() for word in words]:
+def _wire(line: TrexLine, *words: str) -> str:
+    match words:
         case ["error", "off"]:
             line.faults.errors.clear()
             return "no byte has an error"
@@ -299,21 +290,19 @@ def _wire(line: TrexLine, words: list[str]) -> str:
             count = amount(number, highest=_MANY)
             line.faults.errors.extend([ReceiveError(name)] * count)
             return f"the next {count} bytes from the host have a {name} error{_DETECTED[name]}"
-    return wire(line, words, "line error framing|parity|overrun [N]", "line error off")
+    return wire(line, *words)
 
 
-def _amperes(text: str) -> float:
-    return real(text.lower().removesuffix("a"), "a current in A", _HIGHEST_CURRENT)
-
-
-_COMMANDS: dict[str, Callable[[Board, list[str]], str]] = {
-    "channel": _channel,
-    "jumper": _jumper,
-    "power": _power,
-    "load": _load,
-    "current": _current,
-    "fault": _fault,
-    "battery": _battery,
-    "eeprom": _eeprom,
-    "factory": _factory,
+_WIRE_USAGE = f"{WIRE_USAGE}, line error framing|parity|overrun [N], line error off"
+_Commands = dict[str, tuple[str, Callable[..., str]]]
+_COMMANDS: _Commands = {
+    "channel": ("channel N COUNTS|1500us|2.5V|invalid|silent|rest [noise 2us] [lost P]", _channel),
+    "jumper": ("jumper mode serial|rc|analog, jumper mix on|off, jumper so-ground on|off", _jumper),
+    "power": ("power on|off|cycle", _power),
+    "load": ("load MOTOR AMPS", _load),
+    "current": ("current MOTOR AMPS|auto", _current),
+    "fault": ("fault MOTOR on|off", _fault),
+    "battery": ("battery VOLTS [OHMS]", _battery),
+    "eeprom": ("eeprom KEY VALUE", _eeprom),
+    "factory": ("factory", _factory),
 }
