@@ -98,11 +98,7 @@ class Rows(QGroupBox, Generic[SnapshotT]):
         return made
 
     def combo_box(
-        self,
-        name: str,
-        accessible: str,
-        tip: str,
-        items: Iterable[tuple[str, object]],
+        self, name: str, accessible: str, tip: str, items: Iterable[tuple[str, object]]
     ) -> ui.NoWheelComboBox:
         made = ui.combo_box(self, name, accessible, items=items, tip=tip)
         self.controls.append(made)
@@ -123,9 +119,8 @@ class Rows(QGroupBox, Generic[SnapshotT]):
         tip: str = "",
     ) -> StickSlider:
         """Create a slider with `steps` positions per unit; `show` displays its value."""
-        made = StickSlider(
-            round(lowest * steps), round(highest * steps), round(lowest * steps), color, self
-        )
+        first = round(lowest * steps)
+        made = StickSlider(first, round(highest * steps), first, color, self)
         ui.named(made, name, accessible=accessible, tip=tip)
 
         def move(position: int) -> None:
@@ -204,7 +199,7 @@ class CableTexts:
     Attributes:
         fault_name: object name, accessible name and tool tip of the list of faults.
         faults: text and value of each.
-        once: object name, text and tool tip of the button.
+        once: object name, text and tool tip of its button.
     """
 
     plugged: str
@@ -224,10 +219,7 @@ def cable_rows(
     cause: Callable[[str], object],
     parent: QWidget,
 ) -> Rows[SnapshotT]:
-    """Return the group of the cable; object names begin with `prefix`.
-
-    `cause` is called with the value of the fault that the user causes once.
-    """
+    """Return the group of the cable; `prefix` starts object names, `cause` gets a fault."""
     rows: Rows[SnapshotT] = Rows(_tr("Cable"), columns, parent)
     plugged = rows.check_box(
         f"{prefix}Cable",

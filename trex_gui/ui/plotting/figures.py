@@ -16,7 +16,6 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QIcon, QPaintEvent, QPixmap, QResizeEvent
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QHeaderView,
     QListWidget,
     QListWidgetItem,
@@ -32,7 +31,8 @@ from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import MINUS
-from trex_gui.ui.widgets.behaviour import name_headers, paint_placeholder
+from trex_gui.ui.widgets.behaviour import paint_placeholder
+from trex_gui.ui.widgets.builders import flat_table
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -86,7 +86,6 @@ class TraceTable(QAbstractTableModel):
             (self.tr("Held"), self.tr("Highest value since Hold peaks was switched on")),
             (self.tr("Low"), self.tr("Lowest value in the visible span")),
         )
-        theme().changed.connect(self._on_theme_changed)
         self.show_source()
 
     def show_source(self) -> None:
@@ -105,16 +104,8 @@ class TraceTable(QAbstractTableModel):
             for trace in self._traces
             if trace.name in self._plot.shown
         }
-        self._emit_changed(TraceColumn.LIMIT, Qt.ItemDataRole.DisplayRole)
-
-    def _emit_changed(self, last: TraceColumn, role: Qt.ItemDataRole) -> None:
-        if self._traces:
-            end = self.index(len(self._traces) - 1, last)
-            self.dataChanged.emit(self.index(0, 0), end, [role])
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        self._emit_changed(TraceColumn.CURVE, Qt.ItemDataRole.DecorationRole)
+        last = self.index(len(self._traces) - 1, TraceColumn.LOW)
+        self.dataChanged.emit(self.index(0, 0), last, [Qt.ItemDataRole.DisplayRole])
 
     def is_needed(self, column: TraceColumn) -> bool:
         match column:
@@ -238,28 +229,18 @@ class TraceTableView(QTableView):
     def __init__(self, model: TraceTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._table = model
-        self.setObjectName("traceTable")
-        self.setAccessibleName(self.tr("Curves and their figures"))
-        name_headers(self)
+        flat_table(self, "traceTable", self.tr("Curves and their figures"))
         self.setModel(model)
-        self.verticalHeader().hide()
         self._row = self.fontMetrics().height() + 6
         self.verticalHeader().setDefaultSectionSize(self._row)
         self.verticalHeader().setMinimumSectionSize(self._row)
-        self.setShowGrid(False)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setTabKeyNavigation(False)
         header = self.horizontalHeader()
-        header.setHighlightSections(False)
         for column in TraceColumn:
             widest = "000.00 mAh" if column is TraceColumn.CHARGE else f"{MINUS}00.00 A"
             head = str(model.headerData(column, Qt.Orientation.Horizontal))
             width = max(self.fontMetrics().horizontalAdvance(text) for text in (widest, head))
             header.resizeSection(column, width + _PADDING)
         header.setSectionResizeMode(TraceColumn.CURVE, QHeaderView.ResizeMode.ResizeToContents)
-        header.setStretchLastSection(False)
         self.show_needed_columns()
 
     def show_needed_columns(self) -> None:

@@ -19,7 +19,8 @@ from trex_gui.core.transport.traffic import Transaction
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.traffic.model import RowBuffer, TrafficModel
-from trex_gui.ui.widgets.behaviour import name_headers, paint_placeholder
+from trex_gui.ui.widgets.behaviour import paint_placeholder
+from trex_gui.ui.widgets.builders import flat_table
 
 TIME, SENT, RECEIVED, TOOK, WORDS = range(5)
 
@@ -56,7 +57,6 @@ class TrafficTable(QAbstractTableModel):
         self._paused_at: int | None = None
         self.mono = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
         traffic.cleared.connect(self.rebuild)
-        theme().changed.connect(self._repaint)
 
     # --- Filter -------------------------------------------------------------------------
 
@@ -126,18 +126,11 @@ class TrafficTable(QAbstractTableModel):
     def _matches(self, row: Transaction) -> bool:
         if not self._faults and not self._text:
             return True
-        words = self._traffic.decoded(row)
+        words, shown = self._traffic.decoded(row), self._traffic.shown
         if self._faults and not words.is_fault:
             return False
-        if not self._text:
-            return True
-        shown = (words.text, self._traffic.shown(row.sent), self._traffic.shown(row.received))
-        return any(self._text in text.casefold() for text in shown)
-
-    def _repaint(self) -> None:
-        if self.rows:
-            last = self.index(len(self.rows) - 1, WORDS)
-            self.dataChanged.emit(self.index(0, 0), last)
+        texts = (words.text, shown(row.sent), shown(row.received))
+        return any(self._text in text.casefold() for text in texts)
 
     # --- Appearance ---------------------------------------------------------------------
 
@@ -190,7 +183,7 @@ class TrafficTable(QAbstractTableModel):
         match column:
             case 0:  # TIME
                 moment = datetime.fromtimestamp(self._traffic.wall_time(row)).astimezone()
-                return moment.strftime("%H:%M:%S.") + f"{moment.microsecond // 1000:03d}"
+                return moment.time().isoformat("milliseconds")
             case 1:  # SENT
                 return self._traffic.shown(row.sent)
             case 2:  # RECEIVED
@@ -229,22 +222,15 @@ class TrafficView(QTableView):
     def __init__(self, table: TrafficTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._placeholder = ""
-        self.setAccessibleName(self.tr("Traffic on the line"))
+        flat_table(self, "", self.tr("Traffic on the line"))
         self.setModel(table)
-        name_headers(self)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self.setAlternatingRowColors(True)
-        self.setShowGrid(False)
         self.setWordWrap(False)
-        self.setTabKeyNavigation(False)
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         rows = self.verticalHeader()
-        rows.hide()
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         rows.setDefaultSectionSize(self.fontMetrics().height() + 6)
         header = self.horizontalHeader()
-        header.setHighlightSections(False)
         header.setStretchLastSection(True)
         for column, sample in _SAMPLES.items():
             font = table.mono if column in {SENT, RECEIVED} else self.font()
