@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QWidget
 
 from trex_gui.ui.plotting.axes import Labels
 from trex_gui.ui.plotting.history import Floats
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.builders import column
 
 _LABEL_MARGIN = 60
@@ -283,10 +283,7 @@ class PlotCanvas(QWidget):
         return low + (pixel - frame.left()) / max(frame.width(), 1.0) * (high - low)
 
     def small_font(self) -> QFont:
-        font = QFont(self.font())
-        if font.pointSizeF() > 0:
-            font.setPointSizeF(font.pointSizeF() * 0.9)
-        return font
+        return scaled_font(self.font(), 0.9)
 
     def _show_fonts(self) -> None:
         for axis in self._axes.values():

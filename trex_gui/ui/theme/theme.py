@@ -11,7 +11,7 @@ from functools import cache
 from typing import Literal
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
-from PySide6.QtGui import QColor, QGuiApplication, QPalette
+from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication, QPushButton, QToolButton, QToolTip, QWidget
 
 from trex_gui.core.resource_files import resource
@@ -187,6 +187,16 @@ def follow_theme(target: QObject, key: str, apply: Callable[[], object]) -> None
     follower = target.findChild(_Follower, key, options) or _Follower(target, key)
     follower.apply = apply
     apply()
+
+
+def scaled_font(font: QFont, factor: float) -> QFont:
+    """Return a font of another size; its size may be in points or pixels."""
+    scaled = QFont(font)
+    if font.pointSizeF() > 0:
+        scaled.setPointSizeF(font.pointSizeF() * factor)
+    else:
+        scaled.setPixelSize(round(font.pixelSize() * factor))
+    return scaled
 
 
 def set_text_color(widget: QWidget, name: str) -> None:

@@ -1,4 +1,4 @@
-"""What the live bars share: the states, the frame, the number, and painting them fast."""
+"""Base of the live bars: states, frame, number, and fast painting."""
 
 from enum import Enum
 from typing import NamedTuple
@@ -17,15 +17,20 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import scaled_font, theme
 
 NO_VALUE = "\N{EN DASH}"
 MINUS = "\N{MINUS SIGN}"
 
+_VALUE_FLAGS = (
+    Qt.AlignmentFlag.AlignRight
+    | Qt.AlignmentFlag.AlignVCenter
+    | Qt.TextFlag.TextSingleLine
+    | Qt.TextFlag.TextDontClip
+)
+
 
 class BarState(Enum):
-    """What a bar has to show."""
-
     DISCONNECTED = "disconnected"
     WAITING = "waiting"  # connected, no value yet
     NO_SIGNAL = "no signal"
@@ -33,7 +38,7 @@ class BarState(Enum):
 
 
 class Marks(NamedTuple):
-    """Colours and pens that every repaint needs."""
+    """Colours that every repaint needs."""
 
     fill: QColor
     negative: QColor
@@ -56,7 +61,7 @@ class Bar(QWidget):
         self._fill = fill
         self._negative = negative
         self._connected = False
-        self._heard = False
+        self._has_value = False
         self.state = BarState.DISCONNECTED
         self._static = QPixmap()
         self._static_key: tuple[object, ...] = ()
@@ -72,25 +77,25 @@ class Bar(QWidget):
         theme().changed.connect(self._on_theme_changed)
 
     def set_connected(self, connected: bool) -> None:
-        """Say whether there is a device; a new connection starts without a value."""
+        """A new connection starts without a value."""
         if connected == self._connected:
             return
         self._connected = connected
-        self._heard = False
-        self._forget_value()
+        self._has_value = False
+        self._clear()
         self._refresh()
 
     def set_value_shown(self, shown: bool) -> None:
-        """Leave the number right of the bar out where the page has it elsewhere."""
+        """Show or hide the number right of the bar."""
         if shown != self._value_shown:
             self._value_shown = shown
             self._forget_layout()
             self.updateGeometry()
             self.update()
 
-    # What a kind of bar adds.
+    # --- For each kind of bar -----------------------------------------------------------
 
-    def _forget_value(self) -> None:
+    def _clear(self) -> None:
         raise NotImplementedError
 
     def _has_signal(self) -> bool:
@@ -109,7 +114,7 @@ class Bar(QWidget):
         """Return where the track lies, from the widget's size and texts."""
         raise NotImplementedError
 
-    def _look(self) -> tuple[object, ...]:
+    def _cache_key(self) -> tuple[object, ...]:
         """Return everything that the static picture depends on, beyond size, font and theme."""
         raise NotImplementedError
 
@@ -119,7 +124,7 @@ class Bar(QWidget):
     def _paint_live(self, painter: QPainter, track: QRect) -> None:
         raise NotImplementedError
 
-    # Common behaviour.
+    # --- For all ------------------------------------------------------------------------
 
     def _track(self) -> QRect:
         if self._frame.isNull():
@@ -134,7 +139,7 @@ class Bar(QWidget):
         """Work out the state, say it to screen readers, repaint."""
         if not self._connected:
             self.state = BarState.DISCONNECTED
-        elif not self._heard:
+        elif not self._has_value:
             self.state = BarState.WAITING
         else:
             self.state = BarState.LIVE if self._has_signal() else BarState.NO_SIGNAL
@@ -144,24 +149,16 @@ class Bar(QWidget):
         self.update()
 
     def _spoken(self) -> str:
-        match self.state:
-            case BarState.DISCONNECTED:
-                return self.tr("not connected")
-            case BarState.WAITING:
-                return self.tr("no data yet")
-            case BarState.NO_SIGNAL:
-                return self.tr("no signal")
-            case BarState.LIVE:
-                return self._spoken_value()
+        if self.state is BarState.DISCONNECTED:
+            return self.tr("not connected")
+        return self._caption() or self._spoken_value()
 
     def _caption(self) -> str:
-        match self.state:
-            case BarState.WAITING:
-                return self.tr("no data yet")
-            case BarState.NO_SIGNAL:
-                return self.tr("no signal")
-            case _:
-                return ""
+        texts = {
+            BarState.WAITING: self.tr("no data yet"),
+            BarState.NO_SIGNAL: self.tr("no signal"),
+        }
+        return texts.get(self.state, "")
 
     def _value_column(self) -> int:
         """Return the width of the number right of the bar, its gap included."""
@@ -170,26 +167,14 @@ class Bar(QWidget):
         return self._value_width + self.fontMetrics().averageCharWidth()
 
     def _measure(self) -> None:
-        self._small = QFont(self.font())
-        if self.font().pointSizeF() > 0:
-            self._small.setPointSizeF(self.font().pointSizeF() * 0.85)
-        else:
-            self._small.setPixelSize(round(self.font().pixelSize() * 0.85))
+        self._small = scaled_font(self.font(), 0.85)
         self._small_metrics = QFontMetrics(self._small)
         self._value_width = self.fontMetrics().horizontalAdvance(self._widest_value())
         self._forget_layout()
 
     def _read_marks(self) -> Marks:
-        color = theme().color
-        return Marks(
-            color(self._fill),
-            color(self._negative),
-            color("neutral"),
-            color("mark"),
-            color("pointer"),
-            color("text"),
-            color("muted"),
-        )
+        common = ("neutral", "mark", "pointer", "text", "muted")
+        return Marks(*(theme().color(name) for name in (self._fill, self._negative, *common)))
 
     @Slot()
     def _on_theme_changed(self) -> None:
@@ -220,17 +205,16 @@ class Bar(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - always the whole bar
         track = self._track()
         self._ratio = self.devicePixelRatioF()
-        key = (self._ratio, self.state, *self._look())
+        key = (self._ratio, self.state, *self._cache_key())
         if key != self._static_key:
             self._static = self._draw_static(track)
             self._static_key = key
-        painter = QPainter(self)
-        painter.drawPixmap(0, 0, self._static)
-        if self.state is BarState.LIVE:
-            self._paint_live(painter, track)
-        if self._value_shown:
-            self._paint_value(painter, track)
-        painter.end()
+        with QPainter(self) as painter:
+            painter.drawPixmap(0, 0, self._static)
+            if self.state is BarState.LIVE:
+                self._paint_live(painter, track)
+            if self._value_shown:
+                self._paint_value(painter, track)
 
     def _draw_static(self, track: QRect) -> QPixmap:
         pixmap = QPixmap(self.size() * self._ratio)
@@ -249,7 +233,7 @@ class Bar(QWidget):
         return pixmap
 
     def _paint_hatch(self, painter: QPainter, track: QRect) -> None:
-        """Paint slanted lines; Qt's own patterns shrink where pixels are small."""
+        """Paint slanted lines; Qt's own patterns shrink on fine screens."""
         painter.save()
         painter.setClipRect(track)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -277,17 +261,9 @@ class Bar(QWidget):
     def _paint_value(self, painter: QPainter, track: QRect) -> None:
         live = self.state is BarState.LIVE
         painter.setPen(self._marks.text if live else self._marks.muted)
-        box = QRect(
-            self.width() - self._value_width - 1, track.top(), self._value_width, track.height()
-        )
-        painter.drawText(
-            box,
-            Qt.AlignmentFlag.AlignRight
-            | Qt.AlignmentFlag.AlignVCenter
-            | Qt.TextFlag.TextSingleLine
-            | Qt.TextFlag.TextDontClip,
-            self._value_text() if live else NO_VALUE,
-        )
+        width = self._value_width
+        box = QRect(self.width() - width - 1, track.top(), width, track.height())
+        painter.drawText(box, _VALUE_FLAGS, self._value_text() if live else NO_VALUE)
 
     def _paint_fill(
         self, painter: QPainter, track: QRect, start: float, end: float, color: QColor
@@ -304,15 +280,8 @@ class Bar(QWidget):
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(self._marks.pointer)
-            painter.drawPolygon(
-                QPolygonF(
-                    [
-                        QPointF(x, bottom),
-                        QPointF(x + head * 0.75, bottom + head),
-                        QPointF(x - head * 0.75, bottom + head),
-                    ]
-                )
-            )
+            corners = ((x, 0), (x + head * 0.75, head), (x - head * 0.75, head))
+            painter.drawPolygon(QPolygonF([QPointF(at, bottom + below) for at, below in corners]))
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
 
     def _snap(self, x: float) -> float:

@@ -63,7 +63,7 @@ class ChannelBar(Bar):
         if source is not self._source:
             self._source = source
             self._raw = None
-            self._heard = False
+            self._has_value = False
             self.axis = USUAL_AXIS[source]
             self._widen()
             self._measure()
@@ -88,8 +88,8 @@ class ChannelBar(Bar):
 
     def set_raw(self, raw: int | None) -> None:
         """Show a count; `None` means that the channel has no valid signal."""
-        if not self._heard or raw != self._raw:
-            self._heard = True
+        if not self._has_value or raw != self._raw:
+            self._has_value = True
             self._raw = raw
             self._widen()
             self._refresh()
@@ -114,7 +114,7 @@ class ChannelBar(Bar):
         calibration = self._calibration
         return calibration is not None and abs(raw - calibration.neutral) <= calibration.deadband
 
-    def _forget_value(self) -> None:
+    def _clear(self) -> None:
         self._raw = None
 
     def _has_signal(self) -> bool:
@@ -152,7 +152,7 @@ class ChannelBar(Bar):
         width = self.width() - 2 * self.inset - self._value_column()
         return QRect(self.inset, top + 1, max(width, 1), self._track_height())
 
-    def _look(self) -> tuple[object, ...]:
+    def _cache_key(self) -> tuple[object, ...]:
         return (self._source, self._calibration, tuple(self.marks), self.axis)
 
     def _paint_static(self, painter: QPainter, track: QRect) -> None:
@@ -284,8 +284,8 @@ class OutputBar(Bar):
 
     def set_value(self, value: int | None) -> None:
         """Show a value, kept within the bar; `None` means that there is no valid signal."""
-        if not self._heard or value != self.value:
-            self._heard = True
+        if not self._has_value or value != self.value:
+            self._has_value = True
             self.value = value
             self._refresh()
 
@@ -293,7 +293,7 @@ class OutputBar(Bar):
         """Return where a value lies, in pixels from the left of the widget."""
         return _x_on(self._track(), (-FULL_SCALE if self._bipolar else 0, FULL_SCALE), value)
 
-    def _forget_value(self) -> None:
+    def _clear(self) -> None:
         self.value = None
 
     def _has_signal(self) -> bool:
@@ -325,7 +325,7 @@ class OutputBar(Bar):
         width = self.width() - left - self._value_column() - 2
         return QRect(left, (self.height() - height) // 2, max(width, 1), height)
 
-    def _look(self) -> tuple[object, ...]:
+    def _cache_key(self) -> tuple[object, ...]:
         return (self._label, self._bipolar)
 
     def _paint_static(self, painter: QPainter, track: QRect) -> None:
