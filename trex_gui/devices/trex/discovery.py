@@ -18,13 +18,7 @@ from dataclasses import dataclass, replace
 from enum import Enum, auto
 from itertools import product
 
-from trex_gui.core.discovery.prober import (
-    Diagnosis,
-    Evidence,
-    ProberInfo,
-    ScanProgress,
-    flush,
-)
+from trex_gui.core.discovery.prober import Diagnosis, Evidence, ProberInfo, ScanProgress, flush
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat

@@ -28,7 +28,7 @@ from trex_gui.devices.trex.session.messages import (
     SetReconnectCandidates,
     Write,
 )
-from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
+from trex_gui.devices.trex.session.session import TrexRequestQueue
 
 modest = examples(40)
 

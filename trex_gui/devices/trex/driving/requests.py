@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import ClassVar
 
 from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, DriveBoth, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
@@ -13,7 +14,7 @@ HEARTBEAT_INTERVAL = 0.25
 
 @dataclass(frozen=True, slots=True)
 class SetMotor:
-    """Setpoint of motor 1 or 2; a newer one replaces one that is still queued."""
+    """Setpoint of motor 1 or 2."""
 
     motor: int
     drive: Drive
@@ -34,13 +35,14 @@ class SetAuxiliary:
     speed: int
     accelerate: bool = False
 
+    motor: ClassVar = 3  # as the channel that drives it
+
 
 @dataclass(frozen=True, slots=True)
 class Stop:
-    """Stop every motor before anything else is sent; its `Outcome` comes when it is confirmed.
+    """Stop every motor before anything else is sent; its `Outcome` is its confirmation.
 
-    Every setpoint is dropped until an `Arm`; for `lockout` seconds every other motor command is
-    rejected.
+    Setpoints are dropped until an `Arm`; for `lockout` seconds other motor commands are rejected.
     """
 
     id: int
@@ -87,7 +89,6 @@ MotorRequest = SetpointRequest | Stop | Arm | Heartbeat
 
 
 def setpoints_in(request: SetpointRequest) -> Sequence[Setpoint]:
-    """Return one setpoint for each motor that a request concerns."""
     return request.drives if isinstance(request, SetMotors) else (request,)
 
 

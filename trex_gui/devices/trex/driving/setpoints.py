@@ -48,37 +48,25 @@ class SetpointSlots:
     """One slot for each motor: a newer setpoint replaces the queued one."""
 
     def __init__(self) -> None:
-        self._motors: dict[int, SetMotor] = {}
-        self._auxiliary: SetAuxiliary | None = None
+        self._by_motor: dict[int, Setpoint] = {}
+        self.clear = self._by_motor.clear
 
     def put(self, *requests: SetpointRequest) -> None:
-        """Queue setpoints in place of older ones for the same motors."""
         for request in requests:
-            for setpoint in setpoints_in(request):
-                if isinstance(setpoint, SetAuxiliary):
-                    self._auxiliary = setpoint
-                else:
-                    self._motors[setpoint.motor] = setpoint
-
-    def clear(self) -> None:
-        self._motors.clear()
-        self._auxiliary = None
+            self._by_motor.update({one.motor: one for one in setpoints_in(request)})
 
     def __bool__(self) -> bool:
-        return bool(self._motors) or self._auxiliary is not None
+        return bool(self._by_motor)
 
     def take(self) -> list[Setpoint]:
         """Return the setpoints, motors first, and clear the slots."""
-        setpoints: list[Setpoint] = [self._motors[motor] for motor in sorted(self._motors)]
-        if self._auxiliary is not None:
-            setpoints.append(self._auxiliary)
+        setpoints = [self._by_motor[motor] for motor in sorted(self._by_motor)]
         self.clear()
         return setpoints
 
     def put_back(self, setpoints: Sequence[Setpoint]) -> None:
-        """Queue setpoints of corrupted packets again, except where newer ones have come."""
-        newer = self.take()
-        self.put(*setpoints, *newer)
+        """Queue setpoints of corrupted packets again, unless newer ones are queued."""
+        self.put(*setpoints, *self.take())
 
 
 class SetpointRetry:
@@ -235,8 +223,8 @@ class IdleRefresh:
     def __init__(self, quality: LineQuality) -> None:
         self._quality = quality
         self._is_active = False
-        self._setpoints: dict[int, SetMotor] = {}
-        self._auxiliary = SetAuxiliary(0)
+        self._setpoints: dict[int, Setpoint] = {}
+        self.clear = self._setpoints.clear  # takes every motor for idle, braked fully
         self._auxiliary_at_risk = False
         self._answers_since: int | None = None
         self._sent_at = 0.0
@@ -246,23 +234,15 @@ class IdleRefresh:
         """Note setpoints that are sent."""
         self._is_active = True
         self._sent_at = now
-        for setpoint in setpoints:
-            if isinstance(setpoint, SetAuxiliary):
-                self._auxiliary = setpoint
-            else:
-                self._setpoints[setpoint.motor] = setpoint
+        self._setpoints.update({one.motor: one for one in setpoints})
         if not all(isinstance(command, DriveMotor) for command in packets(setpoints)):
             self._note_auxiliary_risk()
 
     def note_stop(self, now: float) -> None:
-        self.clear()  # every motor is idle, braked fully
+        self.clear()
         self._is_active = True
         self._sent_at = now
         self._note_auxiliary_risk()
-
-    def clear(self) -> None:
-        self._setpoints.clear()
-        self._auxiliary = SetAuxiliary(0)
 
     def on_direct_command(self) -> None:
         """Send nothing until the next setpoint or stop: it is not known which motors are idle."""
@@ -289,11 +269,12 @@ class IdleRefresh:
         """
         self._damages_seen = self._quality.damages
         self._sent_at = now
-        setpoints = [self._setpoints.get(one, SetMotor(one, Drive.brake())) for one in _MOTORS]
-        idle: list[Setpoint] = [one for one in setpoints if is_idle(one)]
-        if self._auxiliary_at_risk and is_idle(self._auxiliary):
+        motors = (self._setpoints.get(one, SetMotor(one, Drive.brake())) for one in _MOTORS)
+        idle = [one for one in motors if is_idle(one)]
+        auxiliary = self._setpoints.get(SetAuxiliary.motor, SetAuxiliary(0))
+        if self._auxiliary_at_risk and is_idle(auxiliary):
             self._note_auxiliary_risk()
-            idle.append(self._auxiliary)
+            idle.append(auxiliary)
         return [command for setpoint in idle for command in packets([setpoint])]
 
     def _note_auxiliary_risk(self) -> None:

@@ -15,12 +15,7 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.messages import (
-    Batch,
-    Connected,
-    NotResponding,
-    Write,
-)
+from trex_gui.devices.trex.session.messages import Batch, Connected, NotResponding, Write
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.ui.devices.connection import DeviceConnection

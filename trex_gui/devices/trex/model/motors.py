@@ -18,15 +18,14 @@ _KEY = "motors/lockout"
 LOCKOUT = 3.0
 """Default lock after a pressed stop, in seconds.
 
-Inferred from what others do: 5 s where throttles are large, none where people drag on and meet a
-motor that starts again.
+Inferred from other programs: 5 s where throttles are large, none where a slider that is still
+dragged starts a motor again.
 """
 
 LONGEST = 10.0
 
 
 def remembered_lockout() -> float:
-    """Return the seconds that the user set last, 0 to 10."""
     try:
         seconds = float(str(QSettings().value(_KEY, LOCKOUT)))
     except ValueError:
@@ -35,7 +34,6 @@ def remembered_lockout() -> float:
 
 
 def remember_lockout(seconds: float) -> None:
-    """Lock for so many seconds, 0 to 10, from the next start of the program on, too."""
     QSettings().setValue(_KEY, min(max(seconds, 0.0), LONGEST))
 
 
@@ -44,11 +42,11 @@ _AUXILIARY = 0
 
 
 class Motors(QObject):
-    """The setpoints of both motors and the auxiliary; nothing is sent before `arm`.
+    """The setpoints of both motors and the auxiliary; they are ignored before `arm`.
 
-    A momentary control (pad, keys, gamepad, bench test) acquires the motors and passes its name
-    with each setpoint. Until it releases them all other setpoints are ignored, and its own are
-    ignored afterwards. Pads that mix give each motor its own speed: they are not for linked motors.
+    A momentary control (pad, keys, gamepad, bench test) acquires the motors and passes its name as
+    `holder` with each setpoint. Until it releases them all other setpoints are ignored, and its own
+    are ignored afterwards. Setpoints outside their range raise `BadRequest`.
 
     Signals:
         arming_changed: `armed` or `stop_reason`.
@@ -60,13 +58,10 @@ class Motors(QObject):
 
     Attributes:
         accelerate: whether speeds follow the board's ramp (accelerate) or apply at once (set).
-        lockout: seconds without arming after `press_stop`, 0 to 10; remembered under
-            "motors/lockout".
+        lockout: seconds without arming after `press_stop`, 0 to 10.
 
-    These are changed by methods only:
-        armed: whether setpoints are sent.
-        is_available: whether a board can be driven by serial commands; `locked_for` may still
-            forbid it.
+    Changed by methods only:
+        is_available: whether serial commands can drive a board; `locked_for` may still forbid it.
         stop_reason: why the motors were stopped last; empty if the user pressed stop.
         holder: the name of the control that has acquired the motors; empty if none has.
         auxiliary: the setpoint of the auxiliary motor, 0-127.
@@ -134,9 +129,6 @@ class Motors(QObject):
         """Send no greater speed from now on; motors that run faster are slowed down to it.
 
         A higher ceiling applies from the next setpoint, and to a held control from its release.
-
-        Raises:
-            ValueError: the speed is not 1 to 127.
         """
         if not 1 <= speed <= FULL_SCALE:
             raise ValueError(f"the speed ceiling is 1 to {FULL_SCALE}, not {speed}")
@@ -162,18 +154,13 @@ class Motors(QObject):
         self.options_changed.emit()
 
     def set_release_brake(self, duty: int) -> None:
-        """Set the brake duty for the release of a momentary control.
-
-        Raises:
-            BadRequest: the duty is not 0 to 127.
-        """
         self.release_brake = seven_bits(duty, "brake duty")
         self.options_changed.emit()
 
     # --- Arming and stopping ------------------------------------------------------------
 
     def set_available(self, available: bool) -> None:
-        """Set whether a board can be driven; without one the motors are disarmed, unsent."""
+        """Set whether a board can be driven; without one the motors are disarmed without a stop."""
         was_available, self.is_available = self.is_available, available
         if not available:
             self._disarm()
@@ -188,7 +175,7 @@ class Motors(QObject):
             self.arming_changed.emit()
 
     def press_stop(self) -> None:
-        """Stop because the user wants it: the motors cannot be armed for `lockout` seconds."""
+        """Stop for the user; the motors cannot be armed for `lockout` seconds."""
         self._locked_until = max(self._locked_until, self._clock() + self.lockout)
         self._announced = math.ceil(self.locked_for)
         self._lockout_timer.start()
@@ -252,7 +239,7 @@ class Motors(QObject):
         self.holder_changed.emit()
 
     def abort(self, holder: str, reason: str) -> None:
-        """Stop and disarm because a control is gone or out of sight while it is held."""
+        """Stop and disarm because a held control is gone or not visible."""
         if holder and self.holder == holder:
             self.stop(reason)
 
@@ -264,37 +251,18 @@ class Motors(QObject):
     # --- Setpoints ----------------------------------------------------------------------
 
     def set_speed(self, motor: int, speed: int, holder: str = "") -> None:
-        """Drive motor 1 or 2 at a signed speed (-127 to 127); ignored unless armed.
-
-        Raises:
-            BadRequest: the speed is outside its range.
-        """
+        """Drive motor 1 or 2 at a signed speed (-127 to 127)."""
         self._set_for({motor: self._at(speed)}, holder)
 
     def set_speeds(self, first: int, second: int, holder: str = "") -> None:
-        """Drive both motors at signed speeds (-127 to 127), starting at once.
-
-        If they are linked, the first applies to both.
-
-        Raises:
-            BadRequest: a speed is outside its range.
-        """
+        """Drive both motors at signed speeds; if they are linked, the first applies to both."""
         self._set_for({1: self._at(first), 2: self._at(second)}, holder)
 
     def set_brake(self, motor: int, duty: int, holder: str = "") -> None:
-        """Brake motor 1 or 2 with a duty of 0 (coast) to 127 (full); ignored unless armed.
-
-        Raises:
-            BadRequest: the duty is outside its range.
-        """
+        """Brake motor 1 or 2 with a duty of 0 (coast) to 127 (full)."""
         self._set_for({motor: Drive.brake(duty)}, holder)
 
     def set_auxiliary(self, speed: int, holder: str = "") -> None:
-        """Drive the auxiliary motor at a speed (0-127); ignored unless armed.
-
-        Raises:
-            BadRequest: the speed is outside its range.
-        """
         seven_bits(speed, "speed of the auxiliary motor")
         if holder == self.holder:
             if holder:
@@ -302,7 +270,6 @@ class Motors(QObject):
             self._set_auxiliary(min(speed, self.ceiling_in_force))
 
     def _set_for(self, drives: Mapping[int, Drive], holder: str) -> None:
-        """Drive motors for a control; if they are linked, the first setpoint applies to both."""
         if holder == self.holder:
             if self.linked:
                 drives = dict.fromkeys((1, 2), next(iter(drives.values())))
@@ -311,11 +278,11 @@ class Motors(QObject):
             self._set(drives)
 
     def _at(self, speed: int) -> Drive:
-        _ = Drive.at(speed)  # raises for a speed that no motor has; only valid ones are limited
+        _ = Drive.at(speed)  # raises for an invalid speed, which must not be limited
         return Drive.at(max(-self.ceiling_in_force, min(self.ceiling_in_force, speed)))
 
     def _set(self, drives: Mapping[int, Drive]) -> None:
-        """Request what is new, for both motors in one message so that they start together."""
+        """Request what is new, in one message for both motors so that they start together."""
         new = [
             SetMotor(motor, drive, self.accelerate)
             for motor, drive in drives.items()
@@ -335,11 +302,7 @@ class Motors(QObject):
 
 
 class MomentaryDrive:
-    """Turns forward and turn into setpoints under one name, and ends them on release.
-
-    Attributes:
-        joint: both drivers work as one motor, so there is nothing to turn with.
-    """
+    """Drives with forward and turn under one name; `joint`: both drivers work as one motor."""
 
     def __init__(self, motors: Motors, name: str) -> None:
         self._motors = motors
@@ -369,7 +332,7 @@ class MomentaryDrive:
         return True
 
     def let_go(self) -> None:
-        """Brake what this control has driven; the motors stay armed."""
+        """Brake the motors that this control drives; they stay armed."""
         self._motors.release(self.name)
 
     def lose(self, reason: str) -> None:

@@ -5,12 +5,14 @@ one motor command that is sent unprompted.
 """
 
 import logging
+from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
 from trex_gui.core.session import (
     SHORTEST_WAIT,
+    Close,
     Closed,
     Closing,
     Inbox,
@@ -21,17 +23,20 @@ from trex_gui.core.session import (
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.client.client import TrexClient, diagnose
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
-from trex_gui.devices.trex.client.telemetry import (
-    LatchedStatus,
-    ModeSample,
-    StatusReader,
-)
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, StatusReader
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
+from trex_gui.devices.trex.driving.requests import Heartbeat, Stop
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, TrexError, TrexNoReplyError
+from trex_gui.devices.trex.protocol.errors import (
+    ErrorCode,
+    Rejected,
+    TrexError,
+    TrexNoReplyError,
+    TrexRequestError,
+)
 from trex_gui.devices.trex.protocol.line_settings import baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
@@ -43,12 +48,12 @@ from trex_gui.devices.trex.session.messages import (
     Report,
     Request,
     RunCommand,
+    SetReconnectCandidates,
     Write,
     Written,
 )
 from trex_gui.devices.trex.session.polling import Polling, SampleBatcher, Topic, poll
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
-from trex_gui.devices.trex.session.request_queue import TrexRequestQueue
 
 log = logging.getLogger(__name__)
 
@@ -210,7 +215,7 @@ class TrexSession:
     def _flush(self) -> None:
         self._batcher.flush(self._line.counters, self._now())
 
-    def _progress(self, done: int, total: int, what: str) -> None:
+    def _report_progress(self, done: int, total: int, what: str) -> None:
         self._emit(Progress(done, total, what))
 
     # --- Requests -----------------------------------------------------------------------
@@ -221,7 +226,7 @@ class TrexSession:
         except (BadRequest, NoReply, BadReply, Rejected) as error:
             self._emit(Outcome(job.id, error=error))
         except BaseException:
-            # The session ends: this gets its outcome like every request that is dropped.
+            # The session ends, and reports an outcome of every queued request.
             self._queue.jobs.appendleft(job)
             raise
         else:
@@ -246,9 +251,9 @@ class TrexSession:
                 return None
 
     def _write(self, job: Write) -> Written:
-        """Write until it is done or `Close` comes, which leaves no value halfway.
+        """Write until it is done or `Close` comes, which leaves no value half written.
 
-        Motors that may be moving do not wait for that.
+        Motors that may be moving are stopped before that.
         """
         if self._state is None:
             raise TrexNoReplyError(ErrorCode.NOT_READ)
@@ -267,7 +272,7 @@ class TrexSession:
             self._state.specs,
             job.parameters,
             job.calibrations,
-            self._progress,
+            self._report_progress,
             cancelled=self._is_closing,
             stored=self._note_stored,
         )
@@ -283,11 +288,11 @@ class TrexSession:
         """Read everything and report it; unless it is merely reloaded, nothing drives meanwhile.
 
         The window does not know yet that the board was without power, or is another one, and
-        goes on sending setpoints; when it does, every motor is stopped and has to be armed again.
+        goes on sending setpoints. Every motor is stopped and has to be armed again.
         """
         if occasion.power_cycled:
             self._motors.handle(OutputEvent.LOCK_OUT, self._now())
-        self._state = read_everything(self._request, self._progress)
+        self._state = read_everything(self._request, self._report_progress)
         if occasion is not ReadReason.RELOADED:
             if occasion.power_cycled or self._motors.is_armed:
                 self._motors.handle(OutputEvent.LOCK_OUT, self._now())
@@ -360,7 +365,7 @@ class TrexSession:
             self._emit(NotResponding(str(error), replace(self._line.counters)))
 
     def _try_to_reconnect(self) -> None:
-        """See whether the board responds again; it may have been without power."""
+        """Query the board once, or probe the next candidate."""
         try:
             self._driver.stop_without_reply()
             if not self._liveness.is_scanning(self._line, self._queue.candidates):
@@ -373,7 +378,7 @@ class TrexSession:
             self._liveness.retry_later(self._now())
 
     def _probe_next_candidate(self) -> bool:
-        """Send one probe; return whether the board answered. The session continues there."""
+        """Send one probe; continue there if the board replies, and return whether it did."""
         found = self._liveness.look(self._line, self._queue.candidates)
         if found is None:
             return False
@@ -381,3 +386,64 @@ class TrexSession:
             self._client = self._driver.client = found
             self._queue.candidates = ()
         return True
+
+
+class TrexRequestQueue:
+    """Sorts requests: those for the motors go to the motor output, the others wait in order.
+
+    Attributes:
+        candidates: settings at which to look for a board that does not respond.
+        is_closing: whether a `Close` came.
+    """
+
+    def __init__(
+        self,
+        inbox: Inbox[Request],
+        output: MotorOutput,
+        report: Callable[[Outcome], None],
+        clock: Callable[[], float],
+    ) -> None:
+        self.jobs: deque[Job] = deque()
+        self.candidates: tuple[ConnectionSettings, ...] = ()
+        self.is_closing = False
+        self._inbox = inbox
+        self._output = output
+        self._report = report
+        self._clock = clock
+
+    def collect(self, seconds: float = 0.0) -> None:
+        """Sort every request that has come, waiting up to `seconds` for the first.
+
+        A stop drops setpoints that came before it, and those that come until an `Arm`: they may
+        have been sent before their sender knew of it. `Close` drops all setpoints.
+        """
+        request = self._inbox.get(max(seconds, 0.0))
+        while request is not None:
+            match request:
+                case Close():
+                    self.is_closing = True
+                    self._output.setpoints.clear()
+                case Stop():
+                    self._output.take(request, self._clock())
+                    self._reject_motor_commands()
+                case SetReconnectCandidates(settings=settings):
+                    self.candidates = settings
+                case RunCommand() | Write() | Reload():
+                    self.jobs.append(request)
+                case _ if isinstance(request, Heartbeat) or not self.is_closing:
+                    self._output.take(request, self._clock())
+            request = self._inbox.get(0.0)
+
+    def _reject_motor_commands(self) -> None:
+        for job in list(self.jobs):
+            if isinstance(job, RunCommand) and job.command.moves:
+                self.jobs.remove(job)
+                error = TrexRequestError(ErrorCode.OVERTAKEN_BY_STOP)
+                self._report(Outcome(job.id, error=error))
+
+    def abandon(self) -> list[int]:
+        """Drop everything, and return the ids that have no outcome yet."""
+        ids = [request.id for request in (*self._output.take_stops(), *self.jobs)]
+        self._output.setpoints.clear()
+        self.jobs.clear()
+        return ids
