@@ -21,11 +21,8 @@ FAR = 0.5
 def shape(value: float, dead_zone: float, expo: float) -> float:
     """Return the command (-1 to 1) of an axis at `value` (-1 to 1).
 
-    Args:
-        value: the position; beyond its ends it is at its end.
-        dead_zone: 0 to `WIDEST_DEAD_ZONE` of the way to an end that count for nothing. Behind it
-            the command begins at 0, so that nothing jumps there.
-        expo: 0 (in proportion) to 1 (the cube): how much finer the middle is than the ends.
+    It is 0 up to `dead_zone` (0 to `WIDEST_DEAD_ZONE`) and begins there without a jump. `expo` is
+    0 (linear) to 1 (cubic): how much finer the middle is than the ends.
     """
     reach = min(1.0, abs(value))
     if reach <= dead_zone:
@@ -35,12 +32,10 @@ def shape(value: float, dead_zone: float, expo: float) -> float:
 
 
 class Style(Enum):
-    """How two axes drive two motors."""
-
     MIXED = "mixed"
     """One axis is forward, the other turns."""
     TANK = "tank"
-    """Each axis is a motor, as the levers of a tank: the first the left one, motor 1."""
+    """Each axis drives one motor, as the levers of a tank: the first the left one, motor 1."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,16 +48,16 @@ class Axis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GamepadProfile:
-    """What drives, and what must be held for it.
+    """What the axes and buttons of a gamepad do.
 
     Attributes:
         first: forward, or the left motor.
         second: turn (positive to the right), or the right motor.
-        dead_zone: 0 to 0.5 of the way that count for nothing. The default is inferred: worn
-            sticks come to rest up to a tenth beside their middle.
-        expo: 0 (in proportion) to 1 (fine in the middle).
+        dead_zone: 0 to `WIDEST_DEAD_ZONE`. The default is inferred: worn sticks come to rest up to
+            a tenth beside their middle.
+        expo: 0 (linear) to 1 (cubic).
         hold: the button that must be held to drive; `None`: a stick off its middle drives.
-        stop: the button that stops everything; `None`: none does.
+        stop: the button that stops everything.
     """
 
     style: Style = Style.MIXED
@@ -74,7 +69,6 @@ class GamepadProfile:
     stop: int | None = 1
 
     def fits(self, pad: Pad) -> bool:
-        """Whether the gamepad has all these axes and buttons."""
         return all(0 <= axis.number < pad.axes for axis in (self.first, self.second)) and all(
             button is None or 0 <= button < pad.buttons for button in (self.hold, self.stop)
         )
@@ -168,13 +162,9 @@ class Waits(Enum):
 
 @dataclass(frozen=True, slots=True)
 class PilotRequest:
-    """The setpoints of a gamepad at one moment.
+    """The setpoints of a gamepad, -1 to 1; `turn` is positive to the right.
 
-    Attributes:
-        forward: -1 to 1.
-        turn: -1 to 1, positive to the right.
-        waits: why it does not drive; `NOTHING` while it does.
-        stop: the stop button was pressed just now.
+    `waits` says why it does not drive, `stop` that the stop button was just pressed.
     """
 
     forward: float
@@ -192,7 +182,7 @@ class Pilot:
     """Reads one gamepad by one profile.
 
     Some gamepads give random values for a stick until it is touched. So both axes must have been
-    seen at rest before they count, and the button must go down after `begin`.
+    at rest before they count, and the button must go down after `begin`.
     """
 
     def __init__(self, profile: GamepadProfile) -> None:
@@ -201,7 +191,6 @@ class Pilot:
         self.begin()
 
     def begin(self) -> None:
-        """Forget what was seen, as after the motors were armed."""
         self._rested: set[int] = set()
         self._released = False
 
@@ -252,7 +241,6 @@ class InputDetector:
         return Axis(number, inverted=move < 0) if abs(move) >= FAR else None
 
     def button(self, state: PadState) -> int | None:
-        """The first button that is down and was not."""
         for number, down in enumerate(state.buttons):
             if down and not self._start.pressed(number):
                 return number

@@ -46,7 +46,6 @@ _NAME = b"TReX"
 
 
 def checksum(polynomial: int) -> int:
-    """Return the checksum of the probe under a CRC polynomial."""
     return crc7(_PROBE, polynomial)
 
 
@@ -59,7 +58,6 @@ class Attempt:
 
     @classmethod
     def at(cls, settings: ConnectionSettings) -> "Attempt":
-        """Return the probe for a board with these settings."""
         crc = settings.line.detection is Detection.CRC7
         return cls(settings.line, (settings.polynomial,) if crc else ())
 
@@ -71,13 +69,11 @@ class Attempt:
 
     @property
     def is_unsafe(self) -> bool:
-        """Whether a board at some other settings may take the probe for a motor command."""
+        """Whether a board at other settings may take the probe for a motor command."""
         return bool(self.polynomials) and (self.line.baud, self.data[-1]) in UNSAFE
 
 
 class ReplyKind(Enum):
-    """What was received after a probe."""
-
     NOTHING = auto()
     ECHO = auto()
     STRANGE = auto()
@@ -179,16 +175,11 @@ class FoundBoard:
 
     @property
     def name(self) -> str:
-        """Product and firmware, such as `TReX 1.2`."""
         return str(self.signature)
 
 
 class TrexProber:
-    """Probes one line.
-
-    Attributes:
-        found: boards; more than one only where several share the line.
-    """
+    """Probes one line; it has several `found` boards only if they share the line."""
 
     def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
         """`full` tries every polynomial and each device number."""
@@ -225,11 +216,6 @@ class TrexProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Send the probes of a part until a board responds.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
         plan = self._plans[part]
         if not wire.is_configurable:
             # A flush byte at the rate of the probes does not separate them.

@@ -5,13 +5,14 @@ confirmed if the board replies with its status and has latched no UART error sin
 """
 
 import logging
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
-from trex_gui.devices.trex.driving.requests import packets
+from trex_gui.devices.trex.driving.requests import Stop, packets
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
 from trex_gui.devices.trex.protocol.line_settings import Detection
@@ -53,6 +54,8 @@ The window waits for a second; the last round may begin just before this time.
 class MotorDriver:
     """Drives and stops the motors of one board when its owner lets it use the line.
 
+    Every method that uses the line raises `PortUnavailable` if it is gone.
+
     Args:
         output: the state; requests go into it.
         client: runs the transactions; the owner replaces it when the board moved.
@@ -78,7 +81,6 @@ class MotorDriver:
     # --- Stopping -----------------------------------------------------------------------
 
     def _send_stop(self) -> None:
-        """Brake both motors fully and switch the auxiliary motor off; confirms nothing."""
         for command in STOP:
             self.client.send(command)
 
@@ -95,9 +97,6 @@ class MotorDriver:
         A `final` stop does not wait for a line that damages bytes to become quiet, but takes more
         rounds there. So does a `careful` one, on a line too new to know. It is aborted after a
         round without a clean status if `aborts` says so.
-
-        Raises:
-            PortUnavailable: the line is gone.
         """
         self.output.retry.clear()
         aborts = aborts or self._is_closing
@@ -125,57 +124,44 @@ class MotorDriver:
         return confirmed
 
     def stop_and_confirm(self, *, careful: bool = False) -> bool:
-        """Stop unprompted, at once and for good; return whether the board has confirmed it.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
+        """Stop unprompted, at once and for good; return whether the board has confirmed it."""
         return self._stop(_ATTEMPTS, final=True, careful=careful)
 
     def serve_stops(self) -> None:
-        """Serve every requested stop; each gets its outcome, even if the line is lost.
-
-        Raises:
-            PortUnavailable: the line is gone; the stops are queued again for `stop_on_close`.
-        """
-        output = self.output
-        stops = output.take_stops()
-        try:
+        """Serve every requested stop; if the line is gone they are queued for `stop_on_close`."""
+        with self._taken_stops() as stops:
             answered = self._stop(_ATTEMPTS)
-        except Exception:
-            output.put_back(stops)
-            raise
         if not answered and self._is_closing():
-            output.put_back(stops)
+            self.output.put_back(stops)
         else:
-            output.end_stops(stops, self._now(), answered=answered)
+            self.output.end_stops(stops, self._now(), answered=answered)
 
     def stop_on_close(self) -> None:
         """Stop before the port is closed, which serves every requested stop.
 
-        Raises:
-            PortUnavailable: the line is gone; the stops are queued again.
+        If the line is gone they are queued again.
         """
-        output = self.output
-        stops = output.take_stops()
         end = self._now() + _CLOSING_SECONDS
         attempts = _CLOSING_ATTEMPTS if self._is_quiet() else _CAREFUL_CLOSING_ATTEMPTS
-        try:
+        with self._taken_stops() as stops:
             confirmed = self._stop(attempts, final=True, aborts=lambda: self._now() >= end)
+        error = None if confirmed else TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED)
+        self.output.report_stops(stops, error)
+
+    @contextmanager
+    def _taken_stops(self) -> Iterator[list[Stop]]:
+        """Take the requested stops; an error queues them again."""
+        stops = self.output.take_stops()
+        try:
+            yield stops
         except Exception:
-            output.put_back(stops)
+            self.output.put_back(stops)
             raise
-        output.report_stops(
-            stops, None if confirmed else TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED)
-        )
 
     def stop_early(self) -> None:
         """Send the requested stops on a line that is not tested yet; its echo is discarded.
 
         They stay queued until they are confirmed.
-
-        Raises:
-            PortUnavailable: the line is gone.
         """
         if self.output.may_move or self.output.stops:
             self._send_stop()
@@ -183,11 +169,7 @@ class MotorDriver:
             self.client.transport.wait(self.client.transport.latency)
 
     def stop_without_reply(self) -> None:
-        """Stop motors that may be moving on a board that does not respond: it may still receive.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
+        """Stop motors that may be moving on a board that does not respond: it may still receive."""
         if self.output.may_move:
             self._send_stop()
 
@@ -198,7 +180,6 @@ class MotorDriver:
 
         Raises:
             NoReply, BadReply: the echo of a setpoint is corrupted; it is sent again.
-            PortUnavailable: the line is gone.
         """
         output, now = self.output, self._now()
         if output.stops:
@@ -258,7 +239,6 @@ class MotorDriver:
 
         Raises:
             NoReply, BadReply: its echo is corrupted.
-            PortUnavailable: the line is gone.
         """
         self.output.idle.on_direct_command()
         self.output.handle(OutputEvent.DIRECT_COMMAND_SENT, self._now())

@@ -2,8 +2,7 @@
 
 Pure: every method takes the time, in seconds on the line's clock. `motor_driver` performs the I/O.
 
-Two things change independently, each with its table below. `Arming` says which motor
-commands pass; `Motion` says whether a motor may be moving, and whether a stop is unconfirmed.
+Two states change independently, each with its table below: `Arming` and `Motion`.
 """
 
 import math
@@ -62,8 +61,6 @@ class Motion(Enum):
 
 
 class OutputEvent(Enum):
-    """What changes the state."""
-
     ARM = auto()
     STOP = auto()
     LOCK_OUT = auto()
@@ -79,8 +76,6 @@ class OutputEvent(Enum):
 
 
 class Action(Enum):
-    """What a transition causes."""
-
     START_WATCHDOG = auto()
     EXTEND_LOCKOUT = auto()
     DROP_SETPOINTS = auto()
@@ -242,7 +237,7 @@ class MotorOutput:
     # --- What comes next ----------------------------------------------------------------
 
     def seconds_to_heartbeat_timeout(self, now: float) -> float | None:
-        """Return how long the next heartbeat may take; `None` while the motors are not armed."""
+        """Return how long the next heartbeat may take; `None` unless armed."""
         return self._heartbeat_at + self._timeouts.heartbeat - now if self.is_armed else None
 
     def seconds_to_stop_retry(self, now: float) -> float | None:

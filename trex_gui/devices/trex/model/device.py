@@ -99,7 +99,8 @@ class Device(QObject):
         self._apply.written.connect(self._on_written)
         self._apply.started.connect(self.link_changed)
         self._apply.finished.connect(self._on_applied)
-        self._apply.failed.connect(self._on_apply_failed)
+        self._apply.failed.connect(self.link_changed)
+        self._apply.failed.connect(self._on_request_failed)
 
     # --- What is known ------------------------------------------------------------------
 
@@ -263,11 +264,6 @@ class Device(QObject):
         names = tuple(self.name_of(result.key) for result in results)
         self._event_watch.note_applied(results, names)
         self.applied.emit(results)
-
-    @Slot(str)
-    def _on_apply_failed(self, reason: str) -> None:
-        self.link_changed.emit()
-        self._on_request_failed(reason)
 
     @Slot(object)
     def _on_connection_failed(self, error: StudioError) -> None:

@@ -45,48 +45,28 @@ def channel_text(device: Device, channel: int) -> str:
 
 
 def report_text(device: Device, motor: int) -> str:
-    """What the board reports of a motor: who controls it, its current, its recent errors.
+    """What the board reports of motor 1 or 2, or of the auxiliary (3): control, current, errors.
 
     If channel 5 has handed over to serial, its channel shows what the motor does after that.
     """
-    currents = device.telemetry.motor_currents
-    if currents is None:
-        return _tr("Board: N/A")
-    parts = [_control_text(device)]
-    if device.is_joint:
-        parts.append(_tr("no current sensing in joint mode"))
-    else:
-        parts.append(f"{currents[motor - 1]:.2f} A")
-        parts += [entry.name.lower() for entry in device.errors.recent(motor)]
-    parts.append(_pending_text(device, motor))
-    return _tr("Board: {0}").format(", ".join(filter(None, parts)))
-
-
-def auxiliary_report_text(device: Device) -> str:
-    """What the board reports of the auxiliary motor: only who controls it."""
-    if not (control := _control_text(device)):
-        return _tr("Board: N/A")
-    parts = [control, _pending_text(device, 3)]
-    return _tr("Board: {0}").format(", ".join(filter(None, parts)))
-
-
-def _control_text(device: Device) -> str:
-    """Who controls the motors; empty while that is not known."""
-    by_serial = device.telemetry.serial_controls
-    if by_serial is None:
-        return ""
-    return _tr("serial in control") if by_serial else _tr("serial not in control")
-
-
-def _pending_text(device: Device, channel: int) -> str:
-    """Command of a channel while serial overrides it; in serial mode it drives nothing."""
-    state, value = device.state, device.telemetry.remapped_of(channel)
-    overrides = device.telemetry.serial_controls and state is not None and not state.mode.is_serial
-    if not overrides or value is None:
-        return ""
-    value = abs(value) if channel == 3 else value
-    text = f"{value:+d}".replace("-", "−") if value else "0"
-    return _tr("channel {0} at {1} (overridden)").format(channel, text)
+    telemetry, state, parts = device.telemetry, device.state, []
+    by_serial = telemetry.serial_controls
+    if by_serial is not None:
+        parts.append(_tr("serial in control") if by_serial else _tr("serial not in control"))
+    if motor in {1, 2}:
+        if telemetry.motor_currents is None:
+            return _tr("Board: N/A")
+        if device.is_joint:
+            parts.append(_tr("no current sensing in joint mode"))
+        else:
+            parts.append(f"{telemetry.motor_currents[motor - 1]:.2f} A")
+            parts += [entry.name.lower() for entry in device.errors.recent(motor)]
+    value = telemetry.remapped_of(motor)
+    if by_serial and state is not None and not state.mode.is_serial and value is not None:
+        value = abs(value) if motor == 3 else value
+        text = f"{value:+d}".replace("-", "−") if value else "0"
+        parts.append(_tr("channel {0} at {1} (overridden)").format(motor, text))
+    return _tr("Board: {0}").format(", ".join(parts) or _tr("N/A"))
 
 
 def _tr(text: str) -> str:

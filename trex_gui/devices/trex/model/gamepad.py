@@ -98,8 +98,7 @@ class Gamepad(QObject):
             self.on = True
             self._timer.start()
             self._look()
-        self._report()
-        self.changed.emit()
+        self._refresh()
 
     def switch_off(self) -> None:
         """Read none any more; motors that one drives stop."""
@@ -112,8 +111,7 @@ class Gamepad(QObject):
             self.pads = ()
             self._take(None)
             self._source.close()
-        self._report()
-        self.changed.emit()
+        self._refresh()
 
     def choose(self, pad: Pad) -> None:
         """Read this one from now on; motors that another drives stop."""
@@ -121,8 +119,7 @@ class Gamepad(QObject):
             self._store.setValue("gamepad/last", pad.guid)
             self._drive_with.lose(self.tr("Another gamepad was chosen."))
             self._take(pad)
-            self._report()
-            self.changed.emit()
+            self._refresh()
 
     def set_profile(self, profile: GamepadProfile) -> None:
         """Use this profile for this kind of gamepad, now and later; motors that it drives stop."""
@@ -130,8 +127,7 @@ class Gamepad(QObject):
             self._drive_with.lose(self.tr("The gamepad was set up anew."))
             self._store.setValue(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
             self._use(profile)
-            self._report()
-            self.changed.emit()
+            self._refresh()
 
     def set_stops_unfocused(self, stops: bool) -> None:
         self._store.setValue("gamepad/stops_unfocused", stops)
@@ -147,8 +143,7 @@ class Gamepad(QObject):
             if reason:
                 self._drive_with.lose(reason)
             self._begin()
-            self._report()
-            self.changed.emit()
+            self._refresh()
 
     # --- Reading ------------------------------------------------------------------------
 
@@ -162,8 +157,7 @@ class Gamepad(QObject):
         state = self._source.read(pad)
         if state is None:  # gone since the last scan, or silent
             self._on_pad_lost(pad)
-            self.changed.emit()
-            self._report()
+            self._refresh()
             return
         self.ask = self._pilot.take(state)
         self._has_read = True
@@ -232,10 +226,13 @@ class Gamepad(QObject):
     # --- Text ---------------------------------------------------------------------------
 
     def _report(self) -> None:
-        text = self._current_text()
-        if text != self.text:
-            self.text = text
-            self.changed.emit()
+        """Emit `changed` if the text has changed."""
+        if self._current_text() != self.text:
+            self._refresh()
+
+    def _refresh(self) -> None:
+        self.text = self._current_text()
+        self.changed.emit()
 
     def _current_text(self) -> str:
         if not self.on:

@@ -1,7 +1,6 @@
-"""Requests to a line session and its reports.
+"""Requests to a line session and its reports, which cross threads.
 
-Small, frozen and picklable: they cross threads. `core.session.messages` has those that every
-device shares, `driving.requests` those that concern the motors.
+`core.session` has those that every device shares, `driving.requests` those for the motors.
 """
 
 from dataclasses import dataclass
@@ -32,8 +31,7 @@ class RunCommand:
 class Write:
     """Store parameters (key, wire value) and calibrations (key, values).
 
-    See `writing.write_all` for the order and for what follows from an error. The value of the
-    `Outcome` is a `Written`.
+    The value of the `Outcome` is a `Written`; see `writing.write_all`.
     """
 
     id: int
@@ -52,9 +50,8 @@ class Reload:
 class SetReconnectCandidates:
     """Look for a board that does not respond at these settings too; has no outcome.
 
-    Replaces earlier candidates. They are dropped when the board responds at other settings than
-    before. Where UART settings are stored, this belongs before the `Write`: the power of the
-    board may fail right behind it.
+    Replaces earlier candidates, and is dropped when the board responds at other settings. Send it
+    before a `Write` of UART settings: the power of the board may fail right after it.
     """
 
     settings: tuple[ConnectionSettings, ...]
@@ -103,13 +100,7 @@ class Connected:
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """What has become of a `Write`.
-
-    Attributes:
-        results: one for each parameter and calibration.
-        state: what the board stores now.
-        settings: how it is addressed now.
-    """
+    """The result of a `Write`: what the board stores now, and how it is addressed."""
 
     results: tuple[WriteResult, ...]
     state: DeviceState
@@ -118,7 +109,7 @@ class Written:
 
 @dataclass(frozen=True, slots=True)
 class NotResponding:
-    """The port is there, but the board has stopped responding; the session goes on trying."""
+    """The board has stopped responding; the session goes on trying."""
 
     reason: str
     counters: Counters
@@ -126,10 +117,7 @@ class NotResponding:
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """Every sample since the last batch; at most one each display frame.
-
-    Times are seconds on the session's clock.
-    """
+    """Every sample since the last batch; at most one batch each display frame."""
 
     samples: tuple[Sample, ...]
     counters: Counters

@@ -39,8 +39,6 @@ from trex_gui.devices.trex.session.messages import Batch
 
 
 class Topic(Enum):
-    """One polled value."""
-
     CURRENTS = auto()
     RAW = auto()
     REMAPPED = auto()
@@ -51,13 +49,7 @@ class Topic(Enum):
 
 @dataclass(frozen=True, slots=True)
 class PolledValue:
-    """How one topic is polled.
-
-    Attributes:
-        rate: times a second that it is worth polling.
-        sample: makes its sample of a time and the reply.
-        analog_rate: differs from `rate` with analog inputs.
-    """
+    """How one topic is polled: times a second, and its sample of a time and a reply."""
 
     query: Command[Any]
     rate: float
@@ -102,7 +94,7 @@ _CHEAPEST = Topic.CONTROL
 
 
 def rates(source: InputSource) -> Mapping[Topic, float]:
-    """Return how often a second each topic is worth polling."""
+    """Return how often a second to poll each topic."""
 
     def rate(topic: Topic) -> float:
         if topic is Topic.STATUS:
@@ -114,7 +106,6 @@ def rates(source: InputSource) -> Mapping[Topic, float]:
 
 
 def query_of(topic: Topic) -> Command[object]:
-    """Return the first command of a topic."""
     return GetStatus() if topic is Topic.STATUS else POLLED[topic].query
 
 
@@ -128,7 +119,7 @@ def silence(line: LineSettings, command: Command[object]) -> float:
 
 
 def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
-    """Return the topics with replies that outlast a serial timeout in seconds, 0 for none."""
+    """Return the topics with replies that outlast a serial timeout (seconds, 0: off)."""
     if timeout <= 0:
         return frozenset()
     return frozenset(topic for topic in Topic if silence(line, query_of(topic)) >= timeout)
@@ -250,8 +241,6 @@ FRAME = 1 / 60
 
 
 class SampleBatcher:
-    """Collects samples into at most one batch each display frame."""
-
     def __init__(self, report: Callable[[Batch], None]) -> None:
         self._report = report
         self._samples: list[Sample] = []

@@ -42,17 +42,15 @@ class LivenessMonitor:
         self._candidates: tuple[ConnectionSettings, ...] = ()
 
     def begin(self) -> None:
-        """Take the board for responding: everything was read."""
         self.silent = False
         self._failures = 0
         self._has_probed = False
 
     def note_answer(self) -> None:
-        """One transaction succeeded."""
         self._failures = 0
 
     def note_failure(self, now: float) -> bool:
-        """One transaction failed; return whether the board counts as silent from now on."""
+        """Count a failed transaction; return whether the board counts as silent from now on."""
         self._failures += 1
         if self._failures < _FAILURES or self.silent:
             return False
@@ -62,7 +60,6 @@ class LivenessMonitor:
         return True
 
     def retry_later(self, now: float) -> None:
-        """Look again after the usual pause."""
         self.retry_at = now + self._retry
 
     def is_scanning(self, client: TrexClient, candidates: tuple[ConnectionSettings, ...]) -> bool:
@@ -128,13 +125,7 @@ def reconnect_candidates(
     """Return the settings at which a board may be if its power fails during a write.
 
     A value that was being stored is the factory default then. The default line settings are left
-    out, since they are always probed.
-
-    Args:
-        link: how it is reached now.
-        before: wire values by key that it stores.
-        after: those that it is to store.
-        firmware: version.
+    out, since they are always probed. `before` and `after` are stored wire values by key.
     """
     specs = {spec.key: spec for spec in parameters_of("trex", firmware).readable}
     changed = [key for key in REACH if key in before and after.get(key) not in {None, before[key]}]
@@ -152,16 +143,10 @@ def reconnect_candidates(
 def after_power_cycle(
     link: ConnectionSettings, stored: Mapping[str, int], firmware: str
 ) -> ConnectionSettings | None:
-    """Return how to reach a board that stores these parameters from its next start on.
+    """Return how to reach a board from its next start on; `None` if it stores invalid values.
 
-    Args:
-        link: how it is reached now; what `stored` does not say stays as it is.
-        stored: wire values by key.
-        firmware: version; before 1.2 two baud rates come out at half.
-
-    Returns:
-        The settings, with the rate that really is on the line; `None` when the board stores a
-        value that names no baud rate or no polynomial.
+    `stored` are wire values by key; settings that it does not contain stay as in `link`. Firmware
+    before 1.2 runs two baud rates at half the rate: the result has the rate on the line.
     """
     line, polynomial = link.line, link.polynomial
     try:
@@ -201,7 +186,6 @@ def reconnect_places(
 
 
 def _differ_in_stop_bits(one: ConnectionSettings, other: ConnectionSettings) -> bool:
-    """Whether two settings differ in the stop bits only."""
     stop_bits = other.line.stop_bits
     alike = replace(one, line=replace(one.line, stop_bits=stop_bits)) == other
     return alike and one.line.stop_bits != stop_bits
@@ -216,10 +200,10 @@ def _may_mishear(line: LineSettings, places: Iterable[ConnectionSettings]) -> bo
 
 
 def is_board_at(wire: Transport, settings: ConnectionSettings, *, echo: bool) -> bool:
-    """Return whether the board answers at these settings; the line is set to them then.
+    """Return whether the board responds at these settings; the line is set to them then.
 
     Without a reply it takes about 0.3 s on a local port. A board that is addressed by number gets
-    a second query with it.
+    a second query with its number.
 
     Raises:
         BadRequest: the port cannot be set so.

@@ -6,7 +6,6 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import (
-    auxiliary_report_text,
     channel_text,
     report_text,
     setpoint_text,
@@ -52,7 +51,7 @@ def test_report_gives_each_motor_its_own_current(
     rc_board.do("current 2 6.0")
     qtbot.waitUntil(lambda: report_text(rc_device, 1) == "Board: serial not in control, 3.00 A")
     assert report_text(rc_device, 2) == "Board: serial not in control, 6.00 A"
-    assert auxiliary_report_text(rc_device) == "Board: serial not in control"
+    assert report_text(rc_device, 3) == "Board: serial not in control"
 
 
 def test_report_shows_the_speed_waiting_behind_channel_5(
@@ -64,4 +63,4 @@ def test_report_shows_the_speed_waiting_behind_channel_5(
     qtbot.waitUntil(lambda: "channel 1 at +" in report_text(rc_device, 1))
     assert report_text(rc_device, 1).startswith("Board: serial in control, ")
     assert report_text(rc_device, 2).endswith(", channel 2 at 0 (overridden)")
-    assert auxiliary_report_text(rc_device).endswith(", channel 3 at +99 (overridden)")
+    assert report_text(rc_device, 3).endswith(", channel 3 at +99 (overridden)")

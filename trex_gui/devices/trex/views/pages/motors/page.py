@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QGroupBox, QLabel, QWidget
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs, drive_status
 from trex_gui.devices.trex.model.drive_texts import (
-    auxiliary_report_text,
     channel_text,
     report_text,
     setpoint_text,
@@ -205,12 +204,7 @@ class MotorsPage(QWidget):
             control.set_channel_driven(driven)
             if driven:
                 self._show_channel(number, control)
-            if number == _AUXILIARY:
-                control.show_report(auxiliary_report_text(device))
-            elif self._is_unused(number):
-                control.show_report("")
-            else:
-                control.show_report(report_text(device, number))
+            control.show_report("" if self._is_unused(number) else report_text(device, number))
 
     def _show_status(self) -> None:
         """Show whether the motors obey, why not, and what to do about it."""
