@@ -336,7 +336,7 @@ def test_calibrations_are_saved_to_a_file_and_loaded(page: CalibrationPage, tmp_
     page.device.draft.discard_edits()
     with page.qtbot.waitSignal(page.device.notifier.info) as notice:
         files.load_file(path)
-    assert notice.args[0].startswith("1 calibration of mine.txt is an edit now.")
+    assert notice.args[0].startswith("Calibrations loaded from mine.txt as edits: 1.")
     assert page.shown() == edited
 
     page.type_into("minimumEdit", "1150")
@@ -345,11 +345,11 @@ def test_calibrations_are_saved_to_a_file_and_loaded(page: CalibrationPage, tmp_
     page.device.draft.discard_edits()
     with page.qtbot.waitSignal(page.device.notifier.info) as notice:
         files.load_file(path)
-    assert notice.args[0].startswith("5 calibrations of mine.txt are edits now.")
+    assert notice.args[0].startswith("Calibrations loaded from mine.txt as edits: 5.")
     assert page.shown(5).minimum == 2875
     with page.qtbot.waitSignal(page.device.notifier.error) as notice:
         files.load_file(tmp_path / "none.txt")
-    assert "none.txt was not taken" in notice.args[0]
+    assert "none.txt could not be loaded" in notice.args[0]
 
 
 # --- Sources and modes ------------------------------------------------------------------
@@ -359,7 +359,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
     page: CalibrationPage, quick_simulator: SimulatedDevice
 ) -> None:
     bar = page.find(QTabBar, "sourceTabs")
-    assert bar.tabText(0) == "RC pulses (in force)"
+    assert bar.tabText(0) == "RC pulses (active)"
     page.select_source(1)
     assert "have not been read yet" in page.text("otherSourceWords")
     for name in ("minimumEdit", "neutralEdit", "maximumEdit", "deadbandEdit", "changeButton"):
@@ -382,7 +382,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
         page.click("switchSourceCycleButton")
 
     quick_simulator.do("power cycle")
-    page.wait(lambda: bar.tabText(1) == "Analog voltages (in force)")
+    page.wait(lambda: bar.tabText(1) == "Analog voltages (active)")
     for name in ("minimumEdit", "learnButton", "reversedBox"):
         assert page.is_enabled(name), name
     assert page.find(QSpinBox, "maximumEdit").text() == "5.000 V"

@@ -304,7 +304,7 @@ def test_complete_plot_is_drawn_in_both_schemes(plot: CurvePlot) -> None:
             edited = ChannelCurve(Calibration(2600, 3700, 5100, 90), channel == 5, True)
             plot.show_channel(channel, InputSource.RC, USUAL, edited, editable=True)
             plot.set_raw(4000)
-            plot.set_trace(times, counts, 20.0)
+            plot.trace.set_samples(times, counts, 20.0)
             picture = plot.grab().toImage()
             assert picture.pixelColor(1, 1) == theme().color("window")
             colours = {

@@ -206,7 +206,7 @@ class CurvePane(QWidget):
         if channel is None or not self.isVisibleTo(self.window()):
             return
         self._plot.set_raw(channel.raw)
-        self._plot.set_trace(*self._learning.trace(channel.number))
+        self._plot.trace.set_samples(*self._learning.trace(channel.number))
         if channel.raw is None:
             self._live.setText(self.tr("No signal now: the output is 0."))
             return

@@ -1,4 +1,4 @@
-"""Menu of actions on whole calibrations: copy, equalize, reset, settings files."""
+"""Menu of actions on whole calibrations: copy, equal travel, reset, settings files."""
 
 from collections.abc import Sequence
 from datetime import datetime
@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
-from trex_gui.core.errors import BadRequest
+from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.model.calibration.moves import symmetric, why_not_symmetric
 from trex_gui.devices.trex.model.device import Device
@@ -34,48 +34,32 @@ class ChangeMenu(QMenu):
         self.setToolTipsVisible(True)
 
         self._copies = self.addMenu(self.tr("&Copy to"))
-        self._copies.setObjectName("copyMenu")
         set_icon(self._copies.menuAction(), "copy")
         for channel in CHANNELS:
             text = self.tr("Channel {0} ({1})").format(channel, CHANNEL_NAMES[channel])
-            name = f"copyTo{channel}Action"
-            self._add(self._copies, name, text, partial(self._copy_to, (channel,)))
+            copy = partial(self._copy_to, (channel,))
+            self._add(self._copies, f"copyTo{channel}Action", text, copy)
         self._copies.addSeparator()
         text = self.tr("&All other channels")
         self._add(self._copies, "copyToAllAction", text, partial(self._copy_to, CHANNELS))
 
         ends = self.addMenu(self.tr("&Equal travel to both ends"))
         ends.setToolTipsVisible(True)
+        shorter, longer = self.tr("As on the &shorter side"), self.tr("As on the &longer side")
+        smaller = partial(self._make_symmetric, False)
+        larger = partial(self._make_symmetric, True)
         self._equals = {
-            larger: self._add(ends, name, text, partial(self._make_symmetric, larger))
-            for larger, text, name in (
-                (False, self.tr("As on the &shorter side"), "symmetricSmallerAction"),
-                (True, self.tr("As on the &longer side"), "symmetricLargerAction"),
-            )
+            False: self._add(ends, "symmetricSmallerAction", shorter, smaller),
+            True: self._add(ends, "symmetricLargerAction", longer, larger),
         }
-        reset = self._add(
-            self,
-            "resetCalibrationAction",
-            self.tr("&Reset to factory defaults"),
-            self._reset,
-            icon="default",
-        )
-        reset.setToolTip(self.tr("The maker gives no factory defaults: these are assumed"))
+        text = self.tr("&Reset to factory defaults")
+        reset = self._add(self, "resetCalibrationAction", text, self._reset, icon="default")
+        reset.setToolTip(self.tr("Assumed values: Pololu publishes no factory defaults"))
         self.addSeparator()
-        self._add(
-            self,
-            "loadCalibrationsAction",
-            self.tr("&Load calibrations from a file…"),
-            self.files.ask_and_load,
-            icon="open",
-        )
-        self._add(
-            self,
-            "saveCalibrationsAction",
-            self.tr("&Save calibrations to a file…"),
-            self.files.ask_and_save,
-            icon="save",
-        )
+        text = self.tr("&Load calibrations from a file…")
+        self._add(self, "loadCalibrationsAction", text, self.files.ask_and_load, icon="open")
+        text = self.tr("&Save calibrations to a file…")
+        self._add(self, "saveCalibrationsAction", text, self.files.ask_and_save, icon="save")
 
     @staticmethod
     def _add(menu: QMenu, name: str, text: str, handler: Handler, icon: str = "") -> QAction:
@@ -84,7 +68,7 @@ class ChangeMenu(QMenu):
         return made
 
     def show_channel(self, channel: int) -> None:
-        """Act on a channel; what is impossible is disabled, with the reason as its tool tip."""
+        """Act on a channel; a tool tip gives the reason for a disabled action."""
         self._channel = channel
         for copy in self._copies.actions():
             copy.setVisible(copy.objectName() != f"copyTo{channel}Action")
@@ -122,7 +106,7 @@ class ChangeMenu(QMenu):
 
 
 class CalibrationFiles(QObject):
-    """Loads calibrations from settings files and saves them there; reports the result."""
+    """Loads calibrations from settings files, saves them there, and reports the result."""
 
     def __init__(self, device: Device, window: QWidget) -> None:
         super().__init__(window)
@@ -133,7 +117,6 @@ class CalibrationFiles(QObject):
 
     @Slot()
     def ask_and_load(self) -> None:
-        """Let the user choose a file and load its calibrations."""
         chosen, _ = QFileDialog.getOpenFileName(
             self._window,
             self.tr("Load calibrations"),
@@ -145,7 +128,6 @@ class CalibrationFiles(QObject):
 
     @Slot()
     def ask_and_save(self) -> None:
-        """Let the user choose a file and save the calibrations in it."""
         chosen, _ = QFileDialog.getSaveFileName(
             self._window,
             self.tr("Save calibrations"),
@@ -157,26 +139,22 @@ class CalibrationFiles(QObject):
             self.save_file(Path(chosen))
 
     def load_file(self, path: Path) -> None:
-        """Take the calibrations of a file as edits."""
+        """Make the calibrations of a file edits."""
         try:
             count, left_out = take_calibrations(
                 self._device.draft, path, self.tr("Calibrations of {0}").format(path.name)
             )
         except (SettingsError, BadRequest) as error:
-            self._notifier.error.emit(
-                self.tr("{0} was not taken: {1}.").format(path.name, _plain(error))
-            )
+            text = self.tr("{0} could not be loaded: {1}")
+            self._notifier.error.emit(text.format(path.name, sentence(error)))
             return
         file_questions.remember_folder(self._store, path)
-        words = [self.tr("{0} has the same calibrations.").format(path.name)]
+        text = self.tr("{0} has the same calibrations.")
         if count:
-            one = self.tr("{0} calibration of {1} is an edit now.")
-            several = self.tr("{0} calibrations of {1} are edits now.")
-            words = [(one if count == 1 else several).format(count, path.name)]
-        self._notifier.info.emit(" ".join([*words, *left_out]))
+            text = self.tr("Calibrations loaded from {0} as edits: {1}.")
+        self._notifier.info.emit(" ".join([text.format(path.name, count), *left_out]))
 
     def save_file(self, path: Path) -> None:
-        """Save the calibrations that are shown."""
         shown = self._device.draft.shown
         if shown is None:
             return
@@ -185,13 +163,8 @@ class CalibrationFiles(QObject):
         try:
             put_calibrations(shown, path, title)
         except (SettingsError, BadRequest, UnicodeDecodeError) as error:
-            self._notifier.error.emit(
-                self.tr("{0} was not saved: {1}.").format(path.name, _plain(error))
-            )
+            text = self.tr("{0} could not be saved: {1}")
+            self._notifier.error.emit(text.format(path.name, sentence(error)))
             return
         file_questions.remember_folder(self._store, path)
         self._notifier.info.emit(self.tr("The calibrations shown were saved in {0}.").format(path))
-
-
-def _plain(error: Exception) -> str:
-    return str(error).rstrip(". ")

@@ -1,4 +1,4 @@
-"""The handles over a channel's curve, their names, and where a switch channel switches."""
+"""The handles over a channel's curve, their names, and the threshold of a switch channel."""
 
 from dataclasses import dataclass
 
@@ -28,7 +28,7 @@ _EDGES = (Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH)
 
 @dataclass(frozen=True, slots=True)
 class Threshold:
-    """Where a switch switches, in pixels; `above`: it is on to the right of it."""
+    """The threshold of a switch in pixels; `above`: it is on to the right of it."""
 
     x: float
     above: bool
@@ -38,11 +38,15 @@ class Threshold:
 class HandleLayer(QGraphicsObject):
     """Lines with grips and names: three from the top, the deadband's two from the bottom.
 
-    All places are pixels of the plot. `held` is the handle that the mouse drags.
+    All places are pixels of the plot.
 
     Signals:
         dragged: the held handle to this x.
         released: no handle is held any more, whether or not it was moved.
+
+    Attributes:
+        held: the handle that the mouse drags.
+        message: why the handle `message_at` cannot move further, or its value was rejected.
     """
 
     dragged = Signal(float)
@@ -72,37 +76,34 @@ class HandleLayer(QGraphicsObject):
         theme().changed.connect(self.update)
 
     def room_above(self) -> int:
-        """Return the pixels that the names and grips need above the plot."""
+        """Return the pixels above the plot for names and grips."""
         return round(self._metrics.height() + GRIP + 5)
 
     def arrange(
         self, frame: QRectF, places: dict[Handle, float], threshold: Threshold | None
     ) -> None:
-        """Draw the handles at these places, over this inside of the plot."""
+        """Draw handles at these places over the inside of the plot."""
         if (frame, places, threshold) != (self._frame, self._places, self._threshold):
             self.prepareGeometryChange()
             self._frame, self._places, self._threshold = frame, places, threshold
             self.update()
 
     def set_editable(self, editable: bool) -> None:
-        """Draw and offer grips, or release the held handle and draw lines only."""
+        """Draw grips, or release the held handle and draw lines only."""
         if not editable:
             self.release()
-        if editable != self._editable:
-            self._editable = editable
-            self.update()
+        self._editable = editable
+        self.update()
 
     def set_message(self, handle: Handle | None, message: str) -> None:
-        """Show beside a handle why it goes no further; an empty message removes it."""
-        handle = handle if message else None
-        if (handle, message) != (self.message_at, self.message):
-            self.message_at, self.message = handle, message
-            self.update()
+        """Show a message beside a handle; an empty one removes it."""
+        self.message_at, self.message = handle if message else None, message
+        self.update()
 
     # --- The mouse ----------------------------------------------------------------------
 
     def _handle_at(self, where: QPointF) -> Handle | None:
-        """Return the handle under the mouse: the nearest, in the lower half the deadband's."""
+        """Return the nearest handle under the mouse; in the lower half one of the deadband."""
         if not self._editable or not self._places:
             return None
         lower = where.y() > self._frame.center().y()
@@ -113,9 +114,8 @@ class HandleLayer(QGraphicsObject):
         return None
 
     def _set_active(self, handle: Handle | None) -> None:
-        if handle is not self._active:
-            self._active = handle
-            self.update()
+        self._active = handle
+        self.update()
 
     def hoverMoveEvent(self, event: QGraphicsSceneHoverEvent) -> None:
         handle = self._handle_at(event.pos())
@@ -146,7 +146,6 @@ class HandleLayer(QGraphicsObject):
         self.release()
 
     def release(self) -> None:
-        """Let go of the held handle, if there is one."""
         if self.held is not None:
             self.held = None
             self._set_active(None)

@@ -1,9 +1,8 @@
 """A channel's curve with handles to drag and a live dot, above the trace of its input.
 
-Importing it loads pyqtgraph: do so when it is to be shown.
+Importing it loads pyqtgraph, which takes as long as all of Qt.
 """
 
-from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
@@ -15,6 +14,7 @@ from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration.moves import Handle, moved, within_input
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.views.bars import USUAL_AXIS, widened
 from trex_gui.devices.trex.views.pages.calibration.curve_handles import GRIP, HandleLayer, Threshold
 from trex_gui.ui.plotting.axes import Labels, count_labels, ticks, value_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
@@ -30,28 +30,15 @@ _WIDEST_Y_LABEL = "Output"
 _WIDEST_X_LABEL = "5000 µs"
 _MIN_CURVE_LINES = 6
 _MIN_TRACE_LINES = 5
-"""Lines of text that the plots are high at least: less shows neither noise nor drift."""
+"""Minimum heights of the plots in lines of text: less shows neither noise nor drift."""
 
-# Raw counts. Ref: Pololu TReX User's Guide 4.b: a pulse counts from 0.5 to 2.5 ms.
-_USUAL = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
-_ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}  # beyond a handle, to drag it on
-_GROWS_BY = 250  # 100 us
+_ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}
+"""Counts beyond a handle that the axis shows, to drag it on."""
+
 _STEPS = {
     InputSource.RC: (100.0, 200.0, 500.0, 1000.0, 2000.0),
     InputSource.ANALOG: (0.5, 1.0, 2.5, 5.0, 10.0),
 }
-
-
-def _axis_for(source: InputSource, shown: Iterable[int]) -> tuple[int, int]:
-    """Return the counts at both ends: the usual ones, or further for what lies there."""
-    low, high = _USUAL[source]
-    room = _ROOM[source]
-    for count in shown:
-        if count - room < low:
-            low = max(0, (count - room) // _GROWS_BY * _GROWS_BY)
-        if count + room > high:
-            high = -(-(count + room) // _GROWS_BY) * _GROWS_BY
-    return low, high
 
 
 def _input_labels(source: InputSource, axis: tuple[int, int], most: int) -> Labels:
@@ -65,15 +52,18 @@ def _input_labels(source: InputSource, axis: tuple[int, int], most: int) -> Labe
 
 
 class CurvePlot(QWidget):
-    """Shows what a channel makes of its input, and lets its calibration be dragged.
+    """Shows the output of a channel for each input, with handles to drag its calibration.
 
-    What is stored remains visible, dashed, beneath what is edited. Both plots share the input
-    axis.
+    The stored curve remains visible, dashed, below the edited one.
 
     Signals:
         previewed: the calibration as the held handle would leave it.
         released: no handle is held any more, whether or not one was moved.
         edited: the calibration that a released handle left; one edit.
+
+    Attributes:
+        axis: raw counts at both ends.
+        trace: the input of the last seconds.
     """
 
     previewed = Signal(object)
@@ -84,7 +74,7 @@ class CurvePlot(QWidget):
         super().__init__(parent)
         self._source = InputSource.RC
         self._channel = 1
-        self.axis = _axis_for(self._source, ())  # raw counts at both ends
+        self.axis = USUAL_AXIS[self._source]
         self._stored: ChannelCurve | None = None
         self._shown: ChannelCurve | None = None
         self._preview: ChannelCurve | None = None
@@ -103,14 +93,14 @@ class CurvePlot(QWidget):
         self._canvas.add_item(self._dot)
         self._handles = HandleLayer(self._canvas.small_font())
         self._canvas.add_overlay(self._handles)
-        self._trace = InputTrace(self)
-        column((self._canvas, 2), (self._trace, 1), into=self, margins=0, spacing=0)
+        self.trace = InputTrace(self)
+        column((self._canvas, 2), (self.trace, 1), into=self, margins=0, spacing=0)
 
         metrics, above = self._canvas.fontMetrics(), self._handles.room_above()
         side = metrics.horizontalAdvance(_WIDEST_X_LABEL) // 2 + 4
         self._canvas.set_margins(left=_WIDEST_Y_LABEL, top=above, right=side, x_axis=True)
         self._canvas.setMinimumHeight((_MIN_CURVE_LINES + 2) * metrics.height() + above)
-        self._trace.set_margins(left=_WIDEST_Y_LABEL, right=side)
+        self.trace.set_margins(left=_WIDEST_Y_LABEL, right=side)
 
         self._handles.dragged.connect(self._on_dragged)
         self._handles.released.connect(self._on_released)
@@ -136,7 +126,7 @@ class CurvePlot(QWidget):
             self._cancel_drag()
             self._handles.set_message(None, "")
             self._raw = None
-            self._trace.clear()
+            self.trace.clear()
         editable = editable and shown is not None
         if not editable:
             self._cancel_drag()
@@ -148,7 +138,7 @@ class CurvePlot(QWidget):
         self._show_curves()
 
     def set_raw(self, raw: int | None) -> None:
-        """Show the dot at a raw count; `None`: there is no valid signal."""
+        """Show the dot at a raw count; `None`: no valid signal."""
         if raw != self._raw:
             self._raw = raw
             low, high = self.axis
@@ -157,22 +147,14 @@ class CurvePlot(QWidget):
                 self._show_curves()
             self._show_dot()
 
-    def set_trace(self, times: Floats, counts: Floats, now: float) -> None:
-        """Draw the input of the last seconds; `times` rise."""
-        self._trace.set_samples(times, counts, now)
-
-    def set_trace_visible(self, visible: bool) -> None:
-        """Show the trace of the input, or leave its room to the curve."""
-        self._trace.setVisible(visible)
-
     @property
     def curve(self) -> ChannelCurve | None:
-        """What is drawn: as a held handle has it, else as it would be stored."""
+        """The curve as a held handle would leave it, else as it would be stored."""
         return self._preview or self._shown
 
     @property
     def dot(self) -> tuple[int, int] | None:
-        """Raw count and output of the live dot; `None`: there is none."""
+        """Raw count and output of the live dot, if there is one."""
         curve = self.curve
         if self._raw is None or curve is None:
             return None
@@ -180,19 +162,16 @@ class CurvePlot(QWidget):
 
     @property
     def message(self) -> str:
-        """The text beside a handle: why it goes no further, or its value was rejected."""
+        """The text beside a handle: why it cannot move further, or its value was rejected."""
         return self._handles.message
 
     @property
     def message_at(self) -> Handle | None:
-        """The handle beside which there is a text."""
+        """The handle with a message."""
         return self._handles.message_at
 
-    def show_message(self, handle: Handle, message: str) -> None:
-        """Show beside a handle why its value was rejected; an empty message removes the text.
-
-        While a handle is held, its own messages have priority.
-        """
+    def show_message(self, handle: Handle | None, message: str) -> None:
+        """Show a message beside a handle, or none; a held handle keeps its own."""
         if self._handles.held is None:
             self._handles.set_message(handle, message)
 
@@ -218,7 +197,9 @@ class CurvePlot(QWidget):
         for curve in filter(None, (self._stored, self._shown)):
             calibration = curve.calibration
             counts += [calibration.minimum, calibration.neutral, calibration.maximum]
-        self.axis = _axis_for(self._source, counts)
+        room = _ROOM[self._source]
+        reach = (end for count in counts for end in (count - room, count + room))
+        self.axis = widened(USUAL_AXIS[self._source], reach)
         self._show_axis()
 
     def _show_axis(self) -> None:
@@ -228,7 +209,7 @@ class CurvePlot(QWidget):
         widest = self._canvas.fontMetrics().horizontalAdvance(_WIDEST_X_LABEL) * 1.3
         labels = _input_labels(self._source, self.axis, max(2, int(self.width() / widest)))
         self._canvas.set_axes(x, (-_OUTPUT_REACH, _OUTPUT_REACH), labels, count_labels())
-        self._trace.set_axis(x, [(at, "") for at, _ in labels])
+        self.trace.set_axis(x, [(at, "") for at, _ in labels])
 
     def _show_curves(self) -> None:
         shown, stored = self.curve, self._stored
@@ -240,22 +221,20 @@ class CurvePlot(QWidget):
                 line.set_points(np.array(counts, dtype=float), np.array(outputs, dtype=float))
         calibration = shown.calibration if shown is not None else None
         self._deadband.set_range(_deadband_of(calibration))
-        self._trace.set_calibration(calibration)
+        self.trace.set_calibration(calibration)
         self._place_handles()
         self._show_dot()
 
     @Slot()
     def _place_handles(self) -> None:
         curve, threshold = self.curve, None
-        if curve is None:
-            self._handles.arrange(self._canvas.frame, {}, None)
-            return
-        places = {handle: self.x_of(handle.count(curve.calibration)) for handle in Handle}
-        at = curve.threshold(self._channel)
-        if at is not None:
-            name = self.tr("flip on") if self._channel == 4 else self.tr("override on")
-            text = f"{name} ▸" if curve.reversed_ else f"◂ {name}"
-            threshold = Threshold(self.x_of(at), curve.reversed_, text)
+        places = {}
+        if curve is not None:
+            places = {handle: self.x_of(handle.count(curve.calibration)) for handle in Handle}
+            if (at := curve.threshold(self._channel)) is not None:
+                name = self.tr("flip on") if self._channel == 4 else self.tr("override on")
+                text = f"{name} ▸" if curve.reversed_ else f"◂ {name}"
+                threshold = Threshold(self.x_of(at), curve.reversed_, text)
         self._handles.arrange(self._canvas.frame, places, threshold)
 
     def _show_dot(self) -> None:
@@ -314,10 +293,7 @@ class CurvePlot(QWidget):
 
 
 class InputTrace(QWidget):
-    """The input of the last seconds, along the same axis as the curve above it.
-
-    Time runs downwards, so the line hangs below the live dot and shows where it has been.
-    """
+    """The input of the last seconds, along the axis of the curve; time runs downwards."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -328,7 +304,6 @@ class InputTrace(QWidget):
         self._deadband = self._canvas.add_band("deadband")
         self._lines = [self._canvas.add_line("mark", vertical=True) for _ in range(3)]
         self._line = self._canvas.add_curve("motor2", 1)
-        self.samples = 0  # drawn now
         column(self._canvas, into=self, margins=0)
 
     @property
@@ -337,19 +312,18 @@ class InputTrace(QWidget):
         return self._canvas.frame
 
     def set_margins(self, *, left: str, right: int) -> None:
-        """Leave the same room at the sides as the curve has."""
+        """Align the sides with the curve above."""
         line = self._canvas.fontMetrics().height()
         top = line // 2 + 3  # the label at the top is centred on the frame
         self._canvas.set_margins(left=left, top=top, right=right, x_axis=False)
         self._canvas.setMinimumHeight(_MIN_TRACE_LINES * line + top + line // 2)
 
     def set_axis(self, axis: tuple[float, float], x_labels: Labels) -> None:
-        """Show these counts."""
         labels = [(0.0, self.tr("Now")), (TRACE_SECONDS / 2, "5 s"), (TRACE_SECONDS, "10 s")]
         self._canvas.set_axes(axis, (TRACE_SECONDS, 0.0), x_labels, labels)
 
     def set_calibration(self, calibration: Calibration | None) -> None:
-        """Draw minimum, neutral, maximum and the deadband, or none."""
+        """Mark minimum, neutral, maximum and the deadband, or nothing."""
         self._deadband.set_range(_deadband_of(calibration))
         counts: tuple[int | None, ...] = (None, None, None)
         if calibration is not None:
@@ -358,21 +332,16 @@ class InputTrace(QWidget):
             line.set_value(count)
 
     def set_samples(self, times: Floats, counts: Floats, now: float) -> None:
-        """Draw the input of the last seconds; NaN is a gap."""
+        """Draw the newest samples; `times` rise, and NaN is a gap."""
         first = int(np.searchsorted(times, now - TRACE_SECONDS))
-        self.samples = len(times) - first
         self._line.set_points(counts[first:].copy(), now - times[first:], gaps=True)
 
     def clear(self) -> None:
-        """Remove the samples."""
-        self.samples = 0
         self._line.clear()
 
 
 def _deadband_of(calibration: Calibration | None) -> tuple[float, float] | None:
     if calibration is None:
         return None
-    return (
-        calibration.neutral - calibration.deadband,
-        calibration.neutral + calibration.deadband,
-    )
+    neutral, deadband = calibration.neutral, calibration.deadband
+    return neutral - deadband, neutral + deadband

@@ -1,4 +1,4 @@
-"""Fields for minimum, neutral, maximum and deadband."""
+"""Fields of a channel's calibration, and check boxes for its bits of the channel masks."""
 
 from dataclasses import replace
 from functools import partial
@@ -6,12 +6,15 @@ from functools import partial
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import QLabel, QWidget
 
+from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.channel_text import wrong_order
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.ui.widgets.bar import NO_VALUE
-from trex_gui.ui.widgets.builders import grid, label, named, row
+from trex_gui.ui.widgets.builders import check_box, grid, label, named, row, set_bold
 from trex_gui.ui.widgets.labels import Muted
 
 
@@ -21,8 +24,8 @@ class CalibrationFields(QWidget):
     Signals:
         edited: a valid calibration, and the run of steps that it belongs to: an object, or
             `None` for a typed value. Undo reverts a run at once.
-        rejected: why what was typed is invalid, for the user; and the name of the field whose
-            value conflicts with another, empty when it is not a value at all.
+        rejected: why the typed text is invalid, for the user; and the field whose value
+            conflicts with another, empty when the text is no value.
     """
 
     edited = Signal(object, object)
@@ -54,7 +57,7 @@ class CalibrationFields(QWidget):
             layout.addWidget(editor, 1, number)
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.editingFinished.connect(self._on_run_ended)
-            editor.rejected.connect(self._on_invalid_text)
+            editor.rejected.connect(lambda why: self.rejected.emit(why, ""))
             self._editors[field] = editor
             self._counts[field] = counts
 
@@ -88,10 +91,111 @@ class CalibrationFields(QWidget):
             self._on_run_ended()
             self.edited.emit(wanted, None)
 
-    @Slot(str)
-    def _on_invalid_text(self, why: str) -> None:
-        self.rejected.emit(why, "")
-
     @Slot()
     def _on_run_ended(self) -> None:
         self._run = object()
+
+
+class ChannelOptions(QWidget):
+    """Reversed, parabolic, ignored, required: each a bit of a parameter."""
+
+    def __init__(self, parameters: ParameterModel, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._parameters = parameters
+        self._channel = 1
+        self._editable = False
+        self._blocker = ""
+        options = {
+            ParameterKey.REVERSED_CHANNELS: (
+                self.tr("Re&versed"),
+                self.tr("The output changes its sign: forward and reverse are swapped"),
+            ),
+            ParameterKey.PARABOLIC_CHANNELS: (
+                self.tr("&Parabolic"),
+                self.tr("Gentle near neutral, steep near the ends"),
+            ),
+            ParameterKey.IGNORED_CHANNELS: (
+                self.tr("I&gnored"),
+                self.tr("Held at neutral at any input; for channels without a cable"),
+            ),
+            ParameterKey.REQUIRED_CHANNELS: (
+                self.tr("Re&quired in RC mode"),
+                self.tr("The motors stop when its pulses are missing for half a second"),
+            ),
+        }
+        self._tips = {key: tip for key, (_, tip) in options.items()}
+        self._boxes = {
+            key: check_box(
+                self,
+                key.removesuffix("_channels") + "Box",
+                title,
+                accessible=title.replace("&", ""),
+                on_toggle=partial(self._on_toggled, key),
+            )
+            for key, (title, _) in options.items()
+        }
+        row(*self._boxes.values(), 1, into=self, margins=0, spacing=18)
+        parameters.dataChanged.connect(self._refresh)
+        parameters.modelReset.connect(self._refresh)
+        self._refresh()
+
+    def show_channel(
+        self, channel: int, source: InputSource, *, editable: bool, blocker: str = ""
+    ) -> None:
+        """Show the bits of a channel that matter for an input source.
+
+        `blocker` explains why they cannot be edited, when the reason is not a missing board.
+        """
+        self._channel, self._editable = channel, editable and not blocker
+        self._blocker = blocker
+        self._boxes[ParameterKey.REQUIRED_CHANNELS].setVisible(source is InputSource.RC)
+        self._refresh()
+
+    def curve(
+        self, channel: int, calibration: Calibration | None, *, stored: bool
+    ) -> ChannelCurve | None:
+        """Return a calibration with the bits that are stored, or would be after Apply."""
+        if calibration is None:
+            return None
+        keys = (
+            ParameterKey.REVERSED_CHANNELS,
+            ParameterKey.PARABOLIC_CHANNELS,
+            ParameterKey.IGNORED_CHANNELS,
+        )
+        return ChannelCurve(calibration, *(self._bit(key, channel, stored=stored) for key in keys))
+
+    def _bit(self, key: str, channel: int, *, stored: bool = False) -> bool:
+        """Return a channel's bit of a mask; False when the mask was not read."""
+        if not self._parameters.knows(key):
+            return False
+        read = self._parameters.stored_of if stored else self._parameters.value_of
+        return bool((read(key) or 0) >> (channel - 1) & 1)
+
+    def is_edited(self, channel: int) -> bool:
+        return any(
+            self._bit(key, channel) != self._bit(key, channel, stored=True) for key in self._boxes
+        )
+
+    def restore(self, channel: int) -> None:
+        for key in self._boxes:
+            self._set(key, channel, self._bit(key, channel, stored=True))
+
+    @Slot()
+    def _refresh(self) -> None:
+        """Show the bits as they would be after Apply, the edited ones in bold."""
+        for key, box in self._boxes.items():
+            now = self._bit(key, self._channel)
+            with QSignalBlocker(box):
+                box.setChecked(now)
+            box.setEnabled(self._editable and self._parameters.knows(key))
+            box.setToolTip(self._blocker or self._tips[key])
+            set_bold(box, now != self._bit(key, self._channel, stored=True))
+
+    def _on_toggled(self, key: str, checked: bool) -> None:
+        self._set(key, self._channel, checked)
+
+    def _set(self, key: str, channel: int, wanted: bool) -> None:
+        if self._parameters.knows(key):
+            bit = 1 << (channel - 1)
+            wire = self._parameters.value_of(key) or 0
+            self._parameters.edit(key, wire | bit if wanted else wire & ~bit)

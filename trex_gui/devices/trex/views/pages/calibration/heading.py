@@ -1,25 +1,93 @@
-"""Above the curve: the channel, its function, and the choice of the input source."""
+"""Choice of channel and input source, with what is known of both; legend of the curve."""
 
-from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QSizePolicy, QTabBar, QWidget
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QIcon, QPixmap
+from PySide6.QtWidgets import QListWidget, QListWidgetItem, QSizePolicy, QTabBar, QWidget
 
-from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol import channel_text
-from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import button, column, label, named, row
-from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, Note
 
 _KEY = ParameterKey.CHANNEL_INPUT_SOURCE
 _SOURCES = (InputSource.RC, InputSource.ANALOG)
 
 
+class ChannelList(QListWidget):
+    """Two lines for each channel: its number, role and mark (edited or a problem), its input.
+
+    Signals:
+        chosen: another channel, 1 to 5.
+    """
+
+    chosen = Signal(int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        named(self, "calibrationChannels", accessible=self.tr("Channels"))
+        self.setUniformItemSizes(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        metrics = self.fontMetrics()
+        self.setIconSize(QSize(16, 16))
+        self.setFixedWidth(metrics.horizontalAdvance("5  Auxiliary, edited") + 38)
+        nothing = QPixmap(self.iconSize())
+        nothing.fill(Qt.GlobalColor.transparent)
+        self._no_icon = QIcon(nothing)  # keeps the names in one column
+        self._inputs = dict.fromkeys(CHANNELS, "")
+        self._marks = dict.fromkeys(CHANNELS, (False, ""))
+        for channel in CHANNELS:
+            item = QListWidgetItem(self)
+            item.setSizeHint(QSize(0, 2 * metrics.lineSpacing() + 14))
+            self._show_text(channel)
+        self._show_icons()
+        self.setCurrentRow(0)
+        self.currentRowChanged.connect(self._on_row_changed)
+        theme().changed.connect(self._show_icons)
+
+    @property
+    def channel(self) -> int:
+        """The chosen channel, 1 to 5."""
+        return CHANNELS[max(self.currentRow(), 0)]
+
+    def set_input(self, channel: int, text: str) -> None:
+        if text != self._inputs[channel]:
+            self._inputs[channel] = text
+            self._show_text(channel)
+
+    def set_mark(self, channel: int, *, edited: bool, problem: str) -> None:
+        if (edited, problem) != self._marks[channel]:
+            self._marks[channel] = (edited, problem)
+            self._show_text(channel)
+            self._show_icons()
+
+    def _show_text(self, channel: int) -> None:
+        edited, problem = self._marks[channel]
+        mark = self.tr(", problem") if problem else self.tr(", edited") if edited else ""
+        name = f"{channel}  {channel_text.CHANNEL_NAMES[channel]}{mark}"
+        self.item(CHANNELS.index(channel)).setText(f"{name}\n{self._inputs[channel]}")
+
+    @Slot()
+    def _show_icons(self) -> None:
+        for row_number, (edited, problem) in enumerate(self._marks.values()):
+            name = "warning" if problem else "edited" if edited else ""
+            item = self.item(row_number)
+            item.setIcon(icon(name) if name else self._no_icon)
+            item.setToolTip(problem)
+
+    @Slot(int)
+    def _on_row_changed(self, row_number: int) -> None:
+        if row_number >= 0:
+            self.chosen.emit(CHANNELS[row_number])
+
+
 class ChannelHeading(QWidget):
-    """Name and meaning of a channel, and the choice between pulses and voltages.
+    """Name and function of a channel, and the choice between pulses and voltages.
 
     Signals:
         source_chosen: the input source of the calibrations to show.
@@ -27,11 +95,11 @@ class ChannelHeading(QWidget):
 
     source_chosen = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._flag = ""
+        self._device = device
         self._title = label(self, "channelTitle", bold=True)
-        self._learned = label(self, "learnedLabel")
+        self._learned = named(ElidedLabel(self.tr("not learned"), self), "learnedLabel")
         self._learned.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._sources = named(QTabBar(self), "sourceTabs", accessible=self.tr("Input source"))
         self._sources.setDrawBase(False)
@@ -43,82 +111,69 @@ class ChannelHeading(QWidget):
 
         self._sources.currentChanged.connect(self._on_tab_changed)
 
-    def show_sources(self, shown: InputSource, in_force: InputSource) -> None:
-        """Mark the source that the board reads, and select the one that is shown."""
-        with QSignalBlocker(self._sources):
-            for index, source in enumerate(_SOURCES):
-                text = (
-                    self.tr("RC pulses") if source is InputSource.RC else self.tr("Analog voltages")
-                )
-                if source is in_force:
-                    text = self.tr("{0} (in force)").format(text)
-                self._sources.setTabText(index, text)
-            self._sources.setCurrentIndex(_SOURCES.index(shown))
-        self._function.setVisible(shown is in_force)
-
     def show_channel(
         self,
         channel: int,
-        state: DeviceState | None,
-        curve: ChannelCurve | None,
         source: InputSource,
+        curve: ChannelCurve | None,
         *,
         edited: bool,
-        joint: bool,
         mixed: bool | None,
     ) -> None:
         """Describe a channel; `curve` is that after Apply.
 
         `edited`: Apply would change its calibration. `mixed`: whether the mix jumper is on.
         """
+        state, active = self._device.state, self._device.calibrations.source
         name = channel_text.CHANNEL_NAMES[channel]
         self._title.setText(self.tr("Channel {0}: {1}").format(channel, name))
+        self._show_sources(source, active)
+        self._learned.setVisible(source is active)
+        self._function.setVisible(source is active)
         if state is None:
-            self._flag = ""
-            self._show_flag()
+            self._learned.show_text("")
             self._function.show_note("")
             return
         learned = channel in channels_in(state.calibrated)
-        in_force = source is state.source
         if learned:
-            self._flag = self.tr("learned: has its own calibration")
+            self._learned.show_text(self.tr("learned: has its own calibration"))
         elif edited:
-            self._flag = self.tr("not learned yet: will be after Apply")
+            self._learned.show_text(self.tr("not learned yet: will be after Apply"))
         else:
-            self._flag = self.tr("not learned: has factory defaults")
-        self._learned.setVisible(in_force)
-        self._show_flag()
+            self._learned.show_text(self.tr("not learned: has factory defaults"))
         self._learned.setToolTip(channel_text.learned_words(learned))
-        at = ""
+        switches_at = ""
         threshold = curve.threshold(channel) if curve is not None else None
         if curve is not None and threshold is not None:
             side = self.tr("above about {0}") if curve.reversed_ else self.tr("below about {0}")
-            at = side.format(source.text(threshold))
-        ignored = curve is not None and curve.ignored
+            switches_at = side.format(source.text(threshold))
         self._function.show_note(
             channel_text.what_it_does(
-                channel, state.mode, joint=joint, ignored=ignored, switches_at=at, mixed=mixed
+                channel,
+                state.mode,
+                joint=self._device.is_joint,
+                ignored=curve is not None and curve.ignored,
+                switches_at=switches_at,
+                mixed=mixed,
             )
         )
 
-    def _show_flag(self) -> None:
-        """Show the whole text where there is room, else its first words."""
-        room = self._sources.x() - self._learned.x()
-        fits = self._learned.fontMetrics().horizontalAdvance(self._flag) < room
-        self._learned.setText(self._flag if fits else self._flag.partition(":")[0])
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._show_flag()
+    def _show_sources(self, shown: InputSource, active: InputSource) -> None:
+        names = (self.tr("RC pulses"), self.tr("Analog voltages"))
+        with QSignalBlocker(self._sources):
+            for index, (source, name) in enumerate(zip(_SOURCES, names, strict=True)):
+                text = self.tr("{0} (active)").format(name) if source is active else name
+                self._sources.setTabText(index, text)
+            self._sources.setCurrentIndex(_SOURCES.index(shown))
 
     @Slot(int)
     def _on_tab_changed(self, index: int) -> None:
-        if 0 <= index < len(_SOURCES):
+        if index >= 0:
             self.source_chosen.emit(_SOURCES[index])
 
 
 class OtherSource(QWidget):
-    """Explains how to make the board read the other input source, and makes the edit.
+    """Explains how to make the board read the other input source, and edits the setting.
 
     Signals:
         power_cycle_requested: the edit is stored; guide the user through a power cycle.
@@ -149,35 +204,63 @@ class OtherSource(QWidget):
 
     def show_source(self, source: InputSource, seen: bool) -> None:
         """Describe a source that the board does not read; `seen`: its calibrations are shown."""
-        state = self._device.state
+        state, parameters = self._device.state, self._device.parameters
         self._source = source
-        name = channel_text.SOURCE_NAMES[source]
-        self._switch.setText(self.tr("Read {0} after the next power cycle").format(name))
         if state is None:
             self._text.setText(self.tr("No board responds."))
             self._switch.hide()
             self._cycle.hide()
             return
-        parameters, wire = self._device.parameters, int(source is InputSource.ANALOG)
+        name, wire = channel_text.SOURCE_NAMES[source], int(source is InputSource.ANALOG)
         is_connected = self._device.link is ConnectionState.CONNECTED
+        is_serial = state.mode.is_serial
         is_edited = parameters.value_of(_KEY) == wire
         is_stored = parameters.stored_of(_KEY) == wire
         text = channel_text.way_to(source, state.mode)
-        if state.mode.is_serial and is_stored and is_edited:
+        if is_serial and is_stored and is_edited:
             text = self.tr("Stored: the board reads {0} after the next power cycle.").format(name)
-        elif state.mode.is_serial and is_edited:
+        elif is_serial and is_edited:
             text = self.tr("Edited: apply it, then power-cycle the board to read {0}.").format(name)
-        kept = (
-            self.tr("The values below were read earlier.")
-            if seen
-            else self.tr("Its values have not been read yet.")
-        )
-        self._text.setText(f"{text} {kept}")
-        self._switch.setVisible(state.mode.is_serial and not is_edited)
+        values = self.tr("Its values have not been read yet.")
+        if seen:
+            values = self.tr("The values below were read earlier.")
+        self._text.setText(f"{text} {values}")
+        self._switch.setText(self.tr("Read {0} after the next power cycle").format(name))
+        self._switch.setVisible(is_serial and not is_edited)
         self._switch.setEnabled(is_connected and parameters.knows(_KEY))
-        self._cycle.setVisible(state.mode.is_serial and is_edited and is_stored)
+        self._cycle.setVisible(is_serial and is_edited and is_stored)
         self._cycle.setEnabled(is_connected)
 
     @Slot()
     def _on_switch_clicked(self) -> None:
         self._device.parameters.edit(_KEY, int(self._source is InputSource.ANALOG))
+
+
+class CurveLegend(QWidget):
+    """One row: the live dot with its value, the curve, and the stored one while it differs."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        named(self, "curveLegend", accessible=self.tr("Live value"))
+        self._live = LegendKey("", "motor2", self, style=None)
+        self._curve = LegendKey("", "motor1", self)
+        self._stored = LegendKey(self.tr("stored now"), "muted", self, Qt.PenStyle.DashLine)
+        # Values that change must not change the least width of the page.
+        self._live.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        row((self._live, 1), self._curve, self._stored, into=self, margins=0, spacing=16)
+
+    def set_live(self, text: str) -> None:
+        self._live.setText(text)
+        self.setAccessibleDescription(text)
+
+    def set_curves(self, known: bool, *, differs: bool, live: bool) -> None:
+        """Name the curves: none, one, or a dashed second one that is stored."""
+        self._live.set_color("motor2" if live else "muted")
+        self._curve.setVisible(known)
+        self._stored.setVisible(known and live and differs)
+        if not live:
+            self._curve.setText(self.tr("as last seen"))
+        elif differs:
+            self._curve.setText(self.tr("after Apply"))
+        else:
+            self._curve.setText(self.tr("stored in the board"))

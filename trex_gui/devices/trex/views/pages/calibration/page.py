@@ -1,4 +1,4 @@
-"""Calibration of the channels: the curve with handles, the live input, the numbers."""
+"""Page to calibrate channels: the curve with handles, the live input, the numbers."""
 
 from typing import TYPE_CHECKING
 
@@ -8,23 +8,31 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.model.calibration.channel_curve import MixWatch
 from trex_gui.devices.trex.model.calibration.moves import Handle
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol import channel_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.pages.calibration.change_menu import ChangeMenu
-from trex_gui.devices.trex.views.pages.calibration.channel_list import ChannelList
-from trex_gui.devices.trex.views.pages.calibration.fields import CalibrationFields
-from trex_gui.devices.trex.views.pages.calibration.heading import ChannelHeading, OtherSource
-from trex_gui.devices.trex.views.pages.calibration.live import CurveLegend, LiveInputs
-from trex_gui.devices.trex.views.pages.calibration.options import ChannelOptions
+from trex_gui.devices.trex.views.pages.calibration.fields import CalibrationFields, ChannelOptions
+from trex_gui.devices.trex.views.pages.calibration.heading import (
+    ChannelHeading,
+    ChannelList,
+    CurveLegend,
+    OtherSource,
+)
 from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.runtime import runtime
+from trex_gui.ui.widgets.bar import MINUS
+from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Note
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+
+_FRAME_MS = 33
 
 _HANDLES = {
     "minimum": Handle.MINIMUM,
@@ -42,6 +50,10 @@ class CalibrationPage(QWidget):
     Signals:
         learn_requested: the channels, 1 to 5, to learn from the user's movements.
         power_cycle_requested: guide the user through a power cycle.
+
+    Attributes:
+        source: the input source whose calibrations are shown.
+        files: loads and saves calibrations.
     """
 
     learn_requested = Signal(object)
@@ -51,11 +63,16 @@ class CalibrationPage(QWidget):
         super().__init__(parent)
         self.setObjectName("calibrationPage")
         self._device = device
-        self._source = InputSource.RC
+        self.source = InputSource.RC
         self._followed: InputSource | None = None
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._rejection = ""
         self._plot: CurvePlot | None = None
+        self._mix = MixWatch()
+        self._mixed_shown: bool | None = None
+        self._samples_shown = -1
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_FRAME_MS)
 
         self._empty = label(
             self,
@@ -64,7 +81,7 @@ class CalibrationPage(QWidget):
         )
         self._body = body = QWidget(self)
         self._channels = ChannelList(body)
-        self._heading = ChannelHeading(body)
+        self._heading = ChannelHeading(device, body)
         self._other = OtherSource(device, body)
         self._legend = CurveLegend(body)
         self._fields = CalibrationFields(body)
@@ -95,7 +112,6 @@ class CalibrationPage(QWidget):
             tip=self.tr("Discard the edits of this channel"),
             on_click=self._on_discard_clicked,
         )
-        self._live = LiveInputs(device, self._channels, self._legend, self._options, self)
 
         above = column(self._heading, self._other, self._legend)
         buttons = row(self._learn, self._learn_all, 1, self._change, self._discard)
@@ -111,7 +127,7 @@ class CalibrationPage(QWidget):
         self._fields.edited.connect(self._on_edited)
         self._fields.rejected.connect(self._on_rejected)
         self._other.power_cycle_requested.connect(self.power_cycle_requested)
-        self._live.mixing_changed.connect(self._show_heading)
+        self._timer.timeout.connect(self._on_frame)
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_state_changed)
         device.applied.connect(self._on_applied)
@@ -127,37 +143,33 @@ class CalibrationPage(QWidget):
         return self._channels.channel
 
     @property
-    def source(self) -> InputSource:
-        """The input source whose calibrations are shown."""
-        return self._source
-
-    @property
-    def _in_force(self) -> bool:
-        return self._source is self._device.calibrations.source
+    def _is_active(self) -> bool:
+        """Whether the board reads the input source that is shown."""
+        return self.source is self._device.calibrations.source
 
     @property
     def _editable(self) -> bool:
         is_connected = self._device.link is ConnectionState.CONNECTED
-        return is_connected and self._in_force and not self._device.applying
+        return is_connected and self._is_active and not self._device.applying
 
     def _calibration(self) -> Calibration | None:
         calibrations = self._device.calibrations
-        if self._in_force:
+        if self._is_active:
             return calibrations.shown(self.channel)
-        return calibrations.last_seen(self.channel, self._source)
+        return calibrations.last_seen(self.channel, self.source)
 
     @Slot()
     def _on_state_changed(self) -> None:
         """Follow the board to the input source that it reads now."""
         state = self._device.state
         if state is not None and state.source is not self._followed:
-            self._source = self._followed = state.source
+            self.source = self._followed = state.source
         self._on_device_changed()
 
     @Slot()
     def _on_device_changed(self) -> None:
         if self._device.link is not ConnectionState.CONNECTED:
-            self._live.mix.forget()
+            self._mix.forget()
         known = self._device.calibrations.stored(1) is not None
         self._empty.setVisible(not known)
         self._body.setVisible(known)
@@ -169,61 +181,55 @@ class CalibrationPage(QWidget):
         self._show_channel()
 
     def _show_channel(self) -> None:
-        channel, editable = self.channel, self._editable
+        channel, editable, is_active = self.channel, self._editable, self._is_active
         shown, stored = self._calibration(), self._device.calibrations.stored(channel)
-        if not self._in_force:
-            stored = shown
-        before = self._options.curve(channel, stored, stored=True)
+        before = self._options.curve(channel, stored if is_active else shown, stored=True)
         after = self._options.curve(channel, shown, stored=False)
-        self._fields.show_calibration(self._source, shown, editable=editable)
+        self._fields.show_calibration(self.source, shown, editable=editable)
         self._show_actions()
         self._menu.show_channel(channel)
         self._change.setEnabled(editable)
-        self._heading.show_sources(self._source, self._device.calibrations.source)
         self._show_heading()
-        self._legend.set_curves(shown is not None, differs=before != after, live=self._in_force)
-        self._other.setVisible(not self._in_force)
-        if not self._in_force:
-            self._other.show_source(self._source, seen=shown is not None)
+        self._legend.set_curves(shown is not None, differs=before != after, live=is_active)
+        self._other.setVisible(not is_active)
+        if not is_active:
+            self._other.show_source(self.source, seen=shown is not None)
         if self._plot is not None:
-            self._plot.show_channel(channel, self._source, before, after, editable=editable)
-            self._plot.set_trace_visible(self._in_force)
+            self._plot.show_channel(channel, self.source, before, after, editable=editable)
+            self._plot.trace.setVisible(is_active)
         self._show_marks()
         self._show_note()
-        self._live.refresh(in_force=self._in_force)
+        self._samples_shown = -1
+        self._on_frame()
 
-    @Slot()
     def _show_heading(self) -> None:
         channel, shown = self.channel, self._calibration()
+        self._mixed_shown = self._mix.mixed
         self._heading.show_channel(
             channel,
-            self._device.state,
+            self.source,
             self._options.curve(channel, shown, stored=False),
-            self._source,
-            edited=self._in_force and shown != self._device.calibrations.stored(channel),
-            joint=self._device.is_joint,
-            mixed=self._live.mix.mixed,
+            edited=self._is_active and shown != self._device.calibrations.stored(channel),
+            mixed=self._mix.mixed,
         )
 
     def _show_actions(self) -> None:
         """Disable actions while the source that is shown is not the one that the board reads."""
         is_connected, reason = self._device.link is ConnectionState.CONNECTED, ""
-        if not self._in_force:
+        if not self._is_active:
             read = channel_text.SOURCE_NAMES[self._device.calibrations.source]
-            shown = channel_text.SOURCE_NAMES[self._source]
+            shown = channel_text.SOURCE_NAMES[self.source]
             reason = self.tr(
-                "The board reads {0} now. Choose their tab, or make the board read {1} first, as "
+                "The board reads {0} now. Open their tab, or make the board read {1} first, as "
                 "described above."
             ).format(read, shown)
         for learn in (self._learn, self._learn_all):
-            learn.setEnabled(is_connected and self._in_force)
+            learn.setEnabled(is_connected and self._is_active)
             learn.setToolTip(reason)
-        self._options.show_channel(
-            self.channel, self._source, editable=is_connected, blocker=reason
-        )
+        self._options.show_channel(self.channel, self.source, editable=is_connected, blocker=reason)
 
     def _show_marks(self) -> None:
-        calibrations, can_discard = self._device.calibrations, False
+        calibrations = self._device.calibrations
         for channel in CHANNELS:
             shown = calibrations.shown(channel)
             edited = self._options.is_edited(channel) or (
@@ -233,8 +239,8 @@ class CalibrationPage(QWidget):
             if shown is not None and not problem:
                 problem = channel_text.concern(shown, calibrations.source)
             self._channels.set_mark(channel, edited=edited, problem=problem)
-            can_discard = can_discard or (channel == self.channel and edited)
-        self._discard.setEnabled(can_discard and self._editable)
+            if channel == self.channel:
+                self._discard.setEnabled(edited and self._editable)
 
     def _failure(self, channel: int) -> str:
         """Return why the calibration that is shown could not be stored."""
@@ -242,55 +248,55 @@ class CalibrationPage(QWidget):
         return why if failed == self._device.calibrations.shown(channel) else ""
 
     def _show_note(self) -> None:
-        """Show the most important: a rejected value, a failure, a concern, the mode, a hint."""
-        state, calibration = self._device.state, self._calibration()
-        if self._rejection or not self._in_force:
-            self._note.show_note(self._rejection, alarming=bool(self._rejection))
-        elif failure := self._failure(self.channel):
-            self._note.show_note(failure, alarming=True)
-        elif self._device.link is not ConnectionState.CONNECTED:
-            self._note.show_note(
-                self.tr(
-                    "No board responds. Edits are kept until a board of the same kind is connected."
-                )
-            )
-        elif calibration is not None and (
-            concern := channel_text.concern(calibration, self._source)
-        ):
-            self._note.show_note(concern, alarming=True)
-        elif state is not None and not state.mode.is_serial:
-            self._note.show_note(
-                self.tr(
-                    "The board accepts changes in serial mode only: to apply them, switch it off, "
-                    "remove the mode jumper, switch it on."
-                )
-            )
-        else:
-            example = "3750" if self._source is InputSource.RC else "512"
-            number = "1500, 1.5 ms" if self._source is InputSource.RC else "2.5, 2500 mV"
-            self._note.show_note(
-                self.tr(
-                    "Drag a handle of the curve, or type {0} or {1} counts. Nothing is written "
-                    "until you click Apply."
-                ).format(number, example)
-            )
+        problem = self._problem_text()
+        self._note.show_note(problem or self._hint_text(), alarming=bool(problem))
 
-    # --- Live ---------------------------------------------------------------------------
+    def _problem_text(self) -> str:
+        """Return why a value was rejected or not stored, or a concern; empty: none."""
+        if self._rejection or not self._is_active:
+            return self._rejection
+        if failure := self._failure(self.channel):
+            return failure
+        calibration = self._calibration()
+        if calibration is None or self._device.link is not ConnectionState.CONNECTED:
+            return ""
+        return channel_text.concern(calibration, self.source)
+
+    def _hint_text(self) -> str:
+        state = self._device.state
+        if not self._is_active:
+            return ""
+        if self._device.link is not ConnectionState.CONNECTED:
+            return self.tr(
+                "No board responds. Edits are kept until a board of the same kind is connected."
+            )
+        if state is not None and not state.mode.is_serial:
+            return self.tr(
+                "The board accepts changes in serial mode only: to apply them, switch it off, "
+                "remove the mode jumper, switch it on."
+            )
+        values, counts = "1500, 1.5 ms", "3750"
+        if self.source is InputSource.ANALOG:
+            values, counts = "2.5, 2500 mV", "512"
+        return self.tr(
+            "Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you "
+            "click Apply."
+        ).format(values, counts)
+
+    # --- Live inputs --------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         if self._plot is None:
             self._plot = self._make_plot()
-            self._live.plot = self._plot
         self._show_channel()
-        self._live.timer.start()
+        self._timer.start()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
-        self._live.timer.stop()
+        self._timer.stop()
 
     def _make_plot(self) -> "CurvePlot":
-        """Import pyqtgraph when the page is first shown."""
         from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot  # noqa: PLC0415
 
         plot = CurvePlot(self._body)
@@ -301,6 +307,59 @@ class CalibrationPage(QWidget):
         self._right.insertWidget(1, plot, 1)
         return plot
 
+    @Slot()
+    @only_when_visible
+    def _on_frame(self) -> None:
+        """Show new samples."""
+        telemetry = self._device.telemetry
+        if telemetry.samples == self._samples_shown:
+            return
+        self._samples_shown = telemetry.samples
+        source = self._device.calibrations.source
+        for channel in CHANNELS:
+            raw = telemetry.raw_of(channel)
+            text = self.tr("N/A") if telemetry.raw is None else self.tr("no signal")
+            self._channels.set_input(channel, text if raw is None else source.text(raw))
+        self._detect_mixing()
+        raw = telemetry.raw_of(self.channel) if self._is_active else None
+        self._legend.set_live(self._live_text(raw))
+        if self._plot is not None:
+            self._plot.set_raw(raw)
+            if self._is_active:
+                inputs = telemetry.inputs
+                values = inputs.values(self.channel - 1)
+                self._plot.trace.set_samples(inputs.times, values, telemetry.latest)
+
+    def _detect_mixing(self) -> None:
+        """Compare the outputs of channels 1 and 2 with those that the board reports."""
+        device = self._device
+        raws = [device.telemetry.raw_of(channel) for channel in (1, 2, 4)]
+        one, two, flip = (
+            self._options.curve(channel, device.calibrations.stored(channel), stored=True)
+            for channel in (1, 2, 4)
+        )
+        reported = device.telemetry.remapped
+        if device.is_joint:
+            self._mix.forget()
+        elif one and two and flip and reported and not flip.is_switched(4, raws[2]):
+            self._mix.feed((one.output(raws[0]), two.output(raws[1])), (reported[0], reported[1]))
+        if self._mix.mixed is not self._mixed_shown:
+            self._show_heading()
+
+    def _live_text(self, raw: int | None) -> str:
+        if not self._is_active:
+            return self.tr("no live value: the board reads the other source")
+        if self._device.telemetry.raw is None:
+            return self.tr("no live value")
+        if raw is None:
+            return self.tr("no signal now: the output is 0")
+        curve = self._plot.curve if self._plot is not None else None
+        output = curve.output(raw) if curve is not None else 0
+        counts = self.tr("1 count") if raw == 1 else self.tr("{0} counts").format(raw)
+        return self.tr("input now {0} ({1}), output {2}").format(
+            self.source.text(raw), counts, f"{output}".replace("-", MINUS)
+        )
+
     # --- Edits --------------------------------------------------------------------------
 
     @Slot(int)
@@ -310,14 +369,14 @@ class CalibrationPage(QWidget):
 
     @Slot(object)
     def _on_source_chosen(self, source: InputSource) -> None:
-        self._source = source
+        self.source = source
         self._clear_rejection()
         self._show_channel()
 
     @Slot(object)
     def _on_previewed(self, calibration: Calibration) -> None:
-        """Show the numbers of a held handle, and why it goes no further."""
-        self._fields.show_calibration(self._source, calibration, editable=self._editable)
+        """Show the numbers of a held handle, and why it cannot move further."""
+        self._fields.show_calibration(self.source, calibration, editable=self._editable)
         stored = self._device.calibrations.stored(self.channel)
         before = self._options.curve(self.channel, stored, stored=True)
         if self._plot is not None:
@@ -327,7 +386,6 @@ class CalibrationPage(QWidget):
 
     @Slot()
     def _on_released(self) -> None:
-        """Remove the reason why the handle went no further."""
         self._clear_rejection()
         self._show_channel()
 
@@ -341,7 +399,6 @@ class CalibrationPage(QWidget):
 
     @Slot(str, str)
     def _on_rejected(self, why: str, field: str = "") -> None:
-        """Show why a value was rejected: below the fields, and beside its handle."""
         self._clear_rejection()
         self._rejection = why
         if self._plot is not None and field in _HANDLES:
@@ -351,7 +408,7 @@ class CalibrationPage(QWidget):
     def _clear_rejection(self) -> None:
         self._rejection = ""
         if self._plot is not None:
-            self._plot.show_message(Handle.NEUTRAL, "")
+            self._plot.show_message(None, "")
 
     @Slot()
     def _on_discard_clicked(self) -> None:
