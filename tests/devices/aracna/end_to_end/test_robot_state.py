@@ -159,8 +159,8 @@ def test_unpowered_servos_are_reported(connected_window: RobotWindow) -> None:
     window = connected_window
     window.control("servo power off")
     window.robot.set_speeds((300,) * 8)
-    window.wait(lambda: window.robot.state.no_servo_answers)
-    message = "No motor answers (−1): is the servo power on?"
+    window.wait(lambda: "No motor took" in str(window.robot.state.speed_error))
+    message = "No motor took its speed: do the servos have power?"
     assert window.text("aracnaReport") == message
     assert window.logged()[0] == message
 

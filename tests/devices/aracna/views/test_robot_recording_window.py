@@ -70,7 +70,7 @@ def test_motion_and_awaited_motor_are_shown(window: RecordingWindowDriver) -> No
     assert window.text("aracnaRecordedDoing") == (
         "Moving for 1.5 s of about 2.0 s; motor 3 is waited for."
     )
-    assert window.text("aracnaRecordedDifference3") == "waited for"
+    assert window.text("aracnaRecordedDifference3") == "moving …"
     assert window.text("aracnaRecordedPresent2") == "200 = 58.7°"
     assert window.text("aracnaRecordedPresent3") == "–"
 

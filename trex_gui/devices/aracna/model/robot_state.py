@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
 from trex_gui.devices.aracna.recording import StoppedResponding
+from trex_gui.devices.aracna.session.errors import RobotError, rejected_speeds
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     LineStats,
@@ -39,15 +40,6 @@ class MissedGoal:
     @property
     def unreadable(self) -> bool:
         return self.present == UNREADABLE
-
-
-@dataclass(frozen=True, slots=True)
-class RejectedSpeed:
-    """A speed that a servo did not take; `held` may be `UNREADABLE`."""
-
-    motor: int
-    requested: int
-    held: int
 
 
 class Rate:
@@ -164,10 +156,6 @@ class RobotState:
         return self.moved is not None and set(self.moved.present) == {UNREADABLE}
 
     @property
-    def no_servo_answers(self) -> bool:
-        return self.speeds is not None and set(self.speeds.held) == {UNREADABLE}
-
-    @property
     def missed_goals(self) -> tuple[MissedGoal, ...]:
         if self.moved is None:
             return ()
@@ -178,16 +166,14 @@ class RobotState:
             if present == UNREADABLE or abs(goal - present) > TOLERANCE
         )
 
+    def missed_goal(self, motor: int) -> MissedGoal | None:
+        return next((each for each in self.missed_goals if each.motor == motor), None)
+
     @property
-    def rejected_speeds(self) -> tuple[RejectedSpeed, ...]:
-        if self.speeds is None:
-            return ()
-        pairs = enumerate(zip(self.speeds.requested, self.speeds.held, strict=False))
-        return tuple(
-            RejectedSpeed(motor, requested, held)
-            for motor, (requested, held) in pairs
-            if requested != held
-        )
+    def speed_error(self) -> RobotError | None:
+        """The speeds that servos did not take, as of the last reply to a `.v`."""
+        speeds = self.speeds
+        return None if speeds is None else rejected_speeds(speeds.requested, speeds.held)
 
     def held_speed(self, motor: int) -> int | None:
         """Return the speed that a servo reported last, or `UNREADABLE`; `None` if unknown."""

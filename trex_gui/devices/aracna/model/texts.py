@@ -82,37 +82,36 @@ def assumed_text() -> str:
 
 def missed_text(missed: MissedGoal) -> str:
     if missed.unreadable:
-        return tr("motor {0} did not report its position (−1)").format(missed.motor)
-    text = tr("motor {0} is at {1}, {2} from its goal {3}")
+        return tr("Motor {0} did not report its position (−1).").format(missed.motor)
+    text = tr("Motor {0} is at {1}, {2} from its goal {3}.")
     away = signed(missed.present - missed.goal)
     return text.format(missed.motor, missed.present, away, missed.goal)
 
 
-def missed_texts(state: RobotState) -> list[str]:
-    """Describe every motor that missed its goal; all in one if none has answered."""
+def missed_goals_text(state: RobotState) -> str:
+    """Describe every motor that missed its goal; empty if none did."""
     if state.reply_lost:
-        return [tr("the reply was lost (or no motor answers): positions are not known")]
-    return [missed_text(each) for each in state.missed_goals]
+        return tr("The reply was lost (or no motor answers): positions are not known.")
+    return " ".join(map(missed_text, state.missed_goals))
 
 
-def speed_texts(state: RobotState) -> list[str]:
-    if state.no_servo_answers:
-        return [tr("no motor answers (−1): is the servo power on?")]
-    texts = []
-    for each in state.rejected_speeds:
-        if each.held < 0:
-            text = tr("motor {0} does not answer (−1): no servo power, or its cable")
-        else:
-            text = tr("motor {0} holds speed {1}, not {2}")
-        texts.append(text.format(each.motor, each.held, each.requested))
-    return texts
-
-
-def joined(texts: Sequence[str]) -> str:
-    """Join clauses to one sentence."""
-    text = "; ".join(texts)
-    end = "" if text.endswith("?") else "."
-    return f"{text[:1].upper()}{text[1:]}{end}"
+def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) -> tuple[str, bool]:
+    """Return how far a motor is from its goal, or what is wrong, and whether that is alarming."""
+    present = state.present[motor]
+    difference = ""
+    if present is not None and state.goals is not None:
+        difference = signed(present - state.goals[motor])
+    if state.stuck is not None and state.stuck.motor == motor:
+        return tr("stuck here"), True
+    if state.moving is not None:
+        is_awaited = is_observed and state.awaited_motor <= motor
+        return tr("moving …") if is_awaited else difference, False
+    missed = state.missed_goal(motor)
+    if missed is not None and not missed.unreadable:
+        return tr("{0} missed").format(difference), True
+    if missed is not None or (state.held_speed(motor) or 0) < 0:
+        return tr("no reply (−1)"), True
+    return difference, False
 
 
 def stuck_text(motor: int | None) -> str:
@@ -154,9 +153,9 @@ def event_of(report: object, state: RobotState) -> tuple[EventKind, str] | None:
             text = tr("The board has restarted. Its servos continue to their goals.")
             return EventKind.FAULT, text
         case Moved() if state.missed_goals:
-            return EventKind.FAULT, joined(missed_texts(state))
-        case SpeedsHeld() if state.rejected_speeds:
-            return EventKind.FAULT, joined(speed_texts(state))
+            return EventKind.FAULT, missed_goals_text(state)
+        case SpeedsHeld() if state.speed_error is not None:
+            return EventKind.FAULT, error_text(state.speed_error)
         case Stuck(motor=motor):
             return EventKind.FAULT, stuck_text(motor)
         case PlayEnded(why=why):

@@ -63,32 +63,9 @@ class Gait:
     ours: bool = False
 
     @property
-    def seconds(self) -> float:
-        return sum(stage.seconds for stage in self.stages)
-
-    @property
     def start(self) -> Pose | None:
         """Where it starts; `None` if it starts anywhere."""
         return self.stages[-1].pose if self.cyclic else None
-
-    def at(self, time: float, time_scale: float = 1.0) -> tuple[float, ...]:
-        """Return the positions at a time in seconds, linear between poses.
-
-        A cyclic gait repeats; another one is taken to start in its first pose and ends in its last.
-        A `time_scale` of 2 is half as fast.
-        """
-        when = time / time_scale
-        if self.cyclic:
-            when %= self.seconds
-        before = self.stages[-1 if self.cyclic else 0].pose.positions
-        for stage in self.stages:
-            if when < stage.seconds:
-                share = max(when, 0.0) / stage.seconds
-                pairs = zip(before, stage.pose.positions, strict=True)
-                return tuple(start + (end - start) * share for start, end in pairs)
-            when -= stage.seconds
-            before = stage.pose.positions
-        return tuple(map(float, before))
 
 
 def sampled(

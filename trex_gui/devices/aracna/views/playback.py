@@ -9,9 +9,9 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import (
     assumed_text,
+    difference_text,
     joint_text,
     position_text,
-    signed,
     speed_text,
     spoken_joint,
 )
@@ -166,23 +166,12 @@ class JointValues(QWidget):
             ui.set_bold(box, number == motor)
 
     def show_state(self, known: RobotState) -> None:
-        missed = {each.motor: each for each in known.missed_goals}
         for motor in range(len(self._boxes)):
-            present = known.present[motor]
             goal = known.goals[motor] if known.goals is not None else None
-            self._set(motor, "Present", position_text(present))
+            self._set(motor, "Present", position_text(known.present[motor]))
             self._set(motor, "Goal", position_text(goal))
-            alarming = motor in missed
-            if alarming and missed[motor].unreadable:
-                text = self.tr("no reply (−1)")
-            elif known.moving is not None:
-                alarming = known.stuck is not None and known.stuck.motor == motor
-                text = self.tr("waited for") if motor == known.awaited_motor else _NONE
-            elif present is None or goal is None:
-                text = _NONE
-            else:
-                text = signed(present - goal)
-            self._set(motor, "Difference", text, bold=alarming)
+            text, alarming = difference_text(known, motor)
+            self._set(motor, "Difference", text or _NONE, bold=alarming)
             held = known.held_speed(motor)
             self._set(motor, "Speed", self._speed(held), bold=held == UNREADABLE)
 

@@ -5,12 +5,12 @@ from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QSpinBox, QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.texts import (
+    difference_text,
     joint_of,
     joint_text,
     missed_text,
     position_text,
     side_text,
-    signed,
     speed_text,
     spoken_joint,
 )
@@ -134,33 +134,16 @@ class JointRow(QObject):
         present = state.present[self._motor]
         self.slider.set_present(present)
         self._present.setText(position_text(present))
-        text, alarming, tip = self._state_text(present)
+        is_observed = self._robot.link is ConnectionState.CONNECTED
+        text, alarming = difference_text(state, self._motor, is_observed=is_observed)
+        missed = state.missed_goal(self._motor)
         self._state.setText(text)
-        self._state.setToolTip(tip)
+        self._state.setToolTip("" if missed is None else missed_text(missed))
         ui.set_bold(self._state, alarming)
         palette = self.name.palette()
         color = theme().color("danger" if alarming else "window_text")
         palette.setColor(self._state.foregroundRole(), color)
         self._state.setPalette(palette)
-
-    def _state_text(self, present: int | None) -> tuple[str, bool, str]:
-        """Return the difference from the goal or what is wrong, if it alarms, and the tool tip."""
-        state, motor = self._robot.state, self._motor
-        difference = ""
-        if present is not None and state.goals is not None:
-            difference = signed(present - state.goals[motor])
-        missed = next((each for each in state.missed_goals if each.motor == motor), None)
-        if state.stuck is not None and state.stuck.motor == motor:
-            return self.tr("stuck here"), True, ""
-        if state.moving is not None:
-            is_observed = self._robot.link is ConnectionState.CONNECTED
-            is_awaited = is_observed and state.awaited_motor <= motor
-            return self.tr("moving …") if is_awaited else difference, False, ""
-        if missed is not None and not missed.unreadable:
-            return self.tr("{0} missed").format(difference), True, missed_text(missed)
-        if missed is not None or (state.held_speed(motor) or 0) < 0:
-            return self.tr("no reply (−1)"), True, ""
-        return difference, False, ""
 
     def set_marked(self, marked: bool) -> None:
         """Highlight the name."""

@@ -8,10 +8,9 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.setpoints import FIRST_SPEED
 from trex_gui.devices.aracna.model.texts import (
     assumed_text,
-    joined,
-    missed_texts,
+    error_text,
+    missed_goals_text,
     speed_text,
-    speed_texts,
     stuck_text,
 )
 from trex_gui.devices.aracna.poses.gaits import STAND
@@ -112,8 +111,11 @@ class RobotPage(QWidget):
             return text, False
         if state.stuck is not None:
             return stuck_text(state.stuck.motor), True
-        if faults := missed_texts(state) + speed_texts(state):
-            return joined(faults), True
+        faults = [missed_goals_text(state)] if state.missed_goals else []
+        if state.speed_error is not None:
+            faults.append(error_text(state.speed_error))
+        if faults:
+            return " ".join(faults), True
         if state.uncertain:
             text = self.tr(
                 "Motor positions are unknown; the last motion may still be running. The next move "
