@@ -12,6 +12,30 @@
     </message>
 </context>
 <context>
+    <name>CompareDialog</name>
+    <message numerus="yes">
+        <source>%n setting(s) differ, {0} match.</source>
+        <translation>
+            <numerusform>%n setting differs, {0} match.</numerusform>
+            <numerusform>%n settings differ, {0} match.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Take %n value(s) into {0}</source>
+        <translation>
+            <numerusform>&amp;Take %n value into {0}</numerusform>
+            <numerusform>&amp;Take %n values into {0}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) taken from {0}.</source>
+        <translation>
+            <numerusform>%n value taken from {0}.</numerusform>
+            <numerusform>%n values taken from {0}.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>DefaultsDialog</name>
     <message numerus="yes">
         <source>Review %n change(s)…</source>
@@ -22,12 +46,63 @@
     </message>
 </context>
 <context>
+    <name>FindingsPanel</name>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n error</numerusform>
+            <numerusform>%n errors</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n warning</numerusform>
+            <numerusform>%n warnings</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n suggestion(s)</source>
+        <translation>
+            <numerusform>%n suggestion</numerusform>
+            <numerusform>%n suggestions</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>HistoryDialog</name>
+    <message numerus="yes">
+        <source>Permanently delete %n snapshot(s), the newest of {0}?</source>
+        <translation>
+            <numerusform>Permanently delete the snapshot of {0}?</numerusform>
+            <numerusform>Permanently delete %n snapshots, the newest of {0}?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>LearnDialog</name>
     <message numerus="yes">
         <source>Learn channel(s) {0} again</source>
         <translation>
             <numerusform>Learn channel {0} again</numerusform>
             <numerusform>Learn channels {0} again</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>LoadDialog</name>
+    <message numerus="yes">
+        <source>{0}: %n change(s) pending; Apply settings writes them.</source>
+        <translation>
+            <numerusform>{0}: %n change is pending; Apply settings writes it.</numerusform>
+            <numerusform>{0}: %n changes are pending; Apply settings writes them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Make %n change(s) edits</source>
+        <translation>
+            <numerusform>&amp;Make %n change an edit</numerusform>
+            <numerusform>&amp;Make %n changes edits</numerusform>
         </translation>
     </message>
 </context>
@@ -79,6 +154,44 @@
         <translation>
             <numerusform>%n earlier pending edit will be written, too.</numerusform>
             <numerusform>%n earlier pending edits will be written, too.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SnapshotPane</name>
+    <message numerus="yes">
+        <source>%n setting(s) would be restored, {0} match.</source>
+        <translation>
+            <numerusform>%n setting would be restored, {0} match.</numerusform>
+            <numerusform>%n settings would be restored, {0} match.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) not in the snapshot would stay.</source>
+        <translation>
+            <numerusform>%n setting that is not in the snapshot would stay as it is.</numerusform>
+            <numerusform>%n settings that are not in the snapshot would stay as they are.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>There is no other snapshot of a {0} to compare with. This one has %n setting(s).</source>
+        <translation>
+            <numerusform>There is no other snapshot of a {0} to compare with. This one has %n setting.</numerusform>
+            <numerusform>There is no other snapshot of a {0} to compare with. This one has %n settings.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) differ, {0} match.</source>
+        <translation>
+            <numerusform>%n setting differs, {0} match.</numerusform>
+            <numerusform>%n settings differ, {0} match.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) would become edits; nothing is written before Apply.</source>
+        <translation>
+            <numerusform>%n setting would become an edit; nothing is written before Apply.</numerusform>
+            <numerusform>%n settings would become edits; nothing is written before Apply.</numerusform>
         </translation>
     </message>
 </context>

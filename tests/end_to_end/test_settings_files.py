@@ -74,7 +74,7 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
     dialog.toggle("Motor 1 Acceleration")
     with window.qtbot.waitSignal(files.files.staged):
         dialog.click("takeChangesButton")
-    assert "2 changes are edits now" in window.text("bannerText")
+    assert "2 changes are pending" in window.text("bannerText")
     assert window.window.pages.currentWidget().objectName() == "parametersPageArea"
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
     window.trigger("undo")

@@ -295,7 +295,7 @@ def test_lower_bound_asks_and_says_how_many_are_removed(
     dialog.open()
     dialog.find(QSpinBox, "keptField").setValue(1)
     dialog.click("keptButton")
-    assert dialog.question.text == "Remove the oldest 2 of 3 snapshots for good?"
+    assert dialog.question.text == "Permanently remove the oldest 2 of 3 snapshots?"
     dialog.answer(yes=False)
     assert (len(history.snapshots()), history.bound()) == (3, Bound())
     assert dialog.find(QSpinBox, "keptField").value() == 500

@@ -215,13 +215,9 @@ class HistoryDialog(QDialog):
         chosen = self._list.chosen
         if not chosen:
             return
-        if len(chosen) == 1:
-            text = self.tr("Delete the snapshot of {0} for good?")
-            text = text.format(self._table.time_text(chosen[0]))
-        else:
-            text = self.tr("Delete {0} snapshots for good?").format(len(chosen))
+        text = self.tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(chosen))
         self._question.ask(
-            text,
+            text.format(self._table.time_text(chosen[0])),
             PromptAnswer("historyQuestionYes", self.tr("Delete"), lambda: self._remove(chosen)),
         )
 
@@ -323,7 +319,7 @@ class _BoundField(QWidget):
             return
         count = len(self._history.snapshots())
         self._question.ask(
-            self.tr("Remove the oldest {0} of {1} snapshots for good?").format(removed, count),
+            self.tr("Permanently remove the oldest {0} of {1} snapshots?").format(removed, count),
             PromptAnswer(
                 "historyQuestionYes",
                 self.tr("Remove {0}").format(removed),

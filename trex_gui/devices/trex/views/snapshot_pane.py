@@ -166,32 +166,30 @@ class SnapshotPane(QWidget):
 
     def _board_counts(self, comparison: Comparison) -> str:
         if comparison.changed:
-            text = self.tr("{0} would be restored, {1} match.").format(
-                self._settings(comparison.changed), comparison.equal
-            )
+            text = self.tr("%n setting(s) would be restored, {0} match.", "", comparison.changed)
+            text = text.format(comparison.equal)
         elif comparison.missing or comparison.left_out:
             text = self.tr("This snapshot has no differences to restore.")
         else:
             text = self.tr("The board, with the edits made here, matches this snapshot.")
         if comparison.missing:
-            kept = self.tr("Not in the snapshot and therefore unchanged: {0}.")
-            text += " " + kept.format(self._settings(comparison.missing))
+            text += " " + self.tr(
+                "%n setting(s) not in the snapshot would stay.", "", comparison.missing
+            )
         return text
 
     def _counts(self, comparison: Comparison, snapshot: Snapshot, present: "_Present") -> str:
         if present.key == "":
             return self.tr(
-                "There is no other snapshot of a {0} to compare it with. It holds {1}."
-            ).format(snapshot.product, self._settings(len(comparison.rows)))
+                "There is no other snapshot of a {0} to compare with. This one has %n setting(s).",
+                "",
+                len(comparison.rows),
+            ).format(snapshot.product)
         differing = len(comparison.differing)
         if differing == 0:
             return self.tr("Both are the same.")
-        one, several = self.tr("{0} differs, {1} match."), self.tr("{0} differ, {1} match.")
-        text = one if differing == 1 else several
-        return text.format(self._settings(differing), comparison.equal)
-
-    def _settings(self, count: int) -> str:
-        return self.tr("1 setting") if count == 1 else self.tr("{0} settings").format(count)
+        text = self.tr("%n setting(s) differ, {0} match.", "", differing)
+        return text.format(comparison.equal)
 
     # --- Restoring ----------------------------------------------------------------------
 
@@ -226,9 +224,8 @@ class SnapshotPane(QWidget):
 
     def _restore_note(self, snapshot: Snapshot) -> str:
         ticked = len(self._rows.table.ticked)
-        edits = self.tr("an edit") if ticked == 1 else self.tr("edits")
-        text = self.tr("{0} would become {1}; nothing is written before Apply.").format(
-            self._settings(ticked), edits
+        text = self.tr(
+            "%n setting(s) would become edits; nothing is written before Apply.", "", ticked
         )
         here = self._device.parameters.stored_of(ParameterKey.DEVICE_NUMBER)
         number = snapshot.device_number

@@ -103,12 +103,8 @@ class LoadDialog(QDialog):
         except BadRequest as error:
             _show_trouble(self._trouble, sentence(error))
             return
-        text = (
-            self.tr("{0}: 1 change is an edit now; Apply settings writes it.")
-            if len(rows) == 1
-            else self.tr("{0}: {1} changes are edits now; Apply settings writes them.")
-        )
-        self.staged.emit(text.format(self._file.name, len(rows)))
+        text = self.tr("{0}: %n change(s) pending; Apply settings writes them.", "", len(rows))
+        self.staged.emit(text.format(self._file.name))
         self.close()
 
     @Slot()
@@ -190,13 +186,7 @@ class LoadDialog(QDialog):
     @Slot()
     def _update_take(self) -> None:
         count = len(self._view.table.ticked)
-        if count == 0:
-            text = self.tr("&Make changes edits")
-        elif count == 1:
-            text = self.tr("&Make 1 change an edit")
-        else:
-            text = self.tr("&Make {0} changes edits").format(count)
-        self._take.setText(text)
+        self._take.setText(self.tr("&Make %n change(s) edits", "", count))
         can_stage = self._device.link is ConnectionState.CONNECTED and not self._device.applying
         self._take.setEnabled(can_stage and count > 0 and not self._view.isHidden())
 
@@ -263,11 +253,9 @@ class CompareDialog(QDialog):
             self._document.name,
             self._other_name,
             with_ticks=not trouble,
-            summary=(
-                self.tr("{0} settings: 1 differs, {2} match.")
-                if differing == 1
-                else self.tr("{0} settings: {1} differ, {2} match.")
-            ).format(len(comparison.rows), differing, comparison.equal),
+            summary=self.tr("%n setting(s) differ, {0} match.", "", differing).format(
+                comparison.equal
+            ),
         )
         _show_trouble(self._trouble, trouble)
         self._take.setVisible(not trouble)
@@ -276,8 +264,8 @@ class CompareDialog(QDialog):
     @Slot()
     def _update_take(self) -> None:
         count = len(self._view.table.ticked)
-        one, several = self.tr("&Take 1 value into {0}"), self.tr("&Take {1} values into {0}")
-        self._take.setText((one if count == 1 else several).format(self._document.name, count))
+        text = self.tr("&Take %n value(s) into {0}", "", count)
+        self._take.setText(text.format(self._document.name))
         self._take.setEnabled(count > 0)
 
     @Slot()
@@ -289,9 +277,8 @@ class CompareDialog(QDialog):
         except BadRequest as error:
             _show_trouble(self._trouble, sentence(error))
             return
-        one = self.tr("1 value was taken from {0}.")
-        several = self.tr("{1} values were taken from {0}.")
-        self.taken.emit((one if len(rows) == 1 else several).format(self._other_name, len(rows)))
+        text = self.tr("%n value(s) taken from {0}.", "", len(rows))
+        self.taken.emit(text.format(self._other_name))
 
 
 def _show_trouble(note: Note, text: str) -> None:

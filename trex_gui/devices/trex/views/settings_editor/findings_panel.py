@@ -104,16 +104,13 @@ class FindingsPanel(QWidget):
             return self.tr("No errors, warnings or suggestions.")
         errors = sum(found.severity is Severity.ERROR for found in self._findings)
         warnings = len(self._findings) - errors
-        parts = [
-            one if count == 1 else many.format(count)
-            for count, one, many in (
-                (errors, self.tr("1 error"), self.tr("{0} errors")),
-                (warnings, self.tr("1 warning"), self.tr("{0} warnings")),
-                (len(self._lint_findings), self.tr("1 suggestion"), self.tr("{0} suggestions")),
-            )
-            if count
-        ]
-        sentences = [f"{', '.join(parts)}."]
+        suggestions = len(self._lint_findings)
+        counts = {
+            self.tr("%n error(s)", "", errors): errors,
+            self.tr("%n warning(s)", "", warnings): warnings,
+            self.tr("%n suggestion(s)", "", suggestions): suggestions,
+        }
+        sentences = [f"{', '.join(text for text, count in counts.items() if count)}."]
         if self._with_lines:
             sentences.append(self.tr("Double-click a finding to show its line."))
         if errors:
