@@ -79,7 +79,7 @@ def test_recording_opens_without_a_board(connected_window: WindowDriver, tmp_pat
     assert player.text("channel1PhysicalAtPosition").endswith("µs")
     recordings.open_file(path)
     assert recordings.windows == [opened]
-    player.click("settingsInForceButton")
+    player.click("settingsAtPositionButton")
     (editor,) = trex(window.program).workspace.files.editors
     assert editor.document.readable
     editor.close()

@@ -122,7 +122,7 @@ def test_values_follow_slider_keys_and_events(window: RecordingWindow) -> None:
     for place, settings in ((10, HEADER.settings), (40, LATER)):
         window.playback.set_position(T0 + place)
         with window.qtbot.waitSignal(window.window.settings_wanted) as wanted:
-            window.click("settingsInForceButton")
+            window.click("settingsAtPositionButton")
         assert wanted.args == [settings, f"minute at 0:00:{place}"]
 
 

@@ -13,9 +13,7 @@ from trex_gui.ui.playback.transport import time_text
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.plotting.figures import TraceColumn, TraceTable, TraceTableView
 from trex_gui.ui.widgets import builders
-from trex_gui.ui.widgets.bar import MINUS
-
-_NONE = "–"
+from trex_gui.ui.widgets.bar import NO_VALUE, with_sign
 
 
 class PlaybackWindow(RecordingWindow):
@@ -33,16 +31,16 @@ class PlaybackWindow(RecordingWindow):
 
         self._settings = builders.button(
             self,
-            "settingsInForceButton",
+            "settingsAtPositionButton",
             self.tr("&Settings at this time…"),
             icon="settings",
-            tip=self.tr("Open what the board stored at this time in the settings editor"),
+            tip=self.tr("Open the settings that the board stored at this time"),
             on_click=self._on_settings_clicked,
         )
         self._table = TraceTable(self.plot, self)
         table = TraceTableView(self._table, self)
         table.setColumnHidden(TraceColumn.NOW, True)  # there is no newest value
-        # The plot is what the window is for: the table scrolls rather than taking its room.
+        # The plot needs the room: a long table scrolls.
         table.setMaximumHeight(max(table.minimumHeight(), 8 * self.fontMetrics().height()))
 
         self.arrange(
@@ -116,7 +114,7 @@ class ValuesPanel(QWidget):
             if not part:
                 continue
             name = f"{key}{part.capitalize()}"
-            label = builders.label(self, f"{name}AtPosition", _NONE)
+            label = builders.label(self, f"{name}AtPosition", NO_VALUE)
             label.setAlignment(Qt.AlignmentFlag.AlignRight)
             label.setMinimumWidth(width)
             self._names[name] = f"{title}, {part}"
@@ -125,11 +123,24 @@ class ValuesPanel(QWidget):
 
     @Slot()
     def refresh(self) -> None:
-        """Show the values at the position."""
         state = self._playback.state()
-        self._show_motors(state)
-        self._show_channels(state)
+        unit, source = self._playback.header.model.current_unit, state.mode.source
         self._control.setText(self._control_text(state))
+        for motor in (1, 2):
+            text = NO_VALUE
+            if state.currents is not None:
+                text = f"{state.currents[motor - 1] * unit:.2f} A"
+            self._set(f"motor{motor}Current", text)
+            self._set(f"motor{motor}Setpoint", self._drive_text(state.setpoints.get(motor)))
+        auxiliary = state.auxiliary
+        self._set("auxiliarySetpoint", NO_VALUE if auxiliary is None else str(auxiliary))
+        no_signal = self.tr("no signal") if state.raw is not None else NO_VALUE
+        for place, channel in enumerate(CHANNELS):
+            raw = state.raw[place] if state.raw is not None else None
+            self._set(f"channel{channel}Raw", no_signal if raw is None else str(raw))
+            self._set(f"channel{channel}Physical", NO_VALUE if raw is None else source.text(raw))
+            text = NO_VALUE if state.remapped is None else with_sign(state.remapped[place])
+            self._set(f"channel{channel}Remapped", text)
 
     def _control_text(self, state: BoardSnapshot) -> str:
         inputs = state.mode.source.value
@@ -145,41 +156,15 @@ class ValuesPanel(QWidget):
             case False:
                 return self.tr("{0}; the channels control the motors.").format(mode)
 
-    def _show_motors(self, state: BoardSnapshot) -> None:
-        unit = self._playback.header.model.current_unit
-        for motor in (1, 2):
-            text = _NONE
-            if state.currents is not None:
-                text = f"{state.currents[motor - 1] * unit:.2f} A"
-            self._set(f"motor{motor}Current", text)
-            self._set(f"motor{motor}Setpoint", self._drive_text(state.setpoints.get(motor)))
-        auxiliary = state.auxiliary
-        self._set("auxiliarySetpoint", _NONE if auxiliary is None else str(auxiliary))
-
     def _drive_text(self, drive: Drive | None) -> str:
         if drive is None:
-            return _NONE
+            return NO_VALUE
         if drive.is_brake:
             return self.tr("brake {0}").format(drive.speed)
-        return _signed(drive.signed)
-
-    def _show_channels(self, state: BoardSnapshot) -> None:
-        source = state.mode.source
-        for place, channel in enumerate(CHANNELS):
-            raw = state.raw[place] if state.raw is not None else None
-            no_signal = self.tr("no signal") if state.raw is not None else _NONE
-            self._set(f"channel{channel}Raw", no_signal if raw is None else str(raw))
-            self._set(f"channel{channel}Physical", _NONE if raw is None else source.text(raw))
-            remapped = state.remapped
-            text = _NONE if remapped is None else _signed(remapped[place])
-            self._set(f"channel{channel}Remapped", text)
+        return with_sign(drive.signed)
 
     def _set(self, name: str, text: str) -> None:
         label = self._cells[name]
         if label.text() != text:
             label.setText(text)
             label.setAccessibleName(f"{self._names[name]}: {text}")
-
-
-def _signed(value: int) -> str:
-    return f"{value:+d}".replace("-", MINUS) if value else "0"

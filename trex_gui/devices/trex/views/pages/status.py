@@ -78,8 +78,6 @@ class StatusPage(QWidget):
         for key, text in rows.items():
             value = ui.label(box, f"{key}Value", wrap=True, expand=True, selectable=True)
             form.addRow(text, value)
-            if isinstance(label := form.labelForField(value), QLabel):
-                label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
             self._values[key] = value
         return box
 

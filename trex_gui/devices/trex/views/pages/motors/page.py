@@ -62,6 +62,7 @@ class MotorsPage(QWidget):
         self._sign = Sign(self)
         self._reason = ui.named(Note(2, self), "motorsReason")
         self._reason.setTextFormat(Qt.TextFormat.RichText)
+        self._reason.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         tip = self.tr("Let the controls of this page move the motors")
         run = RunButton(device, "motorsRunButton", tip, self)
         drive_box = QGroupBox(self.tr("Drive"), self)
