@@ -14,7 +14,7 @@ from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.workers.threads import has_running_orphans
+from trex_gui.ui.workers.threads import wait_for_orphans
 
 
 class Program:
@@ -99,7 +99,7 @@ class Program:
         """
         ends = [self.device_manager.shut_down()]
         ends += [workspace.shut_down() for workspace in self.workspaces.values()]
-        return all(ends) and not has_running_orphans()
+        return all(ends) and wait_for_orphans()
 
     def end(self) -> None:
         """Stop the motors, close the line and end the program, without asking anything."""

@@ -1,6 +1,7 @@
 """Threads that outlive their owner."""
 
 import threading
+import weakref
 
 import pytest
 from PySide6.QtCore import QObject
@@ -9,7 +10,6 @@ from pytestqt.qtbot import QtBot
 from trex_gui.ui.workers.threads import (
     WorkerThread,
     adopt_orphan,
-    has_running_orphans,
     release_orphan,
     wait_for_orphans,
 )
@@ -29,7 +29,7 @@ class Held(WorkerThread):
 
 
 def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: not has_running_orphans())  # of the tests before
+    qtbot.waitUntil(wait_for_orphans)  # of the tests before
     owner = QObject()
     thread = Held(owner)
     thread.start()
@@ -37,18 +37,21 @@ def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
     adopt_orphan(thread)
     go = thread.go
     del owner, thread
-    assert has_running_orphans()
+    assert not wait_for_orphans()
     assert not wait_for_orphans(1)
     go.set()
     assert wait_for_orphans(15_000)
-    assert not has_running_orphans()
+    assert wait_for_orphans()
 
 
-def test_orphaned_thread_can_be_released_once(qtbot: QtBot) -> None:
+def test_orphaned_thread_can_be_released(qtbot: QtBot) -> None:
     thread = Held()
     thread.start()
     adopt_orphan(thread)
     thread.go.set()
     assert thread.wait(15_000)
-    assert release_orphan(thread)
-    assert not release_orphan(thread)
+    release_orphan(thread)
+    release_orphan(thread)
+    kept = weakref.ref(thread)
+    del thread
+    assert kept() is None

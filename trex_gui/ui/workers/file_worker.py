@@ -51,39 +51,40 @@ class FileWorker(WorkerThread):
     Objects that the function uses belong to this thread until it ends. Its owner keeps it until
     then.
 
+    Attributes:
+        outcome: how the work ended, once the thread has ended.
+
     Signals:
         progressed: share done, 0 to 1.
-        done: a `Done`, once, unless it was cancelled. Its error may be an internal error.
     """
 
     progressed = Signal(float)
-    done = Signal(object)
 
     def __init__(
         self, work: Callable[[ProgressCallback], object], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self.setObjectName("FileWorker")
+        self.outcome = Done()
         self._work = work
         self._cancelled = threading.Event()
         self._last_progress = self._last_yield = 0.0
 
     def run(self) -> None:
-        """Do the work; called by Qt in the new thread."""
         self._last_yield = now()
         try:
             result = self._work(self._report)
         except _CancelledError:
             return
         except StudioError as error:
-            self.done.emit(Done(error=error))
+            self.outcome = Done(error=error)
         except Exception as error:
             log.exception("work on a file")
             text = self.tr("Internal error while processing this file ({0}).")
-            self.done.emit(Done(error=StudioError(text.format(type(error).__name__))))
+            self.outcome = Done(error=StudioError(text.format(type(error).__name__)))
         else:
             if not self._cancelled.is_set():
-                self.done.emit(Done(result))
+                self.outcome = Done(result)
 
     def cancel(self) -> None:
         """End the work at its next progress report."""
@@ -125,7 +126,6 @@ class FileTask(QObject):
         """Do the work, which must not use this object."""
         worker = FileWorker(work, self)
         worker.progressed.connect(self.progressed, Qt.ConnectionType.QueuedConnection)
-        worker.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
         worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
         self._worker = worker
         worker.start(FileWorker.Priority.LowPriority)
@@ -145,29 +145,20 @@ class FileTask(QObject):
             worker.cancel()
             if not worker.wait(timeout_ms):
                 adopt_orphan(worker)
-                self._abandoned, worker = worker, None
+                self._abandoned = worker
+                return False
         if worker is not None:
             worker.deleteLater()
-        if self._abandoned is not None and not self._abandoned.wait(0):
-            return False
-        self._abandoned = None
-        return True
-
-    @Slot(object)
-    def _on_done(self, done: Done) -> None:
-        self._finish(self.sender(), done)
+        return self._abandoned is None or self._abandoned.wait(0)
 
     @Slot()
     def _on_finished(self) -> None:
-        self._finish(self.sender(), Done())
-
-    def _finish(self, sender: QObject, done: Done) -> None:
         worker = self._worker
-        if worker is not None and sender is worker:
+        if worker is not None and self.sender() is worker:
             self._worker = None
             worker.wait()
             worker.deleteLater()
-            self.done.emit(done)
+            self.done.emit(worker.outcome)
 
 
 class FileSaver(QObject):

@@ -36,13 +36,14 @@ _SHUTDOWN_TIMEOUT_MS = 3000
 class RecordWorker(WorkerThread, Generic[RecordT]):
     """Writes one recording; ends with its backlog or on an error.
 
+    Attributes:
+        error: why the recording ended early, for the user; set before the thread ends.
+
     Signals:
         progressed: bytes written so far.
-        failed: why the recording ended early, for the user.
     """
 
     progressed = Signal(object)
-    failed = Signal(str)
 
     def __init__(
         self,
@@ -53,11 +54,11 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
         """Write the records of a backlog; `open_writer` is called in the new thread."""
         super().__init__(parent)
         self.setObjectName("RecordWorker")
+        self.error = ""
         self._backlog = backlog
         self._open_writer = open_writer
 
     def run(self) -> None:
-        """Write until the end; called by Qt in the new thread."""
         try:
             writer = self._open_writer()
             try:
@@ -65,15 +66,13 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
             finally:
                 writer.close()
         except RecordingError as error:
-            self._fail(str(error))
+            self.error = str(error)
         except Exception as error:
             log.exception("recording")
             text = self.tr("Internal error while recording ({0}). The recording has ended.")
-            self._fail(text.format(type(error).__name__))
-
-    def _fail(self, message: str) -> None:
-        self._backlog.close(0.0)
-        self.failed.emit(message)
+            self.error = text.format(type(error).__name__)
+        finally:
+            self._backlog.close(0.0)
 
     def _write(self, writer: RecordingWriter[Any, RecordT]) -> None:
         self.progressed.emit(writer.size)
@@ -121,7 +120,6 @@ class RecordThread(QObject, Generic[RecordT]):
         self._started = 0.0
         self._lost = 0
         self._closing = False
-        self._has_failed = False
         self._abandoned = False  # the program waits for a disk once
 
     @property
@@ -160,12 +158,11 @@ class RecordThread(QObject, Generic[RecordT]):
         """Start recording at the time in the header; `first` are the first records."""
         self.path, self._started = path, header.clock
         self.size = self._lost = 0
-        self._closing = self._has_failed = self._abandoned = False
+        self._closing = self._abandoned = False
         self._backlog = Backlog(runtime().condition())
         open_writer = partial(RecordingWriter[HeaderT, RecordT], path, fmt, header)
         worker = RecordWorker(self._backlog, open_writer, self)
         worker.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
-        worker.failed.connect(self._on_failed, Qt.ConnectionType.QueuedConnection)
         worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
         self._worker = worker
         self.put(*first)
@@ -218,12 +215,6 @@ class RecordThread(QObject, Generic[RecordT]):
         self.size = size
         self.changed.emit()
 
-    @Slot(str)
-    def _on_failed(self, text: str) -> None:
-        self._closing = self._has_failed = True
-        self.changed.emit()
-        self.failed.emit(text)
-
     @Slot()
     def _on_finished(self) -> None:
         worker, self._worker = self._worker, None
@@ -231,5 +222,7 @@ class RecordThread(QObject, Generic[RecordT]):
             release_orphan(worker)
             worker.deleteLater()
         self.changed.emit()
-        if not self._has_failed:
+        if worker is not None and worker.error:
+            self.failed.emit(worker.error)
+        else:
             self.ended.emit(self.path)

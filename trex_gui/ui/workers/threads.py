@@ -45,20 +45,13 @@ def adopt_orphan(thread: WorkerThread) -> None:
         _orphans.append(thread)
 
 
-def release_orphan(thread: WorkerThread) -> bool:
-    """Release a thread that has ended; return whether it was kept."""
-    if thread not in _orphans:
-        return False
-    _orphans.remove(thread)
-    return True
+def release_orphan(thread: WorkerThread) -> None:
+    """Release a thread that has ended."""
+    if thread in _orphans:
+        _orphans.remove(thread)
 
 
-def has_running_orphans() -> bool:
-    """Return whether an orphaned thread is still running; release those that have ended."""
-    return not wait_for_orphans(0)
-
-
-def wait_for_orphans(timeout_ms: int) -> bool:
+def wait_for_orphans(timeout_ms: int = 0) -> bool:
     """Wait for all orphaned threads together; return whether they ended in time."""
     end = now() + timeout_ms / 1000
     _orphans[:] = [
@@ -85,8 +78,7 @@ class GuiThreadCollector(QObject):
     @Slot()
     def collect(self) -> None:
         """Collect the oldest generation that is due by Python's own thresholds."""
-        counts, thresholds = gc.get_count(), gc.get_threshold()
-        for generation in (2, 1, 0):
-            if counts[generation] > thresholds[generation]:
-                gc.collect(generation)
-                return
+        counts = zip(gc.get_count(), gc.get_threshold(), strict=True)
+        due = [generation for generation, (count, limit) in enumerate(counts) if count > limit]
+        if due:
+            gc.collect(max(due))
