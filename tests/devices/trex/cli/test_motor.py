@@ -262,7 +262,7 @@ def test_stop_fails_while_rc_channels_drive(
     result = trexcmd("stop")
     assert result.exit_code == 1
     assert "Stopped." not in result.stderr
-    assert "Let go of the sticks, or cut the power." in result.stderr
+    assert "Release the sticks, or cut the power." in result.stderr
     assert quick_simulator.show()["motors"][0]["speed"] > 50
 
 

@@ -20,7 +20,6 @@ from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.transport.linux_ports import holder_of
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
-from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP, who_controls
 from trex_gui.devices.trex.client.reading import DeviceState, query
 from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, StatusReader
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
@@ -38,6 +37,7 @@ from trex_gui.devices.trex.driving.requests import (
 )
 from trex_gui.devices.trex.protocol.commands import GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP, who_controls
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.flags import Status, UartError, bit_names

@@ -14,10 +14,10 @@ from trex_gui.devices.trex.cli.common import (
     rounded,
 )
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.explanations import MODE_TEXT, who_controls
 from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything
 from trex_gui.devices.trex.client.telemetry import StatusReader
 from trex_gui.devices.trex.protocol.commands import GetCurrents, GetRawChannels, GetRemappedChannels
+from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT, who_controls
 from trex_gui.devices.trex.protocol.flags import CHANNELS, bit_names
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 

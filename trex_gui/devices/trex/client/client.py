@@ -1,7 +1,7 @@
 """Transactions: one command out, its whole reply in, before anything else is sent.
 
-A TReX is deaf while it answers, so there is never a second request in flight. Deadlines come
-from the bytes on the wire and from what the board needs, not from a flat second.
+A TReX cannot receive while it replies, so there is never a second request in flight. Deadlines
+follow from the time of the bytes on the wire and of the board.
 """
 
 from collections.abc import Callable
@@ -28,26 +28,24 @@ from trex_gui.devices.trex.protocol.framing import Framing, Malformed, NeedData,
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 
 _BOARD_DELAY = 0.005
-"""Seconds a board may think about a query: its 1 ms response delay and its 10 ms cycle halved.
+"""Seconds a board may need for a query: its 1 ms response delay and half of its 10 ms cycle.
 
 Inferred: no source gives more than the response delay.
 """
 
 _LONGEST_REPLY = 16
-"""Bytes: the ten of five raw channels, a CRC and the echo of the question."""
+"""Bytes: the ten of five raw channels, a CRC and the echo of the request."""
 
 _NULL = Framing().encode(Null())
 
 _ECHO_PROBES = 2
-"""How often an echo is looked for: one damaged byte must not hide it."""
+"""A corrupted byte must not hide an echo."""
 
 
 class Requester(Protocol):
-    """Runs transactions: a client, or a session that serves a stop in between."""
+    """Runs transactions: a client, or a session that handles a stop in between."""
 
-    def __call__(self, command: Command[ReplyT_co]) -> ReplyT_co:
-        """Run one transaction and return its reply."""
-        ...
+    def __call__(self, command: Command[ReplyT_co]) -> ReplyT_co: ...
 
 
 @dataclass(slots=True)
@@ -55,12 +53,11 @@ class Counters:
     """Statistics since the line was opened.
 
     Attributes:
-        requests: transactions begun.
         silences: missing or incomplete replies.
         damaged: corrupted replies.
         stale: unsolicited bytes, discarded.
-        slowest: the longest round trip that succeeded, in seconds.
-        answers: replies that came whole.
+        slowest: the longest successful round trip in seconds.
+        answers: complete replies.
     """
 
     requests: int = 0
@@ -76,8 +73,9 @@ class TrexClient:
 
     Attributes:
         echo: whether everything sent comes back, as it does on the board's RS-232 side.
-        keepalive_while_waiting: whether to send a null command while a late reply is awaited, to
-            keep the board's serial timeout from stopping motors that are driven.
+        keepalive_while_waiting: whether to send a null command while waiting for a late reply,
+            so that the board's serial timeout does not stop motors that are driven.
+        settings: how the line was opened, with the board's present number.
     """
 
     def __init__(
@@ -86,22 +84,12 @@ class TrexClient:
         self.echo = echo
         self.keepalive_while_waiting = False
         self.counters = Counters()
-        self._transport = transport
-        self._settings = settings
+        self.transport = transport
+        self.settings = settings
         self._framing = settings.framing
         self._free_at = transport.clock()
         self._is_unanswered = False
-        self._unanswered = 0  # missing replies since one was surely matched to its request
-
-    @property
-    def settings(self) -> ConnectionSettings:
-        """How the line was opened."""
-        return self._settings
-
-    @property
-    def transport(self) -> Transport:
-        """The line."""
-        return self._transport
+        self._unanswered = 0  # missing replies since one was matched to its request
 
     def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
         """Send a command and return its parsed reply.
@@ -115,63 +103,65 @@ class TrexClient:
             BadReply: the bytes are no reply to this command.
             PortUnavailable: the line is gone.
         """
+        number = self._new_number(command)
         try:
             reply = self._transact(command)
         except (NoReply, BadReply):
-            if (number := self._new_number(command)) is not None:
+            if number is not None:
                 self._look_for(number)
             raise
-        if reply is ResultCode.OK and (number := self._new_number(command)) is not None:
+        if reply is ResultCode.OK and number is not None:
             self._address(number)
         return reply
 
     def _transact(self, command: Command[ReplyT_co]) -> ReplyT_co:
         packet = self._framing.encode(command)
-        line = self._settings.line
+        line = self.settings.line
         parser = ReplyParser(command, self._framing, self.echo)
         self.drain()
-        stale = self._drain_late_reply() + self._transport.discard()
+        stale = self._drain_late_reply() + self.transport.discard()
         self.counters.requests += 1
         self.counters.stale += len(stale)
-        begun = self._transport.clock()
-        self._transport.write(packet)
+        begun = self.transport.clock()
+        self.transport.write(packet)
         self._free_at = begun + line.seconds(len(packet))
-        # What is queued in the port must leave before the board can answer.
+        # What is queued in the port must leave before the board can reply.
         deadline = self._free_at + self._allowance + command.seconds_to_answer
         received = b""
         state = parser.feed()
         while isinstance(state, NeedData):
-            # The rest of the reply is on its way: it needs at least its time on the wire.
-            wanted = state.size
-            left = deadline + line.seconds(len(received) + wanted) - self._transport.clock()
-            chunk = self._transport.read(wanted, max(left, 0.0))
+            # The rest of the reply needs at least its time on the wire.
+            missing = state.size
+            left = deadline + line.seconds(len(received) + missing) - self.transport.clock()
+            chunk = self.transport.read(missing, max(left, 0.0))
             received += chunk
             state = parser.feed(chunk)
-            if isinstance(state, NeedData) and len(chunk) < wanted:
+            if isinstance(state, NeedData) and len(chunk) < missing:
                 self.counters.silences += 1
                 self._is_unanswered = True
                 self._unanswered += 1
-                raise _missing_reply(packet, received)
+                if received:
+                    fields = _hex(packet), _hex(received)
+                    raise TrexNoReplyError(ErrorCode.INCOMPLETE_REPLY, *fields)
+                raise TrexNoReplyError(ErrorCode.NO_REPLY, _hex(packet))
         match state:
             case Malformed(raw, reason):
                 self.counters.damaged += 1
-                # Whatever else is on its way belongs to the same damage.
-                self._transport.wait(line.seconds(16))
+                # Bytes that still arrive belong to the same corrupted reply.
+                self.transport.wait(line.seconds(_LONGEST_REPLY))
                 raise TrexBadReplyError(ErrorCode.CORRUPTED_REPLY, _hex(raw), reason)
             case Reply(raw, value):
-                took = self._transport.clock() - begun
+                took = self.transport.clock() - begun
                 if self._unanswered and command.reply_size():
                     self._reject_late_reply(raw)
                 self.counters.answers += bool(command.reply_size())
                 if command.reply_size() or self.echo:
                     self.counters.slowest = max(self.counters.slowest, took)
-                    self._free_at = min(self._free_at, self._transport.clock())
+                    self._free_at = min(self._free_at, self.transport.clock())
                 return value
 
     def send(self, command: Command[None]) -> None:
-        """Send a command without a reply that something else will confirm.
-
-        An echo is awaited and not checked.
+        """Send a command without a reply; an echo is awaited and not checked.
 
         Raises:
             PortUnavailable: the line is gone.
@@ -179,8 +169,8 @@ class TrexClient:
         packet = self._framing.encode(command)
         self.drain()
         self.counters.requests += 1
-        self._transport.write(packet)
-        self._free_at = self._transport.clock() + self._settings.line.seconds(len(packet))
+        self.transport.write(packet)
+        self._free_at = self.transport.clock() + self.settings.line.seconds(len(packet))
         if self.echo:
             self._read_echo(packet)
 
@@ -190,7 +180,7 @@ class TrexClient:
         `before` is called before each of them: a stop may have to be sent first.
 
         Raises:
-            BadReply: bytes come without end; no TReX sends any unsolicited.
+            BadReply: bytes arrive without end; a TReX sends none unsolicited.
             PortUnavailable: the line is gone.
         """
         self.echo = False
@@ -198,27 +188,23 @@ class TrexClient:
             if before is not None:
                 before()
             self.drain()
-            self._transport.discard()
-            self._transport.write(_NULL)
+            self.transport.discard()
+            self.transport.write(_NULL)
             if self._read_echo(_NULL) == _NULL:
                 self.echo = True
                 break
         return self.echo
 
     def _drain_late_reply(self) -> bytes:
-        """Discard a reply that did not come in time: it would be taken for the next one.
-
-        A stop does not wait for that.
-        """
+        """Discard a late reply, which would be taken for the next one; a stop does not wait."""
         if not self._is_unanswered:
             return b""
         self._is_unanswered = False
         if self.keepalive_while_waiting:
-            self._transport.write(_NULL)
-        late = self._transport.read(_LONGEST_REPLY, self._transport.latency)
-        # The rest of it is on its way; what follows that is no reply.
-        rest = self._settings.line.seconds(_LONGEST_REPLY) if late else 0.0
-        late += self._transport.read(_LONGEST_REPLY - len(late), rest)
+            self.transport.write(_NULL)
+        late = self.transport.read(_LONGEST_REPLY, self.transport.latency)
+        rest = self.settings.line.seconds(_LONGEST_REPLY) if late else 0.0
+        late += self.transport.read(_LONGEST_REPLY - len(late), rest)
         if late and self._unanswered == 1:
             self._unanswered = 0
         return late.removesuffix(_NULL) if self.echo and self.keepalive_while_waiting else late
@@ -230,56 +216,53 @@ class TrexClient:
         this one belongs to an earlier request.
 
         Raises:
-            BadReply: more came.
+            BadReply: more bytes arrived.
             PortUnavailable: the line is gone.
         """
-        more = self._transport.read(1, self._transport.latency)
+        more = self.transport.read(1, self.transport.latency)
         if more:
-            # Until it is quiet; what goes on for longer is no reply.
-            more += self._transport.read(
+            more += self.transport.read(
                 self._unanswered * _LONGEST_REPLY,
-                self._unanswered * self._settings.line.seconds(_LONGEST_REPLY),
+                self._unanswered * self.settings.line.seconds(_LONGEST_REPLY),
             )
-            more += self._transport.discard()
+            more += self.transport.discard()
         self._unanswered = 0
         if more:
             self.counters.stale += len(answer) + len(more)
             raise TrexBadReplyError(ErrorCode.LATE_REPLIES)
 
     def _read_echo(self, packet: bytes) -> bytes:
-        seconds = self._settings.line.seconds(len(packet)) + self._allowance
-        return self._transport.read(len(packet), seconds)
+        seconds = self.settings.line.seconds(len(packet)) + self._allowance
+        return self.transport.read(len(packet), seconds)
 
     def drain(self) -> None:
-        """Wait until everything that was sent has left the port."""
-        self._transport.wait(self._free_at - self._transport.clock())
+        """Wait until all sent bytes have left the port."""
+        self.transport.wait(self._free_at - self.transport.clock())
 
     def close(self) -> None:
-        """Close the port."""
-        self._transport.close()
+        self.transport.close()
 
     @property
     def _allowance(self) -> float:
-        return self._transport.latency + self._settings.timeouts.extra + _BOARD_DELAY
+        return self.transport.latency + self.settings.timeouts.extra + _BOARD_DELAY
 
     def _new_number(self, command: object) -> int | None:
-        """Return the new number from a command that changes that of a board addressed by number."""
+        """Return the new number if a command changes that of a board addressed by number."""
         if (
             isinstance(command, SetParameter)
             and command.number == parameter_number(ParameterKey.DEVICE_NUMBER)
-            and self._settings.device_number is not None
+            and self.settings.device_number is not None
         ):
             return command.value
         return None
 
     def _address(self, number: int) -> None:
-        """Address the board by this number from now on."""
-        self._settings = replace(self._settings, device_number=number)
-        self._framing = self._settings.framing
+        self.settings = replace(self.settings, device_number=number)
+        self._framing = self.settings.framing
 
     def _look_for(self, number: int) -> None:
-        """Find out whether a board has taken its new number although the reply was lost."""
-        before = self._settings.device_number
+        """Use the new number if the board replies to it, although the first reply was lost."""
+        before = self.settings.device_number
         self._address(number)
         try:
             self._transact(GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER)))
@@ -292,14 +275,8 @@ def _hex(data: bytes) -> str:
     return data.hex(" ").upper()
 
 
-def _missing_reply(packet: bytes, received: bytes) -> TrexNoReplyError:
-    if received:
-        return TrexNoReplyError(ErrorCode.INCOMPLETE_REPLY, _hex(packet), _hex(received))
-    return TrexNoReplyError(ErrorCode.NO_REPLY, _hex(packet))
-
-
 def diagnose(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
-    """Return why no TReX was found, judged by the error of the first query and by its echo."""
+    """Return why no TReX was found, from the error of the first query and its echo."""
     where = settings.text()
     if isinstance(error, BadReply):
         return TrexBadReplyError(ErrorCode.OTHER_DEVICE, where, error)

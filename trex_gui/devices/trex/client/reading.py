@@ -28,7 +28,7 @@ Progress = Callable[[int, int, str], None]
 """Called with the steps done, their total, and what comes next."""
 
 ATTEMPTS = 3
-"""How often a transaction is tried on a line that damages bytes."""
+"""How often a transaction is tried on a line that corrupts bytes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,8 +37,8 @@ class DeviceState:
 
     Attributes:
         parameters: stored wire value (0-127) by key.
-        calibrations: by channel, for the input source that the mode has in force; the board
-            does not show the other set.
+        calibrations: by channel, for the active input source; the board does not show the other
+            set.
         calibrated: mask of channels whose calibration differs from the default.
         unread: why a parameter is missing from `parameters`, by key.
     """
@@ -53,20 +53,17 @@ class DeviceState:
 
     @property
     def specs(self) -> ParameterSet:
-        """The parameters that this model with this firmware has."""
         return parameters_of(self.signature.model.key, self.signature.firmware)
 
     @property
     def serial_timeout(self) -> float:
         """Seconds without a byte after which the board stops its motors; 0 for never."""
-        return (
-            self.parameters.get(ParameterKey.SERIAL_TIMEOUT, 0)
-            * self.specs[ParameterKey.SERIAL_TIMEOUT].scale
-        )
+        wire = self.parameters.get(ParameterKey.SERIAL_TIMEOUT, 0)
+        return wire * self.specs[ParameterKey.SERIAL_TIMEOUT].scale
 
     @property
     def source(self) -> InputSource:
-        """The input source that `calibrations` belong to."""
+        """The active input source, to which `calibrations` belong."""
         return self.mode.source
 
     def active_parameters(self, connection: ConnectionSettings | None) -> dict[str, int]:
@@ -90,7 +87,7 @@ def no_progress(done: int, total: int, what: str) -> None:
 
 
 def query(request: Requester, command: Command[ReplyT_co]) -> ReplyT_co:
-    """Run a transaction that changes nothing, up to three times on a line that damages bytes.
+    """Run a transaction that changes nothing, up to three times on a line that corrupts bytes.
 
     Raises:
         NoReply, BadReply: three times in a row.

@@ -44,9 +44,9 @@ class LatchedStatus:
 
     @property
     def has_line_error(self) -> bool:
-        """Whether the line has damaged something; a timeout is no damage.
+        """Whether the line has corrupted bytes; a timeout does not count.
 
-        Where an error is announced but no kind was read, the query for it was damaged.
+        An announced error of unknown kind counts: the query for its kind was corrupted.
         """
         is_unread = Status.UART_ERROR in self.status and not self.uart
         return is_unread or bool(self.uart & ~UartError.TIMEOUT)
@@ -62,7 +62,7 @@ class Control:
 
 @dataclass(frozen=True, slots=True)
 class ModeSample:
-    """The mode, which only changes with the power."""
+    """The mode, which only changes with a power cycle."""
 
     time: float
     mode: Mode
@@ -72,34 +72,32 @@ Sample = Raw | Remapped | Currents | LatchedStatus | Control | ModeSample
 
 
 class StatusReader:
-    """Reads the latched bits and loses none of them on a line that damages bytes.
+    """Reads the latched bits and loses none of them on a line that corrupts bytes.
 
     Reading clears a byte. So when a status did not arrive, or announced UART errors and their
     byte did not arrive, the UART error byte is read the next time.
+
+    Attributes:
+        uart_due: whether UART error bits may be latched that no status announces any more.
     """
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
-        self._uart_due = False
-
-    @property
-    def uart_due(self) -> bool:
-        """Whether UART error bits may be latched that no status announces any more."""
-        return self._uart_due
+        self.uart_due = False
 
     def read(self, request: Requester) -> LatchedStatus | None:
         """Read and clear the status, and the UART errors when there may be some.
 
         Raises:
-            NoReply, BadReply: no status came.
+            NoReply, BadReply: no status arrived.
             PortUnavailable: the line is gone.
         """
-        uart_due, self._uart_due = self._uart_due, True
+        uart_due, self.uart_due = self.uart_due, True
         status = request(GetStatus())
         uart = UartError(0)
-        self._uart_due = uart_due or bool(status & Status.UART_ERROR)
-        if self._uart_due:
+        self.uart_due = uart_due or bool(status & Status.UART_ERROR)
+        if self.uart_due:
             with contextlib.suppress(NoReply, BadReply):
                 uart = request(GetUartErrors())
-                self._uart_due = False
+                self.uart_due = False
         return LatchedStatus(self._clock(), status, uart) if status or uart else None

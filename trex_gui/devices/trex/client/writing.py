@@ -6,6 +6,7 @@ Plain functions over a `Requester`, so the command line, the session and tests s
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
+from typing import TypeVar
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.client.client import Requester
@@ -23,6 +24,7 @@ from trex_gui.devices.trex.protocol.calibration import (
     CalibrationKey,
 )
 from trex_gui.devices.trex.protocol.commands import (
+    Command,
     GetCalibration,
     GetMode,
     GetParameter,
@@ -37,9 +39,11 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexBadReplyError,
     TrexNoReplyError,
 )
-from trex_gui.devices.trex.protocol.flags import InputSource, channel_mask, channels_in
+from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet, ParameterSpec
+
+ValueT = TypeVar("ValueT", int, Calibration)
 
 _FAILURES = (BadRequest, Rejected, BadReply, NoReply, PortUnavailable)
 
@@ -48,7 +52,7 @@ _LINE, _POLYNOMIAL = ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL
 
 @dataclass(frozen=True, slots=True)
 class WriteResult:
-    """How one write went: `stored` is the value that was read back, `error` why not.
+    """The value that was read back after a write, or why it is not stored.
 
     `key` is a parameter's key, or a `CalibrationKey`.
     """
@@ -70,42 +74,32 @@ def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
     back; its result code has to suffice.
 
     Raises:
-        BadRequest: the table does not allow the value; nothing was sent.
+        BadRequest: the value is outside the parameter's limits; nothing was sent.
         Rejected: the board rejected it.
-        BadReply: the value read back is another.
-        NoReply: the board does not answer.
+        BadReply: the value read back differs.
+        NoReply: the board does not respond.
         PortUnavailable: the line is gone.
     """
     command = SetParameter(spec.number, spec.check(wire))
     if not spec.readable:
         _write(request, spec.name, command, may_fail=False)
         return wire
-    stored = wire
-    for _ in range(ATTEMPTS):
-        _write(request, spec.name, command, may_fail=True)
-        # Without CRC the line may have damaged what was read, or what was written: only two
-        # equal readings speak against the write, and a write may be repeated.
-        stored = query(request, GetParameter(spec.number))
-        if stored == wire or (stored := query(request, GetParameter(spec.number))) == wire:
-            return wire
-    texts = spec.text(wire), spec.text(stored)
-    raise TrexBadReplyError(ErrorCode.PARAMETER_MISMATCH, spec.name, *texts)
+    stored = _write_and_verify(request, spec.name, command, GetParameter(spec.number), wire)
+    if stored != wire:
+        texts = spec.text(wire), spec.text(stored)
+        raise TrexBadReplyError(ErrorCode.PARAMETER_MISMATCH, spec.name, *texts)
+    return stored
 
 
 def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibration) -> Calibration:
-    """Store a calibration for the input source in force; return what was read back.
+    """Store a calibration for the active input source; return what was read back.
 
-    A board that was without power for a moment may read another source now. Then nothing
-    more is written: its calibrations are others.
-
-    Args:
-        request: runs transactions.
-        key: what the calibration is for.
-        wanted: the calibration.
+    A board that lost power for a moment may have another active source now. Then nothing more is
+    written: its calibrations are different ones.
 
     Raises:
         BadRequest: minimum, neutral and maximum are not in order; nothing was sent.
-        BadReply: the board reads another source, or another value than was written.
+        BadReply: the active source, or the value read back, differs.
         Rejected, NoReply, PortUnavailable: as for `write_parameter`.
     """
     what = f"Calibration of channel {key.channel}"
@@ -113,36 +107,42 @@ def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibrati
     command.data()  # invalid values raise here, before anything is sent
 
     def require_source() -> None:
-        if (now := _serial_source(request, what)) is not key.source:
-            raise TrexBadReplyError(ErrorCode.OTHER_SOURCE, what, key.source.value, now.value)
+        mode = query(request, GetMode())
+        if not mode.is_serial:
+            raise Rejected(what, ResultCode.NOT_SERIAL_MODE)
+        if mode.source is not key.source:
+            names = key.source.value, mode.source.value
+            raise TrexBadReplyError(ErrorCode.OTHER_SOURCE, what, *names)
 
+    stored = _write_and_verify(
+        request, what, command, GetCalibration(key.channel), wanted, before=require_source
+    )
+    if stored != wanted:
+        raise TrexBadReplyError(ErrorCode.CALIBRATION_MISMATCH, what, stored)
+    return stored
+
+
+def _write_and_verify(
+    request: Requester,
+    what: str,
+    command: SetParameter | SetCalibration,
+    read_back: Command[ValueT],
+    wanted: ValueT,
+    *,
+    before: Callable[[], None] = lambda: None,
+) -> ValueT:
+    """Write until the value is read back; return what was read last.
+
+    Without CRC the line may have corrupted what was read, or what was written: only two equal
+    readings speak against the write, and a write may be repeated.
+    """
     stored = wanted
     for _ in range(ATTEMPTS):
-        _write(request, what, command, may_fail=True, before=require_source)
-        stored = query(request, GetCalibration(key.channel))
-        if stored == wanted or (stored := query(request, GetCalibration(key.channel))) == wanted:
-            return wanted
-    raise TrexBadReplyError(ErrorCode.CALIBRATION_MISMATCH, what, stored)
-
-
-def _serial_source(request: Requester, what: str) -> InputSource:
-    """Return the source of a board in serial mode."""
-    mode = query(request, GetMode())
-    if not mode.is_serial:
-        raise Rejected(what, ResultCode.NOT_SERIAL_MODE)
-    return mode.source
-
-
-def _nothing() -> None:
-    pass
-
-
-def _never() -> bool:
-    return False
-
-
-def _ignore(result: WriteResult) -> None:
-    del result
+        _write(request, what, command, may_fail=True, before=before)
+        stored = query(request, read_back)
+        if stored == wanted or (stored := query(request, read_back)) == wanted:
+            break
+    return stored
 
 
 def _write(
@@ -151,14 +151,14 @@ def _write(
     command: SetParameter | SetCalibration,
     *,
     may_fail: bool,
-    before: Callable[[], None] = _nothing,
+    before: Callable[[], None] = lambda: None,
 ) -> None:
     for attempt in range(ATTEMPTS):
         before()
         try:
             code = request(command)
         except (NoReply, BadReply):
-            # The packet or its answer was damaged: writing the same value again is harmless.
+            # The packet or its reply was corrupted: writing the same value again is harmless.
             if attempt == ATTEMPTS - 1 and not may_fail:
                 raise
             continue
@@ -174,38 +174,35 @@ def write_all(
     calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
     progress: Progress = no_progress,
     *,
-    cancelled: Callable[[], bool] = _never,
-    stored: Callable[[WriteResult], None] = _ignore,
+    cancelled: Callable[[], bool] = lambda: False,
+    stored: Callable[[WriteResult], None] = lambda _result: None,
 ) -> tuple[WriteResult, ...]:
-    """Store calibrations, then parameters by key, and return how each went.
+    """Store calibrations, then parameters by key, and return the result of each.
 
-    Calibrations come first, while the board reads the inputs that they are for. Parameters
-    that act at once come next, those that need a power cycle last and the serial settings after
-    all others.
+    Calibrations come first, while their input source is active. Parameters that take effect at
+    once come next, then those that need a power cycle, and the serial settings last.
 
-    Power may fail at any moment, and a value that was being written is the factory default then.
+    Power may fail at any moment; a value that is being written then becomes the factory default.
     Yet the board must start at settings that a scan tries: the old ones, the new ones or the
     default. So the polynomial is changed while the stored line settings have no CRC: before them
-    where CRC is switched on, after them where it is switched off. Where it stays on and the line
-    changes too, the default line settings are stored meanwhile. Where only the polynomial changes,
-    a power cut in the 4 ms of its write leaves the default polynomial, which a scan tries too.
+    if CRC is switched on, after them if it is switched off. If CRC stays on and the line changes
+    too, the default line settings are stored meanwhile. If only the polynomial changes, a power
+    cut in the 4 ms of its write leaves the default polynomial, which a scan tries too.
 
-    Once the line is gone, the board has stopped responding or has said that it is not in
-    serial mode, the rest is not tried: it would fail alike. Nor is it after `cancelled`, but
-    serial settings that belong together are not parted. `stored` is called behind each write
-    that was verified.
+    Once the line is gone, the board has stopped responding or is not in serial mode, the rest is
+    not attempted: it would fail alike. The same holds after `cancelled`, but serial settings that
+    belong together are not separated. `stored` is called after each verified write.
     """
     total = len(parameters) + len(calibrations)
     work = _Work(request, specs, total, progress, cancelled, stored)
     for calibration_key, wanted in calibrations:
         work.store_calibration(calibration_key, wanted)
     ordered = sorted(parameters, key=lambda item: _write_order(specs, item[0]))
-    serial = [item for item in ordered if item[0] in {_LINE, _POLYNOMIAL}]
     for key, wire in ordered:
         if key not in {_LINE, _POLYNOMIAL}:
             work.store(key, wire)
-    work.store_serial(serial)
-    progress(work.total, work.total, "done")
+    work.store_serial([item for item in ordered if item[0] in {_LINE, _POLYNOMIAL}])
+    progress(total, total, "done")
     return tuple(work.results)
 
 
@@ -227,20 +224,16 @@ def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceS
 
 
 class _Route(Enum):
-    """How the serial settings are changed; `write_all` gives the reasons."""
+    """The order in which serial settings are written; see `write_all` for the reasons."""
 
     POLYNOMIAL_FIRST = auto()
     LINE_FIRST = auto()
-    BY_WAY_OF_FACTORY = auto()
+    VIA_DEFAULT = auto()
 
 
 @dataclass(slots=True)
 class _Work:
-    """What is written one after the other, and how it went so far.
-
-    Attributes:
-        fatal_error: why nothing more is tried.
-    """
+    """Writes one value after the other; `fatal_error` is why nothing more is attempted."""
 
     request: Requester
     specs: ParameterSet
@@ -252,35 +245,31 @@ class _Work:
     fatal_error: StudioError | None = None
 
     def store_calibration(self, key: CalibrationKey, wanted: Calibration) -> None:
-        """Store a calibration, unless an earlier error was fatal."""
-
         def write() -> Calibration:
-            self._say(f"calibration of channel {key.channel}")
+            self._report(f"calibration of channel {key.channel}")
             return write_calibration(self.request, key, wanted)
 
-        self._look_whether_cancelled()
+        self._check_cancelled()
         self._try(key, write)
 
     def store(self, key: str, wire: int, *, may_cancel: bool = True) -> None:
-        """Store a parameter, unless an earlier error was fatal."""
-
         def write() -> int:
             spec = self.specs[key]
-            self._say(spec.name)
+            self._report(spec.name)
             return write_parameter(self.request, spec, wire)
 
         if may_cancel:
-            self._look_whether_cancelled()
+            self._check_cancelled()
         self._try(key, write)
 
     def store_serial(self, serial: list[tuple[str, int]]) -> None:
         """Store line settings and polynomial in the order that keeps the board reachable."""
-        self._look_whether_cancelled()
+        self._check_cancelled()
         route = _Route.POLYNOMIAL_FIRST
         if self.fatal_error is None and len(dict(serial)) == 2:
             try:
                 route = self._route(dict(serial))
-                if route is _Route.BY_WAY_OF_FACTORY:
+                if route is _Route.VIA_DEFAULT:
                     write_parameter(self.request, self.specs[_LINE], self.specs[_LINE].default)
             except _FAILURES as error:
                 self.fatal_error = error
@@ -288,11 +277,10 @@ class _Work:
             serial.reverse()
         for key, wire in serial:
             self.store(key, wire, may_cancel=False)
-        if route is _Route.BY_WAY_OF_FACTORY:
+        if route is _Route.VIA_DEFAULT:
             self._note_uncertain_line()
 
     def _route(self, wanted: Mapping[str, int]) -> "_Route":
-        """Return how to come from the serial settings that are stored to those wanted."""
         stored = {key: query(self.request, GetParameter(self.specs[key].number)) for key in wanted}
         is_possible = not any(self.specs[key].problem(wire) for key, wire in wanted.items())
         has_crc = _has_crc(stored[_LINE])
@@ -301,10 +289,10 @@ class _Work:
         if not _has_crc(wanted[_LINE]):
             return _Route.LINE_FIRST
         is_same = stored[_LINE] == wanted[_LINE]
-        return _Route.POLYNOMIAL_FIRST if is_same else _Route.BY_WAY_OF_FACTORY
+        return _Route.POLYNOMIAL_FIRST if is_same else _Route.VIA_DEFAULT
 
     def _note_uncertain_line(self) -> None:
-        """Add to a failure that the line settings may be neither the old nor the new ones."""
+        """Add to an error that the line settings may be neither the old nor the new ones."""
         spec = self.specs[_LINE]
         for number, result in enumerate(self.results):
             if result.key == _LINE and result.error is not None:
@@ -316,14 +304,15 @@ class _Work:
                     error = PortUnavailable(str(error))
                 self.results[number] = WriteResult(_LINE, error=error)
 
-    def _say(self, name: str) -> None:
+    def _report(self, name: str) -> None:
         self.progress(len(self.results), self.total, name)
 
-    def _look_whether_cancelled(self) -> None:
+    def _check_cancelled(self) -> None:
         if self.fatal_error is None and self.cancelled():
             self.fatal_error = Skipped(ErrorCode.WRITE_CANCELLED)
 
     def _try(self, key: str, write: Callable[[], int | Calibration]) -> None:
+        """Write a value, unless an earlier error was fatal."""
         result = WriteResult(key, error=self.fatal_error)
         if self.fatal_error is None:
             try:
@@ -353,7 +342,7 @@ def _write_order(specs: ParameterSet, key: str) -> tuple[bool, bool, int]:
 
 
 def _if_fatal(error: StudioError) -> StudioError | None:
-    """Return the error when every later write would meet it too."""
+    """Return the error if every later write would fail alike."""
     if isinstance(error, (NoReply, PortUnavailable)):
         return error
     if isinstance(error, Rejected) and error.result is ResultCode.NOT_SERIAL_MODE:

@@ -9,10 +9,10 @@ from trex_gui.core.errors import BadRequest, NoReply, StudioError, sentence
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.framing import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection_state import ConnectionState

@@ -8,7 +8,6 @@ from trex_gui.core.errors import StudioError, sentence
 from trex_gui.core.files import SettingsError
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.client.explanations import who_controls
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -23,6 +22,7 @@ from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.descriptions import who_controls
 from trex_gui.devices.trex.protocol.errors import suggests_scan
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (

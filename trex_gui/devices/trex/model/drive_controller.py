@@ -6,7 +6,6 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
 from trex_gui.core.errors import NoReply, StudioError, describe
 from trex_gui.core.session import Closed, Outcome
-from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
@@ -20,6 +19,7 @@ from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.ui.devices.connection_state import ConnectionState

@@ -1,4 +1,4 @@
-"""Commands of a TReX and what it answers, in words."""
+"""Commands, replies and states of a TReX in words."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -64,6 +64,28 @@ _RESULTS = {
     ResultCode.NOT_SERIAL_MODE: "rejected: not in serial mode (code 3)",
 }
 
+MODE_TEXT = {
+    Mode.RC: "RC mode: a radio receiver drives the motors.",
+    Mode.ANALOG: "Analog mode: voltages (joysticks, potentiometers) drive the motors.",
+    Mode.SERIAL_RC: "Serial mode, with inputs read as RC pulses.",
+    Mode.SERIAL_ANALOG: "Serial mode, with inputs read as voltages.",
+}
+
+CHANNEL_ROLES = {
+    1: "motor 1 (mixed: turn)",
+    2: "motor 2 (mixed: forward)",
+    3: "auxiliary motor",
+    4: "flip switch",
+    5: "serial override switch",
+}
+"""The function of each channel in RC and analog mode; in serial mode they are only measured."""
+
+BEYOND_A_STOP = (
+    "The stop was sent, but the channels control the motors: it takes effect only when channel 5 "
+    "gives control to serial commands. Release the sticks, or cut the power."
+)
+"""A stop is a serial command; it does not stop motors that channels control."""
+
 
 def describe(command: Command[Any], board: Signature | None = None) -> str:
     """Say a command in words; units are those of `board`, else of the newest TReX."""
@@ -123,6 +145,23 @@ def describe_reply(command: Command[Any], value: Any, board: Signature | None = 
         case GetParameter(number=number), _:
             return _value(number, value, board)
     return "" if value is None else str(value)
+
+
+def who_controls(mode: Mode, by_serial: bool, *, joint: bool) -> str:
+    """Return who controls the motors, and how to give control to this program."""
+    note = (
+        " Joint mode: both drivers work together as motor 1, motor 2 is ignored." if joint else ""
+    )
+    if mode.is_serial and by_serial:
+        return "Serial commands control the motors (serial mode)." + note
+    if by_serial:
+        return "Serial commands control the motors: channel 5 overrides the other inputs." + note
+    channels = "RC" if mode is Mode.RC else "analog"
+    return (
+        f"The {channels} channels control the motors. Serial commands take effect only when "
+        "channel 5 gives control to them; for serial mode, switch the board off, remove the mode "
+        "jumper and switch it on." + note
+    )
 
 
 def is_refusal(value: object) -> bool:

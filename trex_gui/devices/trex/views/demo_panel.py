@@ -3,7 +3,6 @@
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.demo import (
     STICK_ENDS,
@@ -12,6 +11,7 @@ from trex_gui.devices.trex.model.demo import (
     DemoMotor,
     DemoSnapshot,
 )
+from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channels_in
 from trex_gui.ui.devices.demo_panel import (
     CableTexts,

@@ -11,7 +11,6 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import StudioError
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.device import Device
@@ -19,6 +18,7 @@ from trex_gui.devices.trex.model.drive_controller import DriveController
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier

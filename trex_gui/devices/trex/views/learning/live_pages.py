@@ -9,12 +9,12 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from trex_gui.devices.trex.calibration.neutral import no_signal
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
-from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.learning.problem_text import problem_text, problems_text
 from trex_gui.devices.trex.model.learning.stick_tests import StickTest, StickTests
 from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Muted, Note, Sign

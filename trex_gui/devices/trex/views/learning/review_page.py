@@ -12,11 +12,11 @@ from PySide6.QtWidgets import QBoxLayout, QTabBar, QWidget
 
 from trex_gui.devices.trex.calibration.neutral import deadband_floor
 from trex_gui.devices.trex.calibration.proposal import WHY_THESE_VALUES
-from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.learning.problem_text import problems_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.ui.theme.icons import icon

@@ -4,8 +4,8 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
-from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.ui.devices.connection_state import ConnectionState

@@ -13,10 +13,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.client.explanations import MODE_TEXT
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme
