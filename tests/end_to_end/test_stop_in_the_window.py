@@ -185,7 +185,7 @@ def test_stop_is_not_reported_while_rc_channels_drive(
     quick_simulator.do("channel 1 1900us")
     page.wait(lambda: quick_simulator.show()["motors"][0]["speed"] > 50)
     page.press_escape()
-    page.wait_for_text("bannerText", "Let go of the sticks, or cut the power.")
+    page.wait_for_text("bannerText", "Release the sticks, or cut the power.")
     assert quick_simulator.show()["motors"][0]["speed"] > 50
     page.wait_for_text("motorStateLabel", "Stop does not stop what they drive")
     assert "Stopped" not in page.text("motorStateLabel")
