@@ -1,8 +1,17 @@
 """A button that acts only while it is held."""
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QPushButton, QWidget
+
+_LOSSES = {
+    QEvent.Type.FocusOut,
+    QEvent.Type.Hide,
+    QEvent.Type.WindowDeactivate,
+    QEvent.Type.UngrabMouse,
+    QEvent.Type.TouchCancel,
+}
+"""Events after which it is not certain that the user holds the button."""
 
 
 class HoldButton(QPushButton):
@@ -19,25 +28,21 @@ class HoldButton(QPushButton):
     hold_started = Signal()
     hold_ended = Signal()
 
+    is_held = False
+
     def __init__(self, text: str, parent: QWidget | None = None) -> None:
         super().__init__(text, parent)
-        self._is_held = False
         self.setAutoDefault(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
-    @property
-    def is_held(self) -> bool:
-        """Whether the user holds it."""
-        return self._is_held
-
     def _begin(self) -> None:
-        if not self._is_held and self.isEnabled():
-            self._is_held = True
+        if not self.is_held and self.isEnabled():
+            self.is_held = True
             self.hold_started.emit()
 
     def _end(self) -> None:
-        if self._is_held:
-            self._is_held = False
+        if self.is_held:
+            self.is_held = False
             self.setDown(False)
             self.hold_ended.emit()
 
@@ -47,7 +52,7 @@ class HoldButton(QPushButton):
             self._begin()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self._is_held:  # else Qt would press it again when the mouse comes back
+        if self.is_held:  # else Qt would press it again when the mouse comes back
             if not self.rect().contains(event.position().toPoint()):
                 self._end()
             event.accept()
@@ -66,24 +71,7 @@ class HoldButton(QPushButton):
             self._end()
         super().keyReleaseEvent(event)
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        self._end()
-        super().focusOutEvent(event)
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        self._end()
-        super().hideEvent(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.EnabledChange and not self.isEnabled():
-            self._end()
-
     def event(self, event: QEvent) -> bool:
-        if event.type() in {
-            QEvent.Type.WindowDeactivate,
-            QEvent.Type.UngrabMouse,
-            QEvent.Type.TouchCancel,
-        }:
+        if event.type() in _LOSSES or not self.isEnabled():
             self._end()
         return super().event(event)
