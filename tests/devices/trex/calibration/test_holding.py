@@ -11,7 +11,7 @@ from tests.support.transmitter import RATE, Stick
 from trex_gui.devices.trex.calibration.neutral import Sample, measure_neutral
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
-from trex_gui.devices.trex.calibration.travel import HELD, TASKS, WINDOW, Task, Travel, Way
+from trex_gui.devices.trex.calibration.travel import TASKS, WINDOW, Task, Travel, Way
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -51,8 +51,8 @@ def proposal_of(stick: Stick, travel: Travel) -> Proposal:
 def furthest_inside(length: float, stick: Stick) -> float:
     """How far inside the true end a learned one may lie, in counts.
 
-    Three samples count as held while they agree within 2 % of the way and 6 deviations; a stick
-    that turns there slowly enough looks the same. The readings themselves are off by up to 4
+    Samples count as held while they agree within 2 % of the way and 6 deviations; a stick that
+    turns there slowly enough looks the same. The readings themselves are off by up to 4
     deviations, and the proposal lies another 1 % and 3 deviations inside; both round up.
     """
     deviation = max(1.0, 2.5 * stick.noise)
@@ -60,7 +60,7 @@ def furthest_inside(length: float, stick: Stick) -> float:
 
 
 @unhurried
-@example(  # turns at the end in 23 ms, so slowly that three samples agree within their tolerance
+@example(  # turns at the end in 23 ms, so slowly that the samples agree within their tolerance
     stick=Stick(rest=1400, low=900, high=1850, noise=2, forward_is_down=True),
     rate=25.0,
     there=0.90625,
@@ -94,11 +94,12 @@ def test_learned_ends_match_true_ends_at_every_rate(
 @unhurried
 @given(stick=sticks, rate=rates, seed=st.integers(0, 2**32))
 def test_holding_for_requested_time_is_enough(stick: Stick, rate: float, seed: int) -> None:
-    hold = max(0.3, (HELD + 1) / rate)
+    agreeing = 3 if rate < 20 else 6  # samples in a row
+    hold = max(0.3, (agreeing + 1) / rate)
     moves = push(1.0, 0.2, hold, 0.2) + push(-1.0, 0.2, hold, 0.2)
     travel = travel_of(stick, moves, rate, seed)
     assert travel.is_enough
-    assert travel.hold_seconds == pytest.approx(hold, abs=1.5 * (HELD + 1) / RATE)
+    assert travel.hold_seconds == pytest.approx(hold, abs=1.5 * (agreeing + 1) / RATE)
     assert proposal_of(stick, travel).calibration is not None
 
 

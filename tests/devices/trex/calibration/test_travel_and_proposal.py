@@ -11,7 +11,7 @@ from tests.support.transmitter import HOLD, Stick
 from trex_gui.devices.trex.calibration.neutral import Sample
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
-from trex_gui.devices.trex.calibration.travel import Task, Travel, Way, least_travel
+from trex_gui.devices.trex.calibration.travel import WINDOW, Task, Travel, Way, least_travel
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.learning.checks import Check
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
@@ -190,9 +190,19 @@ def travel_of_counts(counts: list[int | None]) -> Travel:
     return travel
 
 
+def test_wild_pulse_before_lost_pulses_is_no_end() -> None:
+    """The board repeats the wild value for each lost pulse, for up to 100 ms."""
+    wild: list[int | None] = [*[5600] * 5, *[3750] * 20]
+    still = travel_of_counts([*[3750] * 20, *wild])
+    assert still.end(Way.UP) == 3750
+    pushed = travel_of_counts([*[5000] * 15, *[2500] * 15, *wild])
+    assert pushed.end(Way.UP) == 5000
+    assert pushed.is_enough
+
+
 def problems_with_lost_samples(lost: int) -> list[tuple[ProblemKind, str]]:
     """Push a stick to both ends; `lost` of the 50 samples have no signal."""
-    travel = travel_of_counts([*[None] * lost, *[5000] * 10, *[2500] * (40 - lost)])
+    travel = travel_of_counts([*[None] * lost, *[5000] * 15, *[2500] * (35 - lost)])
     return [(problem.kind, problem_text(problem)) for problem in travel.problems]
 
 
@@ -210,8 +220,8 @@ def test_no_signal_is_reported_beyond_half_of_samples() -> None:
 
 def test_first_end_is_known_once_travel_is_enough() -> None:
     least = least_travel(neutral_of(Stick()).deadband)
-    assert travel_of_counts([3750 - least + 1] * 5).first is None
-    assert travel_of_counts([3750 - least] * 5).first is Way.DOWN
+    assert travel_of_counts([3750 - least + 1] * WINDOW).first is None
+    assert travel_of_counts([3750 - least] * WINDOW).first is Way.DOWN
 
 
 def test_only_travelled_direction_counts_as_reached() -> None:

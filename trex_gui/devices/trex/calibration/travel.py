@@ -18,12 +18,15 @@ from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-WINDOW = 5
-"""Samples whose median counts as seen: up to two wild ones among them make no end, and an end
-counts once it was held for three (60 ms)."""
+HELD = 6
+"""Samples in a row that have to agree: longer than the 100 ms for which the board repeats a wild
+value when the pulses after it are lost."""
 
-HELD = 3
-"""Samples in a row that have to agree."""
+_SLOW_HELD = 3
+"""The same on a slow line, where three samples take longer than that."""
+
+WINDOW = 2 * HELD - 1
+"""Samples whose median counts as seen: up to five wild ones among them make no end."""
 
 _SLOW = 0.05
 """Seconds between samples from which on it is slow: a wild pulse lasts 20 ms, so it is never
@@ -57,6 +60,9 @@ that is pushed along one moves the other by a third of its way, seldom more."""
 
 _SETTLED_SECONDS = 0.4
 """Seconds that a channel has to be still to have settled."""
+
+_SETTLED_SAMPLES = 3
+"""Samples that it takes at least."""
 
 _SETTLED_LEAST = 0.75
 """Share of that time that has to be covered by samples."""
@@ -119,20 +125,22 @@ class _End:
 
     def feed(self, recent: deque[int], *, slow: bool) -> None:
         """Process the last samples, of which the newest is new."""
-        if len(recent) < WINDOW:
+        held = _SLOW_HELD if slow else HELD
+        window = list(recent)[1 - 2 * held :]
+        if len(window) < 2 * held - 1:
             return
-        seen = median_low(recent)
+        seen = median_low(window)
         if self.furthest is None or self._sign * (seen - self.furthest) > 0:
             self.furthest = seen
         furthest, sign = self.furthest, self._sign
         distance = sign * (furthest - self._neutral.value)
         self.distances.append(distance)
         tolerance = ceil(_HELD_SHARE * abs(distance) + _DEVIATIONS * self._neutral.deviation)
-        last = list(recent)[-HELD:]
+        last = window[-held:]
         middle = median_low(last)
         if max(last) - min(last) <= tolerance and sign * (furthest - middle) <= tolerance:
             self._held_at = middle
-        elif slow and sign * (recent[-1] - furthest) > tolerance:
+        elif slow and sign * (last[-1] - furthest) > tolerance:
             self._held_at = None
         self.is_held = self._held_at is not None and sign * (furthest - self._held_at) <= tolerance
 
@@ -171,7 +179,9 @@ class Travel:
         for end in self._ends.values():
             end.feed(self._recent, slow=slow)
         self._last.append((sample.time, sample.count))
-        while len(self._last) > HELD and sample.time - self._last[0][0] > _SETTLED_SECONDS:
+        while (
+            len(self._last) > _SETTLED_SAMPLES and sample.time - self._last[0][0] > _SETTLED_SECONDS
+        ):
             self._last.popleft()
 
     # --- Where it rests -----------------------------------------------------------------
@@ -189,7 +199,10 @@ class Travel:
     @property
     def settled(self) -> int | None:
         """The count where it is still now, apart from a wild value."""
-        if len(self._last) < HELD or self._times[-1] - self._last[-1][0] > _SILENT_AFTER:
+        if (
+            len(self._last) < _SETTLED_SAMPLES
+            or self._times[-1] - self._last[-1][0] > _SILENT_AFTER
+        ):
             return None
         if self._last[-1][0] - self._last[0][0] < _SETTLED_LEAST * _SETTLED_SECONDS:
             return None
@@ -266,7 +279,8 @@ class Travel:
     @property
     def hold_seconds(self) -> float:
         """How long an end has to be held to be surely seen: a sample more than have to agree."""
-        return max(_LEAST_HOLD, (HELD + 1) * self.interval)
+        held = _SLOW_HELD if self.is_slow else HELD
+        return max(_LEAST_HOLD, (held + 1) * self.interval)
 
     # --- Problems -----------------------------------------------------------------------
 
