@@ -270,7 +270,11 @@ def test_all_faults_are_cleared_at_once(panel: DemoRobotPanel) -> None:
     )  # else it may be called so once mended
 
     panel.click("aracnaDemoRepair")
-    panel.wait(lambda: all(servo.is_whole for servo in panel.snapshot.servos))
+    panel.wait(
+        lambda: (
+            not any(servo.dead or servo.blocked or servo.load for servo in panel.snapshot.servos)
+        )
+    )
     panel.wait(lambda: panel.snapshot.servo_power and panel.snapshot.line.noise == 0)
     assert not panel.snapshot.line.mute
     for name in ("aracnaDemoDead1", "aracnaDemoBlocked2", "aracnaDemoMute"):

@@ -32,24 +32,21 @@ class FirmwareState(Enum):
 
 @dataclass(frozen=True, slots=True)
 class DemoServo:
-    """State of one servo, as `show` reports it; `load` is the share of its speed that it loses."""
+    """State of one servo, as `show` reports it: not `alive` if `dead` or without power."""
 
     position: int
     goal: int
     speed: int
     moving: bool
     torque: bool
-    dead: bool
+    alive: bool
     blocked: bool
     load: float
+    dead: bool = False
 
     @property
     def cannot_move(self) -> bool:
         return self.dead or self.blocked or self.load >= 1
-
-    @property
-    def is_whole(self) -> bool:
-        return not (self.dead or self.blocked or self.load)
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,27 +83,14 @@ class RobotSnapshot:
 
 def read_snapshot(text: str) -> RobotSnapshot:
     shown: dict[str, Any] = json.loads(text)
-    dead = set(shown["dead"])
+    servos = enumerate(shown["servos"])
     return RobotSnapshot(
         state=FirmwareState(shown["state"]),
         boots=shown["boots"],
         led=shown["led"],
         servo_power=shown["servo_power"],
-        servos=tuple(_servo(row, number in dead) for number, row in enumerate(shown["servos"])),
+        servos=tuple(DemoServo(**row, dead=number in shown["dead"]) for number, row in servos),
         line=DemoLine(**shown["line"]),
-    )
-
-
-def _servo(shown: dict[str, Any], dead: bool) -> DemoServo:
-    return DemoServo(
-        position=shown["position"],
-        goal=shown["goal"],
-        speed=shown["speed"],
-        moving=shown["moving"],
-        torque=shown["torque"],
-        dead=dead,
-        blocked=shown["blocked"],
-        load=float(shown["load"]),
     )
 
 

@@ -14,7 +14,6 @@ from trex_gui.core.files import Finding, SettingsError
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait
 from trex_gui.devices.aracna.poses.ppr import read_file, write_file
 from trex_gui.devices.aracna.poses.project import (
-    SHORTEST_MS,
     Pose,
     Project,
     Sequence,
@@ -52,7 +51,6 @@ class Library(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.undo = QUndoStack(self)
-        self.findings: tuple[Finding, ...] = ()
         self.project = self._saved = Project(poses=BUILT_IN_POSES)
         self.path: Path | None = None
         self._on_disk: bytes | None = None
@@ -85,12 +83,12 @@ class Library(QObject):
     @Slot()
     def new(self) -> None:
         """Start with the built-in poses and no file."""
-        self._load(Project(poses=BUILT_IN_POSES), None, None, ())
+        self._load(Project(poses=BUILT_IN_POSES), None, None)
 
     def open(self, path: Path) -> tuple[Finding, ...]:
         """Open a pose file, and return its findings; after a SettingsError nothing has changed."""
         file = read_file(path)
-        self._load(file.project, path, file.data, file.findings)
+        self._load(file.project, path, file.data)
         return file.findings
 
     def save(self, path: Path | None = None) -> None:
@@ -103,12 +101,10 @@ class Library(QObject):
         self._saved = self.project
         self.changed.emit()
 
-    def _load(
-        self, project: Project, path: Path | None, data: bytes | None, findings: tuple[Finding, ...]
-    ) -> None:
+    def _load(self, project: Project, path: Path | None, data: bytes | None) -> None:
         self.undo.clear()
         self.project = self._saved = project
-        self.path, self._on_disk, self.findings = path, data, findings
+        self.path, self._on_disk = path, data
         self.changed.emit()
 
     # --- Edits of poses and sequences ---------------------------------------------------
@@ -185,14 +181,14 @@ class Library(QObject):
         Poses with the same name and other positions stay, and the gait's own get another name.
         """
         poses, steps = list(self.project.poses), []
-        for stage in gait.stages:
+        for stage, step in zip(gait.stages, gait.steps, strict=True):
             pose = stage.pose
             if pose not in self.project.poses:
                 pose = replace(pose, name=f"{gait.name} {pose.name}")
             if pose not in poses:
                 pose = replace(pose, name=free_name(pose.name, [one.name for one in poses]))
                 poses.append(pose)
-            steps.append(SequenceStep(pose.name, milliseconds_of(stage.seconds)))
+            steps.append(replace(step, pose_name=pose.name))
         name = free_name(gait.name, [sequence.name for sequence in self.project.sequences])
         self._add_sequence(replace(self.project, poses=tuple(poses)), Sequence(name, tuple(steps)))
         return name
@@ -225,10 +221,6 @@ class Library(QObject):
     def _put(self, _key: None, project: Project) -> None:
         self.project = project
         self.changed.emit()
-
-
-def milliseconds_of(seconds: float) -> int:
-    return max(round(seconds * 1000), SHORTEST_MS)
 
 
 def _pose(name: str, positions: Many[int]) -> Pose:

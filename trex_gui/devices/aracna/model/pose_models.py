@@ -17,7 +17,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library, milliseconds_of
+from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
 from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
 from trex_gui.devices.aracna.poses.project import LONGEST_MS, SHORTEST_MS, SequenceStep
 from trex_gui.ui.notifier import Notifier
@@ -154,12 +154,12 @@ class StepTable(QAbstractTableModel):
     def show_notes(self, notes: dict[int, str]) -> None:
         if notes != self._notes:
             self._notes = notes
-            self._emit_column_changed(StepColumn.NOTE)
+            self._emit_changed()
 
     def show_running(self, step: int | None) -> None:
         if step != self._running:
             self._running = step
-            self._emit_column_changed(StepColumn.NUMBER)
+            self._emit_changed()
 
     def add(self, row: int, step: SequenceStep) -> None:
         self._set_steps((*self.steps[:row], step, *self.steps[row:]))
@@ -237,14 +237,15 @@ class StepTable(QAbstractTableModel):
         self._set_steps((*self.steps[:row], step, *self.steps[row + 1 :]))
         return True
 
-    def _emit_column_changed(self, column: StepColumn) -> None:
+    def _emit_changed(self) -> None:
         if self.steps:
-            last = self.index(len(self.steps) - 1, column)
-            self.dataChanged.emit(self.index(0, column), last)
+            last = self.index(len(self.steps) - 1, len(StepColumn) - 1)
+            self.dataChanged.emit(self.index(0, 0), last)
 
     @Slot()
     def _on_library_changed(self) -> None:
-        steps = self._read()
+        played = self._library.playable(self.item)
+        steps = played.steps if played is not None else ()
         if len(steps) != len(self.steps):
             self.beginResetModel()
             self.steps = steps
@@ -252,15 +253,5 @@ class StepTable(QAbstractTableModel):
             self.endResetModel()
         elif steps != self.steps:
             self.steps = steps
-            last = self.index(len(steps) - 1, len(StepColumn) - 1)
-            self.dataChanged.emit(self.index(0, 0), last)
+            self._emit_changed()
         self.shown.emit()
-
-    def _read(self) -> tuple[SequenceStep, ...]:
-        played = self._library.playable(self.item)
-        if isinstance(played, Gait):
-            return tuple(
-                SequenceStep(stage.pose.name, milliseconds_of(stage.seconds))
-                for stage in played.stages
-            )
-        return played.steps if played is not None else ()

@@ -95,13 +95,8 @@ class Robot(DeviceConnection[PortSettings]):
 
     # --- Connection ---------------------------------------------------------------------
 
-    def connect_to(self, settings: PortSettings) -> None:
-        """Connect; an open line is closed first."""
-        self.open(settings)
-
-    def disconnect_line(self) -> None:
-        """Send nothing more and close the line; does not wait."""
-        self.close()
+    connect_to = DeviceConnection.open
+    disconnect_line = DeviceConnection.close
 
     def new_session(self, settings: PortSettings, *, may_move: bool) -> MakeSession:
         del may_move  # a motion ends by itself

@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from trex_gui.devices.aracna.poses.project import Pose
+from trex_gui.devices.aracna.poses.project import SHORTEST_MS, Pose, SequenceStep
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
 
 SLOW_SECONDS = 3.0  # time in which the authors' robot goes to flat, and from there to stand
@@ -61,6 +61,13 @@ class Gait:
     about: str = ""
     cyclic: bool = True
     ours: bool = False
+
+    @property
+    def steps(self) -> tuple[SequenceStep, ...]:
+        return tuple(
+            SequenceStep(stage.pose.name, max(round(stage.seconds * 1000), SHORTEST_MS))
+            for stage in self.stages
+        )
 
     @property
     def start(self) -> Pose | None:

@@ -1,9 +1,8 @@
 """Help on the Aracna: its pages, the limits of its link, and its keys."""
 
-from collections.abc import Sequence
 from html import escape
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 from PySide6.QtGui import QKeySequence
 
 from trex_gui.devices.aracna.protocol.commands import BAUD
@@ -11,95 +10,53 @@ from trex_gui.ui.frame.workspace import ActionInfo, Menus, frame_actions
 
 _OF_THE_FRAME = ("connect", "disconnect", "find")
 
-
-def tr(text: str) -> str:
-    return QCoreApplication.translate("AracnaHelp", text)
+_TEXT = QT_TRANSLATE_NOOP(
+    "AracnaHelp",
+    """<h3>The pages</h3>
+<p><b>Robot</b> shows the robot from above, and for each joint its slider, its limits and what the
+servo has reported. Sliders set the goals; <i>Move</i> sends them. With <i>Send while dragging</i>
+the robot follows a dragged slider.</p>
+<p><b>Poses</b> edits poses and sequences of them with a time for each step, and plays these and the
+built-in gaits: once, several times or in a loop.</p>
+<p><b>Log</b> lists events and the statistics of the line. <b>Traffic</b> lists every command and
+every reply.</p>
+<h3>What this robot's link cannot do</h3>
+<p>There is <b>no stop and no relax</b>. The red button and Esc end the sequence and send nothing
+more; a running motion ends only by itself, or by <b>cutting the servo power</b>. While it moves,
+the robot reads nothing. Keep steps short and speeds low.</p>
+<p>Positions are known only from the reply to a move, so the first move is slow. A joint is never
+sent beyond its limits; legs can still collide with each other.</p>
+<h3>Files</h3>
+<p>Pose files end in <b>.ppr</b>: open them from the menu <i>Poses</i>, or drop one on the window.
+Recordings open in their own windows, which export them to CSV.</p>
+<h3>Keys</h3>
+{keys}
+<h3>The line</h3>
+<p>{baud} baud, no parity, 1 stop bit; the firmware supports no other. A wire to the board, or a
+pair of radios on the same channel. On some adapters opening the port resets the board, which
+answers about a second later.</p>
+<p>Facts about the robot come from the wiki page “Communication Protocol” of 22 September 2012 and
+from the firmware published as CreativeMachinesLab/aracna; where they differ, the firmware
+counts.</p>""",
+)
 
 
 def help_text(menus: Menus) -> str:
     """Return rich text; keys and names come from the `menus` of the workspace."""
-    parts = [
-        _section(tr("The pages"), _pages()),
-        _section(tr("What this robot's link cannot do"), _limits()),
-        _section(tr("Files"), _files()),
-        f"<h3>{escape(tr('Keys'))}</h3>{_keys(menus)}",
-        _section(tr("The line"), _line()),
-    ]
-    return "".join(parts)
-
-
-def _section(title: str, paragraphs: Sequence[str]) -> str:
-    return f"<h3>{escape(title)}</h3>" + "".join(f"<p>{each}</p>" for each in paragraphs)
-
-
-def _pages() -> list[str]:
-    return [
-        tr(
-            "<b>Robot</b> shows the robot from above, and for each joint its slider, its limits "
-            "and what the servo has reported. Sliders set the goals; <i>Move</i> sends them. "
-            "With <i>Send while dragging</i> the robot follows a dragged slider."
-        ),
-        tr(
-            "<b>Poses</b> edits poses and sequences of them with a time for each step, and plays "
-            "these and the built-in gaits: once, several times or in a loop."
-        ),
-        tr(
-            "<b>Log</b> lists events and the statistics of the line. <b>Traffic</b> lists "
-            "every command and every reply."
-        ),
-    ]
-
-
-def _limits() -> list[str]:
-    return [
-        tr(
-            "There is <b>no stop and no relax</b>. The red button and Esc end the sequence and "
-            "send nothing more; a running motion ends only by itself, or by <b>cutting the servo "
-            "power</b>. While it moves, the robot reads nothing. Keep steps short and speeds low."
-        ),
-        tr(
-            "Positions are known only from the reply to a move, so the first move is slow. A joint "
-            "is never sent beyond its limits; legs can still collide with each other."
-        ),
-    ]
-
-
-def _files() -> list[str]:
-    return [
-        tr(
-            "Pose files end in <b>.ppr</b>: open them from the menu <i>Poses</i>, or drop one on "
-            "the window. Recordings open in their own windows, which export them to CSV."
-        )
-    ]
-
-
-def _keys(menus: Menus) -> str:
+    tr = QCoreApplication.translate
+    esc = tr("AracnaHelp", "End the sequence and send nothing more; works in every window")
     mine = [entry for entries in menus.values() for entry in entries]
-    rows = [(tr("Esc"), tr("End the sequence and send nothing more; works in every window"))]
+    rows = [(tr("AracnaHelp", "Esc"), esc)]
     rows += [_row(entry) for entry in mine if isinstance(entry, ActionInfo) and entry.shortcut]
     rows += [_row(entry) for entry in frame_actions() if entry.key in _OF_THE_FRAME]
     cells = "".join(
         f"<tr><td><b>{escape(key)}</b>&nbsp;&nbsp;</td><td>{escape(what)}</td></tr>"
         for key, what in rows
     )
-    return f"<table cellspacing='3'>{cells}</table>"
+    keys = f"<table cellspacing='3'>{cells}</table>"
+    return tr("AracnaHelp", str(_TEXT)).format(keys=keys, baud=BAUD)
 
 
 def _row(entry: ActionInfo) -> tuple[str, str]:
     keys = QKeySequence(entry.shortcut).toString(QKeySequence.SequenceFormat.NativeText)
     return keys, entry.text.replace("&", "").removesuffix("…")
-
-
-def _line() -> list[str]:
-    return [
-        tr(
-            "{0} baud, no parity, 1 stop bit; the firmware supports no other. A wire to the board, "
-            "or a pair of radios on the same channel. On some adapters opening the port resets the "
-            "board, which answers about a second later."
-        ).format(BAUD),
-        tr(
-            "Facts about the robot come from the wiki page “Communication Protocol” of 22 "
-            "September 2012 and from the firmware published as "
-            "CreativeMachinesLab/aracna; where they differ, the firmware counts."
-        ),
-    ]

@@ -72,11 +72,10 @@ class PoseFiles(QObject):
     def ask_and_save(self) -> bool:
         take_typed()
         title = self.tr("Save pose file")
-        proposal = str(self._library.path or self.folder() / self._library.name)
-        chosen, _ = QFileDialog.getSaveFileName(self._window, title, proposal, self._filter())
-        if not chosen:
+        proposal = self._library.path or self.folder() / self._library.name
+        path = file_questions.ask_to_save(self._window, title, proposal, self._filter())
+        if path is None:
             return False
-        path = Path(chosen)
         if not path.suffix:
             path = path.with_name(path.name + SUFFIX)
             why = self.tr("already exists.")

@@ -27,10 +27,10 @@ from trex_gui.devices.aracna.poses.project import (
     SequenceStep,
     is_usable_in_step,
 )
-from trex_gui.devices.aracna.views.poses.name_list import NameList, paint_empty, small_button
+from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import name_headers, take_typed
+from trex_gui.ui.widgets.behaviour import paint_placeholder, take_typed
 
 _Index = QModelIndex | QPersistentModelIndex
 _LINES = 5
@@ -203,30 +203,19 @@ class StepView(QTableView):
     def __init__(self, table: StepTable, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._table = table
-        ui.named(self, "aracnaSteps", accessible=self.tr("Steps"))
         self.setModel(table)
+        ui.flat_table(self, "aracnaSteps", self.tr("Steps"))
         self.setItemDelegate(_Delegate(library, self))
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setEditTriggers(
             QAbstractItemView.EditTrigger.EditKeyPressed
             | QAbstractItemView.EditTrigger.DoubleClicked
             | QAbstractItemView.EditTrigger.SelectedClicked
             | QAbstractItemView.EditTrigger.AnyKeyPressed
         )
-        self.setShowGrid(False)
-        self.setAlternatingRowColors(True)
-        self.setTabKeyNavigation(False)
-        height = self.fontMetrics().height() + 8
-        self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(height)
         head = self.horizontalHeader()
-        head.setHighlightSections(False)
         head.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         head.setSectionResizeMode(StepColumn.NOTE, QHeaderView.ResizeMode.Stretch)
-        head.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        name_headers(self)
-        self.setMinimumHeight(_LINES * height)
+        self.setMinimumHeight(_LINES * self.verticalHeader().defaultSectionSize())
 
     @property
     def row(self) -> int:
@@ -268,4 +257,4 @@ class StepView(QTableView):
             text = self.tr("Choose a sequence or a gait to see its steps.")
             if self._table.editable:
                 text = self.tr("No steps yet. Add one: it uses the current pose.")
-            paint_empty(self, text)
+            paint_placeholder(self, text)

@@ -1,15 +1,15 @@
 """A list of poses or sequences that is edited in place, and its buttons."""
 
-from PySide6.QtCore import QModelIndex, QPoint, QRect, Qt, Signal, Slot
-from PySide6.QtGui import QAction, QDropEvent, QPainter, QPaintEvent
+from PySide6.QtCore import QModelIndex, QPoint, Qt, Signal, Slot
+from PySide6.QtGui import QAction, QDropEvent, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QListView, QToolButton, QWidget
 
 from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
 from trex_gui.devices.aracna.model.pose_models import NameModel
 from trex_gui.devices.aracna.poses.gaits import Gait
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import paint_placeholder
 
 _LINES = 4
 
@@ -120,7 +120,7 @@ class NameList(QListView):
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self._model.rowCount() == 0:
-            paint_empty(self, self._empty)
+            paint_placeholder(self, self._empty)
 
     @Slot()
     def _on_duplicate(self) -> None:
@@ -194,12 +194,3 @@ def small_button(
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     button.setArrowType(arrow)
     return button
-
-
-def paint_empty(view: QAbstractItemView, text: str) -> None:
-    margin = view.fontMetrics().averageCharWidth()
-    area: QRect = view.viewport().rect().adjusted(margin, margin, -margin, -margin)
-    with QPainter(view.viewport()) as painter:
-        painter.setPen(theme().color("muted"))
-        flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-        painter.drawText(area, int(flags), text)
