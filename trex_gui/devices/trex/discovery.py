@@ -75,7 +75,6 @@ class Attempt:
 
 class ReplyKind(Enum):
     NOTHING = auto()
-    ECHO = auto()
     STRANGE = auto()
     SEVERAL = auto()
     BOARD = auto()
@@ -83,7 +82,7 @@ class ReplyKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class ProbeReply:
-    """The bytes that were received after a probe and its echo."""
+    """What was received after a probe, and whether its echo was."""
 
     kind: ReplyKind
     data: bytes = b""
@@ -104,7 +103,7 @@ def send_probe(wire: Transport, attempt: Attempt, extra: float = 0.0) -> ProbeRe
     echo = received.startswith(attempt.data)
     reply = received.removeprefix(attempt.data)
     if not reply:
-        return ProbeReply(ReplyKind.ECHO if echo else ReplyKind.NOTHING, received, echo)
+        return ProbeReply(ReplyKind.NOTHING, echo=echo)
     try:
         GetSignature().parse(reply[:-1] if attempt.polynomials else reply)
     except BadReply:

@@ -49,11 +49,16 @@ class Topic(Enum):
 
 @dataclass(frozen=True, slots=True)
 class PolledValue:
-    """How one topic is polled: times a second, and its sample of a time and a reply."""
+    """How one topic is polled.
+
+    Attributes:
+        rate: times a second; `analog_rate`: with analog inputs, if it differs.
+        sample: makes its sample of a time and the reply; `None`: `StatusReader` reads it.
+    """
 
     query: Command[Any]
     rate: float
-    sample: Callable[[float, Any], Sample]
+    sample: Callable[[float, Any], Sample] | None
     analog_rate: float | None = None
 
 
@@ -67,17 +72,13 @@ POLLED: Mapping[Topic, PolledValue] = {
     Topic.REMAPPED: PolledValue(
         GetRemappedChannels(), 50.0, lambda time, values: Remapped(time, _channels(values))
     ),
+    Topic.STATUS: PolledValue(GetStatus(), 10.0, None),
     Topic.CONTROL: PolledValue(GetSerialControl(), 10.0, Control),
     Topic.MODE: PolledValue(GetMode(), 1.0, ModeSample),
 }
-"""Every polled value but the status, which `StatusReader` reads.
-
-Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog, about
-80 Hz with RC inputs). The mode only changes with the power.
-"""
-
-_STATUS_RATE = 10.0
-"""Times a second. Status bits are latched, so none is missed between two polls."""
+"""Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog, about
+80 Hz with RC inputs). Status bits are latched, so none is missed between two polls. The mode only
+changes with the power."""
 
 _LONGEST_LAG = 0.1
 """Seconds by which the schedule may be late before it stops catching up."""
@@ -95,18 +96,10 @@ _CHEAPEST = Topic.CONTROL
 
 def rates(source: InputSource) -> Mapping[Topic, float]:
     """Return how often a second to poll each topic."""
-
-    def rate(topic: Topic) -> float:
-        if topic is Topic.STATUS:
-            return _STATUS_RATE
-        polled = POLLED[topic]
-        return (source is InputSource.ANALOG and polled.analog_rate) or polled.rate
-
-    return {topic: rate(topic) for topic in Topic}
-
-
-def query_of(topic: Topic) -> Command[object]:
-    return GetStatus() if topic is Topic.STATUS else POLLED[topic].query
+    is_analog = source is InputSource.ANALOG
+    return {
+        topic: (is_analog and polled.analog_rate) or polled.rate for topic, polled in POLLED.items()
+    }
 
 
 # --- The serial timeout -----------------------------------------------------------------
@@ -122,7 +115,7 @@ def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
     """Return the topics with replies that outlast a serial timeout (seconds, 0: off)."""
     if timeout <= 0:
         return frozenset()
-    return frozenset(topic for topic in Topic if silence(line, query_of(topic)) >= timeout)
+    return frozenset(topic for topic in Topic if silence(line, POLLED[topic].query) >= timeout)
 
 
 def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool:
@@ -131,7 +124,7 @@ def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool
     `lateness`: seconds for which a reply is awaited beyond its time on the wire.
     """
     left_out = too_slow(line, timeout)
-    polled = [query_of(topic) for topic in Topic if topic not in left_out]
+    polled = [POLLED[topic].query for topic in Topic if topic not in left_out]
     return timeout <= 0 or max(silence(line, query) for query in polled) + lateness < timeout
 
 
@@ -229,9 +222,9 @@ def poll(
         NoReply, BadReply: as every transaction.
         PortUnavailable: the line is gone.
     """
-    if topic is Topic.STATUS:
-        return reader.read(request)
     polled = POLLED[topic]
+    if polled.sample is None:
+        return reader.read(request)
     reply = request(polled.query)
     return polled.sample(clock(), reply)
 
