@@ -7,10 +7,10 @@ from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.model.event_watch import EventWatch
+from trex_gui.devices.trex.model.errors import BoardEvents
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.ui.event_log import MOST_EVENTS, EventKind, EventLog
+from trex_gui.ui.event_log import MOST_EVENTS, EventKind
 
 
 class EventSetup:
@@ -18,13 +18,12 @@ class EventSetup:
 
     def __init__(self) -> None:
         self.now = 0.0
-        self.events = EventLog(clock=lambda: self.now)
         self.motors = Motors()
         self.connection = Connection()
-        self.watch = EventWatch(self.events, self.motors, self.connection)
+        self.events = BoardEvents(self.motors, self.connection, clock=lambda: self.now)
 
     def see(self, time: float, status: Status, uart: int = 0) -> None:
-        self.watch.note_status(LatchedStatus(time, status, UartError(uart)))
+        self.events.note_status(LatchedStatus(time, status, UartError(uart)))
 
     @property
     def logged(self) -> list[tuple[float, str, str]]:
@@ -70,7 +69,7 @@ def test_lost_connection_is_logged(setup: EventSetup) -> None:
 def test_apply_event_names_three_settings_and_counts_the_rest(setup: EventSetup) -> None:
     results = [WriteResult(f"key{number}", number) for number in range(5)]
     results.append(WriteResult("key5", error=NoReply("silence")))
-    setup.watch.note_applied(tuple(results), ("A", "B", "C", "D", "E", "F"))
+    setup.events.note_applied(tuple(results), ("A", "B", "C", "D", "E", "F"))
     assert setup.logged == [(0, "apply", "Apply: A, B, C and 2 more (1 failed)")]
 
 

@@ -117,7 +117,7 @@ _ARMING: Mapping[tuple[Arming, OutputEvent], tuple[Arming, tuple[Action, ...]]] 
 _MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] = {
     (Motion.STOPPED, OutputEvent.SETPOINT_SENT): (Motion.DRIVEN, ()),
     (Motion.STOPPED, OutputEvent.DIRECT_COMMAND_SENT): (Motion.DRIVEN, ()),
-    # Where it was heard, one of its packets may have become another one.
+    # If the board received it, a packet may have become another one.
     (Motion.STOPPED, OutputEvent.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
     (Motion.DRIVEN, OutputEvent.STOP_CONFIRMED): (Motion.STOPPED, ()),
     (Motion.DRIVEN, OutputEvent.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),

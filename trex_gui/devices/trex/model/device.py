@@ -13,8 +13,7 @@ from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.drive_controller import DriveController, why_the_board_stopped
-from trex_gui.devices.trex.model.errors import ErrorLog
-from trex_gui.devices.trex.model.event_watch import EventWatch
+from trex_gui.devices.trex.model.errors import BoardEvents, ErrorLog
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.apply import Apply, PendingReset
@@ -38,7 +37,6 @@ from trex_gui.devices.trex.session.reconnecting import reconnect_candidates
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.event_log import EventLog
 from trex_gui.ui.notifier import Notifier
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
@@ -82,8 +80,7 @@ class Device(QObject):
         self.driving = DriveController(
             self.motors, self.telemetry, self.connection, self.notifier, self
         )
-        self.events = EventLog(self)
-        self._event_watch = EventWatch(self.events, self.motors, self.connection, self)
+        self.events = BoardEvents(self.motors, self.connection, self)
         self._reset_order = PendingReset()
         self.state: DeviceState | None = None
 
@@ -185,7 +182,7 @@ class Device(QObject):
         return self.connection.shut_down()
 
     def set_serial_timeout(self, seconds: float) -> None:
-        """Write how long the board waits for a byte before it stops its motors, 0 for ever.
+        """Write how long the board waits for a byte before it stops its motors, 0 to disable that.
 
         Only this parameter is written, after a snapshot, and verified; `applied` reports it.
 
@@ -262,7 +259,7 @@ class Device(QObject):
             self._reset_order.note_written(results, self.state.parameters)
         self.link_changed.emit()
         names = tuple(self.name_of(result.key) for result in results)
-        self._event_watch.note_applied(results, names)
+        self.events.note_applied(results, names)
         self.applied.emit(results)
 
     @Slot(object)
@@ -330,7 +327,7 @@ class Device(QObject):
     def _on_sampled(self, batch: Batch) -> None:
         for sample in batch.samples:
             if isinstance(sample, LatchedStatus):
-                self._event_watch.note_status(sample)
+                self.events.note_status(sample)
                 self.errors.take(sample)
                 self._follow_board_stop(sample)
         self.telemetry.take(batch)

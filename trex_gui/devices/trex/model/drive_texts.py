@@ -81,20 +81,20 @@ and no line that works is silent for so long."""
 
 
 @dataclass(frozen=True, slots=True)
-class Weakness:
+class TimeoutWarning:
     """What is wrong with the serial timeout, in sentences, and how many seconds would be better."""
 
     text: str
     seconds: float
 
 
-def weakness_of_timeout(device: Device) -> Weakness | None:
+def timeout_warning(device: Device) -> TimeoutWarning | None:
     """Return what is wrong with it; `None` if nothing is, or it is unknown."""
     timeout, settings = device.serial_timeout_s, device.settings
-    return None if timeout is None or settings is None else weakness_on(settings, timeout)
+    return None if timeout is None or settings is None else timeout_warning_on(settings, timeout)
 
 
-def weakness_on(settings: ConnectionSettings, timeout: float) -> Weakness | None:
+def timeout_warning_on(settings: ConnectionSettings, timeout: float) -> TimeoutWarning | None:
     """Return what is wrong with a timeout in seconds (0: off) on this line."""
     latency = latency_of(settings.url) + settings.timeouts.extra
 
@@ -119,7 +119,7 @@ def weakness_on(settings: ConnectionSettings, timeout: float) -> Weakness | None
             "Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors "
             "while you drive. Set a longer one, or a faster baud rate."
         ).format(timeout, settings.line.baud)
-    return Weakness(text, better)
+    return TimeoutWarning(text, better)
 
 
 def _timeout_tr(text: str) -> str:

@@ -31,8 +31,8 @@ class Gamepad(QObject):
     One gamepad is read at a time. Each kind of gamepad has its own profile, which is remembered.
 
     Signals:
-        changed: any attribute but `state` and `ask`.
-        moved: `state` and `ask`; many times a second while it is touched.
+        changed: any attribute but `state` and `request`.
+        moved: `state` and `request`; many times a second while it is touched.
 
     Attributes:
         on: whether gamepads are read.
@@ -41,7 +41,7 @@ class Gamepad(QObject):
         pad: the one that is read.
         gone: the name of the gamepad that was read and was disconnected, until another one is.
         state: what it shows; `None` while none is read.
-        ask: its setpoints, whether the motors follow or not.
+        request: its setpoints, whether the motors follow or not.
         text: what it does or waits for, as a sentence; empty while it is switched off.
     """
 
@@ -62,7 +62,7 @@ class Gamepad(QObject):
         self.gone = ""
         self.profile = GamepadProfile()
         self.state: PadState | None = None
-        self.ask = _NOTHING
+        self.request = _NOTHING
         self.text = ""
         self._pilot = Pilot(self.profile)
         self._has_read = False  # since the pilot began
@@ -107,7 +107,7 @@ class Gamepad(QObject):
             self.on = False
             self.gone = ""
             self._timer.stop()
-            self._drive_with.lose(self.tr("Driving with a gamepad was switched off."))
+            self._drive_with.abort(self.tr("Driving with a gamepad was switched off."))
             self.pads = ()
             self._take(None)
             self._source.close()
@@ -117,14 +117,14 @@ class Gamepad(QObject):
         """Read this one from now on; motors that another drives stop."""
         if pad in self.pads and pad != self.pad:
             self._store.setValue("gamepad/last", pad.guid)
-            self._drive_with.lose(self.tr("Another gamepad was chosen."))
+            self._drive_with.abort(self.tr("Another gamepad was chosen."))
             self._take(pad)
             self._refresh()
 
     def set_profile(self, profile: GamepadProfile) -> None:
         """Use this profile for this kind of gamepad, now and later; motors that it drives stop."""
         if self.pad is not None and profile != self.profile:
-            self._drive_with.lose(self.tr("The gamepad was set up anew."))
+            self._drive_with.abort(self.tr("The gamepad settings were changed."))
             self._store.setValue(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
             self._use(profile)
             self._refresh()
@@ -141,7 +141,7 @@ class Gamepad(QObject):
         if reason != self._unattended:
             self._unattended = reason
             if reason:
-                self._drive_with.lose(reason)
+                self._drive_with.abort(reason)
             self._begin()
             self._refresh()
 
@@ -159,9 +159,9 @@ class Gamepad(QObject):
             self._on_pad_lost(pad)
             self._refresh()
             return
-        self.ask = self._pilot.take(state)
+        self.request = self._pilot.take(state)
         self._has_read = True
-        if self.ask.stop:
+        if self.request.stop:
             self._motors.press_stop()
         else:
             self._drive()
@@ -188,16 +188,16 @@ class Gamepad(QObject):
         """Stop what this one drives, and read it no more; the next look may find another."""
         self.gone = pad.name
         self._take(None)
-        self._drive_with.lose(self.tr("The gamepad “{0}” was disconnected.").format(pad.name))
+        self._drive_with.abort(self.tr("The gamepad “{0}” was disconnected.").format(pad.name))
 
     def _drive(self) -> None:
         if self._unattended or not self._motors.armed:
             return
         self._drive_with.joint = self._device.is_joint
-        if not self.ask.drives:
-            self._drive_with.let_go()
-        elif not self._drive_with.steer(self.ask.forward, self.ask.turn):
-            self._begin()  # another control drives: the button has to be pressed anew after it
+        if not self.request.drives:
+            self._drive_with.release()
+        elif not self._drive_with.steer(self.request.forward, self.request.turn):
+            self._begin()  # another control drives: the button has to be pressed again after that
 
     @Slot()
     def _on_arming_changed(self) -> None:
@@ -211,7 +211,7 @@ class Gamepad(QObject):
 
     def _take(self, pad: Pad | None) -> None:
         self.pad = pad
-        self.state, self.ask = None, _NOTHING
+        self.state, self.request = None, _NOTHING
         if pad is not None:
             stored = read_profile(str(self._store.value(f"gamepad/profiles/{pad.guid}", "")))
             fits = stored is not None and stored.fits(pad)
@@ -254,7 +254,7 @@ class Gamepad(QObject):
         return self._waits_text().format(held) if self._has_read else self.text
 
     def _waits_text(self) -> str:
-        match self.ask.waits:
+        match self.request.waits:
             case Waits.REST:
                 return self.tr(
                     "Let go of the sticks: nothing drives before both axes were at rest. "

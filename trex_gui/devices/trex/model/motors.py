@@ -331,11 +331,11 @@ class MomentaryDrive:
             self._motors.set_speed(1, left, self.name)
         return True
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Brake the motors that this control drives; they stay armed."""
         self._motors.release(self.name)
 
-    def lose(self, reason: str) -> None:
+    def abort(self, reason: str) -> None:
         """Stop and disarm: it is unknown whether the control is still held."""
         self._motors.abort(self.name, reason)
 

@@ -99,7 +99,7 @@ def _probe(client: TrexClient, place: ConnectionSettings) -> TrexClient | None:
         log.info("%s: %s", place.text(), error)
         found = False
     if not found:
-        # A stop must find the line as the board was last heard.
+        # A stop must be sent at the settings at which the board last replied.
         transport.reconfigure(client.settings.line)
         return None
     if place == client.settings:

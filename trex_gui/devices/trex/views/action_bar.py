@@ -7,7 +7,7 @@ from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_texts import Weakness, weakness_of_timeout
+from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme, tint
@@ -23,7 +23,7 @@ class TimeoutNotice(QWidget):
         super().__init__(parent)
         self.setObjectName("timeoutNotice")
         self._device = device
-        self._weakness: Weakness | None = None
+        self._warning: TimeoutWarning | None = None
         self._text = ui.label(self, "timeoutLabel", wrap=True)
         self._button = ui.button(
             self,
@@ -46,13 +46,13 @@ class TimeoutNotice(QWidget):
 
     @Slot()
     def _on_changed(self) -> None:
-        self._weakness = weakness = weakness_of_timeout(self._device)
-        self.setVisible(weakness is not None)
+        self._warning = warning = timeout_warning(self._device)
+        self.setVisible(warning is not None)
         self._button.setEnabled(not self._device.applying)
-        if weakness is None:
+        if warning is None:
             return
-        seconds = f"{weakness.seconds:g}"
-        self._text.setText(weakness.text)
+        seconds = f"{warning.seconds:g}"
+        self._text.setText(warning.text)
         self._button.setText(self.tr("Set {0} s").format(seconds))
         self._button.setAccessibleName(
             self.tr("Set the serial timeout to {0} seconds").format(seconds)
@@ -66,8 +66,8 @@ class TimeoutNotice(QWidget):
 
     @Slot()
     def _on_clicked(self) -> None:
-        if self._weakness is not None:
-            self._device.set_serial_timeout(self._weakness.seconds)
+        if self._warning is not None:
+            self._device.set_serial_timeout(self._warning.seconds)
 
     @Slot()
     def _on_theme_changed(self) -> None:

@@ -223,12 +223,12 @@ def test_blocking_while_driving_stops_with_the_reason(setup: GamepadSetup) -> No
 def test_blocked_gamepad_does_not_drive(setup: GamepadSetup) -> None:
     setup.gamepad.attend("Another page is open.")
     setup.pads.press(HOLD)
-    setup.qtbot.waitUntil(lambda: setup.gamepad.ask.waits is Waits.RELEASE)
+    setup.qtbot.waitUntil(lambda: setup.gamepad.request.waits is Waits.RELEASE)
     setup.pads.release(HOLD)
-    setup.qtbot.waitUntil(lambda: setup.gamepad.ask.waits is Waits.HOLD)
+    setup.qtbot.waitUntil(lambda: setup.gamepad.request.waits is Waits.HOLD)
     setup.pads.press(HOLD)
     setup.pads.move(Y, -1.0)
-    setup.qtbot.waitUntil(lambda: setup.gamepad.ask.drives)
+    setup.qtbot.waitUntil(lambda: setup.gamepad.request.drives)
     assert setup.speeds() == (None, None)
     setup.gamepad.attend("")
     setup.wait_for("Let go of the sticks")
@@ -280,7 +280,7 @@ def test_last_chosen_gamepad_model_is_reselected(setup: GamepadSetup) -> None:
 def test_profile_change_while_driving_stops_the_motors(setup: GamepadSetup) -> None:
     setup.drive_forward()
     setup.gamepad.set_profile(replace(setup.gamepad.profile, expo=1.0))
-    assert setup.stops == ["The gamepad was set up anew."]
+    assert setup.stops == ["The gamepad settings were changed."]
 
 
 def test_saved_profile_with_missing_axis_is_ignored(setup: GamepadSetup) -> None:

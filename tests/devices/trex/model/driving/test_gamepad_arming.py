@@ -32,9 +32,9 @@ def gamepad(device: Device, pads: HeldPads) -> Iterator[Gamepad]:
 def test_button_pressed_before_arming_does_not_drive(
     gamepad: Gamepad, device: Device, pads: HeldPads, qtbot: QtBot
 ) -> None:
-    qtbot.waitUntil(lambda: gamepad.ask.waits is Waits.HOLD)
+    qtbot.waitUntil(lambda: gamepad.request.waits is Waits.HOLD)
     pads.press(HOLD)
-    qtbot.waitUntil(lambda: gamepad.ask.drives)
+    qtbot.waitUntil(lambda: gamepad.request.drives)
     device.motors.arm()
     pads.move(STICK, -1.0)
     qtbot.waitUntil(lambda: "Let go" in gamepad.text)
@@ -46,7 +46,7 @@ def test_button_pressed_after_arming_drives(
     gamepad: Gamepad, device: Device, pads: HeldPads, qtbot: QtBot
 ) -> None:
     device.motors.arm()
-    qtbot.waitUntil(lambda: gamepad.ask.waits is Waits.HOLD)
+    qtbot.waitUntil(lambda: gamepad.request.waits is Waits.HOLD)
     pads.press(HOLD)
     pads.move(STICK, -1.0)
     qtbot.waitUntil(lambda: device.motors.text == "motor 1 +127, motor 2 +127")

@@ -449,7 +449,7 @@ def test_held_control_sends_both_motors_in_one_request(
     drive = MomentaryDrive(armed.motors, "pad")
     for _ in range(3):
         drive.steer(0.5, 0.1)
-        drive.let_go()
+        drive.release()
     assert len(armed.requests) == 6
     assert {type(request) for request in armed.requests} == {SetMotors}
 

@@ -3,7 +3,7 @@
 import pytest
 
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.model.drive_texts import weakness_on
+from trex_gui.devices.trex.model.drive_texts import timeout_warning_on
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
@@ -23,15 +23,15 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 def test_warning_about_the_timeout_fits_the_line(
     url: str, baud: int, timeout: float, said: str, offered: float
 ) -> None:
-    weakness = weakness_on(ConnectionSettings(url, LineSettings(baud)), timeout)
-    assert (weakness is None) == (not said)
-    if weakness is not None:
-        assert said in weakness.text
-        assert weakness.seconds == offered
+    warning = timeout_warning_on(ConnectionSettings(url, LineSettings(baud)), timeout)
+    assert (warning is None) == (not said)
+    if warning is not None:
+        assert said in warning.text
+        assert warning.seconds == offered
 
 
 def test_slow_line_gets_the_longest_offered_timeout() -> None:
     settings = ConnectionSettings("socket://robot:23", timeouts=Timeouts(extra=10.0))
-    weakness = weakness_on(settings, 1.0)
-    assert weakness is not None
-    assert weakness.seconds == 5.0
+    warning = timeout_warning_on(settings, 1.0)
+    assert warning is not None
+    assert warning.seconds == 5.0

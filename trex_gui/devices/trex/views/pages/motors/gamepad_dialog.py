@@ -355,7 +355,7 @@ class GamepadDialog(QDialog):
         if self._detector is not None and state is not None:
             self._on_detection_step(self._detector, state)
         if self.isVisible():
-            ask = self._gamepad.ask
+            ask = self._gamepad.request
             self._live.show_state(state)
             for bar, speed in zip(self._motors, mix(ask.forward, ask.turn), strict=True):
                 bar.set_part(None if state is None else speed / FULL_SCALE)

@@ -123,7 +123,7 @@ class GamepadPanel(QGroupBox):
     @Slot()
     def _on_gamepad_moved(self) -> None:
         if self.isVisible():
-            ask = self.gamepad.ask if self.gamepad.state is not None else None
+            ask = self.gamepad.request if self.gamepad.state is not None else None
             self._forward.set_part(ask.forward if ask else None)
             self._turn.set_part(ask.turn if ask else None)
 

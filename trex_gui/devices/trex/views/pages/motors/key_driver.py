@@ -94,7 +94,7 @@ class KeyDriver(QObject):
     def let_go(self) -> None:
         """Treat every key as released."""
         self._forget()
-        self._drive.let_go()
+        self._drive.release()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         del watched

@@ -91,7 +91,7 @@ class MotorsPage(QWidget):
             control.slider.grabbed.connect(partial(self._on_grabbed, number))
             control.slider.released.connect(partial(self._on_released, number))
         self._pad.steered.connect(self._on_pad_steered)
-        self._pad.released.connect(self._pad_drive.let_go)
+        self._pad.released.connect(self._pad_drive.release)
         self._keys.steered.connect(self._pad.show_position)
         self._options.keys_toggled.connect(self._keys.set_enabled)
         self._facts.linkActivated.connect(self.parameter_wanted)
