@@ -55,7 +55,7 @@ class CalibrationPage(WidgetDriver):
     @property
     def marked_handle(self) -> str:
         """The handle beside which there is a message; empty without one."""
-        handle = self.plot.message_at
+        handle = self.plot.handles.message_at
         return "" if handle is None else handle.value
 
     def row(self, channel: int) -> str:

@@ -105,7 +105,7 @@ def test_impossible_values_are_rejected_with_a_note(page: CalibrationPage) -> No
     page.type_into("minimumEdit", "1600")
     assert page.note == "Minimum (1600 µs) cannot be above neutral (1500 µs)."
     assert page.marked_handle == "minimum"
-    assert page.plot.message == page.note
+    assert page.plot.handles.message == page.note
     assert page.find(QSpinBox, "minimumEdit").text() == "1000 µs"
     page.type_into("maximumEdit", "1.2 ms")
     assert "Maximum (1200 µs) cannot be below neutral" in page.note
@@ -142,7 +142,7 @@ def test_values_beyond_the_input_range_are_marked(page: CalibrationPage) -> None
 def test_blocked_handle_shows_the_reason(page: CalibrationPage) -> None:
     page.drag_handle(Handle.MAXIMUM, 7000, release=False)
     assert page.note == "A pulse cannot be longer than 2500 µs."
-    assert page.plot.message == page.note
+    assert page.plot.handles.message == page.note
     page.release_handle()
     assert page.shown().maximum == 6250
     assert "cannot" not in page.note
@@ -155,7 +155,7 @@ def test_blocked_handle_shows_the_reason(page: CalibrationPage) -> None:
     assert page.marked_handle == "minimum"
     page.release_handle()
     assert page.note == concern
-    assert page.plot.message == ""
+    assert page.plot.handles.message == ""
 
     page.drag_handle(Handle.MAXIMUM, 3000, release=False)
     assert page.note == "Minimum and maximum must differ."

@@ -119,10 +119,10 @@ def test_handle_blocked_by_another_shows_the_reason(
     plot.edited.connect(edited.append)
     driver.press(start)
     driver.move(beyond)
-    assert plot.message == "Minimum cannot pass neutral."
+    assert plot.handles.message == "Minimum cannot pass neutral."
     plot.grab()
     driver.release(beyond)
-    assert plot.message == ""
+    assert plot.handles.message == ""
     assert edited == [Calibration(3750, 3750, 5000, 75)]
 
 
@@ -135,10 +135,10 @@ def test_handle_back_at_its_start_changes_nothing(
     end = QPoint(round(plot.x_of(4100)), start.y())
     driver.press(start)
     driver.move(end)
-    assert plot.message == "Minimum cannot pass neutral."
+    assert plot.handles.message == "Minimum cannot pass neutral."
     with qtbot.assertNotEmitted(plot.edited), qtbot.waitSignal(plot.released):
         driver.release(end)
-    assert plot.message == ""
+    assert plot.handles.message == ""
 
 
 def test_axis_follows_a_handle_up_to_the_input_limits(
@@ -156,8 +156,8 @@ def test_axis_follows_a_handle_up_to_the_input_limits(
         driver.move(end)
         assert plot.curve is not None
         assert abs(handle.count(plot.curve.calibration) - reached) < 8
-        assert plot.message == words
-        assert plot.message_at is (handle if words else None)
+        assert plot.handles.message == words
+        assert plot.handles.message_at is (handle if words else None)
         low, high = plot.axis
         assert low <= handle.count(plot.curve.calibration) <= high
         shown = round(plot.x_of(handle.count(plot.curve.calibration)))
@@ -187,7 +187,10 @@ def test_rejected_value_is_explained_beside_its_handle(
     plot: CurvePlot, driver: CurvePlotDriver
 ) -> None:
     plot.show_message(Handle.MINIMUM, "Minimum cannot be there.")
-    assert (plot.message_at, plot.message) == (Handle.MINIMUM, "Minimum cannot be there.")
+    assert (plot.handles.message_at, plot.handles.message) == (
+        Handle.MINIMUM,
+        "Minimum cannot be there.",
+    )
     driver.move(QPoint(1, 1))
     driver.move(driver.place(Handle.NEUTRAL))
     picture = plot.grab().toImage()
@@ -198,11 +201,11 @@ def test_rejected_value_is_explained_beside_its_handle(
     }
     assert theme().color("warning").name() in box
     driver.press(driver.place(Handle.MAXIMUM))
-    assert plot.message == ""
+    assert plot.handles.message == ""
     driver.release(driver.place(Handle.MAXIMUM))
     plot.show_message(Handle.MINIMUM, "Minimum cannot be there.")
     plot.show_channel(2, InputSource.RC, USUAL, USUAL, editable=True)
-    assert plot.message_at is None
+    assert plot.handles.message_at is None
 
 
 def test_trace_is_tall_enough_and_its_labels_are_legible(

@@ -10,7 +10,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import theme, tint
+from trex_gui.ui.theme.theme import set_text_color, tint
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
@@ -36,12 +36,12 @@ class TimeoutNotice(QWidget):
         font = self._button.font()
         font.setUnderline(True)
         self._button.setFont(font)
+        set_text_color(self._text, "warning")
+        set_text_color(self._button, "link")
         ui.row((self._text, 1), self._button, into=self, margins=0)
 
         device.link_changed.connect(self._on_changed)
         device.state_changed.connect(self._on_changed)
-        theme().changed.connect(self._on_theme_changed)
-        self._on_theme_changed()
         self._on_changed()
 
     @Slot()
@@ -68,13 +68,6 @@ class TimeoutNotice(QWidget):
     def _on_clicked(self) -> None:
         if self._warning is not None:
             self._device.set_serial_timeout(self._warning.seconds)
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        for widget, name in ((self._text, "warning"), (self._button, "link")):
-            palette = self.palette()
-            palette.setColor(widget.foregroundRole(), theme().color(name))
-            widget.setPalette(palette)
 
 
 class StopButton(RedButton):
@@ -140,6 +133,7 @@ class ActionBar(QWidget):
         self._state = ui.named(Note(1, self), "motorStateLabel")
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         self._unapplied = ui.label(self, "unappliedLabel", self.tr("There are unapplied changes."))
+        set_text_color(self._unapplied, "dirty")
         self._apply = ui.button(
             self,
             "applyButton",
@@ -165,9 +159,7 @@ class ActionBar(QWidget):
         ):
             signal.connect(self._on_changed)
         device.draft.pending_changed.connect(self._on_changed)
-        theme().changed.connect(self._on_theme_changed)
         self._on_changed()
-        self._on_theme_changed()
 
     @Slot()
     def _on_changed(self) -> None:
@@ -203,9 +195,3 @@ class ActionBar(QWidget):
         if link is ConnectionState.CONNECTED:
             return self.tr("Channels control the motors; Run motor needs serial control.")
         return self.tr("Motors: N/A")
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        palette = self._unapplied.palette()
-        palette.setColor(self._unapplied.foregroundRole(), theme().color("dirty"))
-        self._unapplied.setPalette(palette)

@@ -3,7 +3,6 @@
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QFormLayout,
     QGroupBox,
     QHeaderView,
@@ -19,9 +18,8 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import name_headers, only_when_visible
+from trex_gui.ui.widgets.behaviour import only_when_visible
 
 
 class StatusPage(QWidget):
@@ -31,6 +29,7 @@ class StatusPage(QWidget):
         self._device = device
 
         self._values: dict[str, QLabel] = {}
+        self._errors: list[tuple[QTableWidgetItem, QTableWidgetItem, QTableWidgetItem]] = []
         board = self._form(
             self.tr("Board"),
             {
@@ -67,7 +66,6 @@ class StatusPage(QWidget):
         device.state_changed.connect(self._on_device_changed)
         device.errors.changed.connect(self._on_errors_changed)
         device.telemetry.updated.connect(self._on_telemetry_updated)
-        theme().changed.connect(self._on_errors_changed)
         self._on_device_changed()
         self._on_errors_changed()
 
@@ -83,33 +81,23 @@ class StatusPage(QWidget):
 
     def _error_table(self, parent: QWidget) -> QTableWidget:
         entries = self._device.errors.entries
-        table = ui.named(
-            QTableWidget(len(entries), 4, parent), "errorsTable", accessible=self.tr("Errors seen")
-        )
-        name_headers(table)
+        table = QTableWidget(len(entries), 4, parent)
+        ui.flat_table(table, "errorsTable", self.tr("Errors seen"))
         table.setHorizontalHeaderLabels(
             [self.tr("Error"), self.tr("Count"), self.tr("Last seen"), self.tr("What it means")]
         )
-        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        table.setAlternatingRowColors(True)
-        table.setShowGrid(False)
         table.setWordWrap(False)
-        table.verticalHeader().hide()
-        table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 8)
         header = table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(3, QHeaderView.ResizeMode.Stretch)
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         for row, entry in enumerate(entries):
-            count = QTableWidgetItem()
+            name, count, last = QTableWidgetItem(entry.name), QTableWidgetItem(), QTableWidgetItem()
             count.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             meaning = QTableWidgetItem(entry.meaning)
             meaning.setToolTip(entry.meaning)
-            for column, item in enumerate(
-                (QTableWidgetItem(entry.name), count, QTableWidgetItem(), meaning)
-            ):
+            for column, item in enumerate((name, count, last, meaning)):
                 table.setItem(row, column, item)
+            self._errors.append((name, count, last))
         return table
 
     @Slot()
@@ -180,12 +168,10 @@ class StatusPage(QWidget):
 
     @Slot()
     def _on_errors_changed(self) -> None:
-        for row, entry in enumerate(self._device.errors.entries):
-            last = entry.last.strftime("%H:%M:%S") if entry.last else self.tr("never")
-            name, count, seen = (self._table.item(row, column) for column in range(3))
-            if name and count and seen:
-                count.setText(str(entry.count))
-                seen.setText(last)
-                font = name.font()
-                font.setBold(entry.count > 0)
-                name.setFont(font)
+        entries = self._device.errors.entries
+        for (name, count, last), entry in zip(self._errors, entries, strict=True):
+            count.setText(str(entry.count))
+            last.setText(entry.last.strftime("%H:%M:%S") if entry.last else self.tr("never"))
+            font = name.font()
+            font.setBold(entry.count > 0)
+            name.setFont(font)

@@ -117,14 +117,9 @@ class CalibrationFiles(QObject):
 
     @Slot()
     def ask_and_load(self) -> None:
-        chosen, _ = QFileDialog.getOpenFileName(
-            self._window,
-            self.tr("Load calibrations"),
-            str(file_questions.last_folder(self._store)),
-            file_questions.file_filter(),
-        )
-        if chosen:
-            self.load_file(Path(chosen))
+        path = file_questions.ask_to_open(self._window, self.tr("Load calibrations"), self._store)
+        if path:
+            self.load_file(path)
 
     @Slot()
     def ask_and_save(self) -> None:

@@ -82,11 +82,9 @@ class HandleLayer(QGraphicsObject):
     def arrange(
         self, frame: QRectF, places: dict[Handle, float], threshold: Threshold | None
     ) -> None:
-        """Draw handles at these places over the inside of the plot."""
-        if (frame, places, threshold) != (self._frame, self._places, self._threshold):
-            self.prepareGeometryChange()
-            self._frame, self._places, self._threshold = frame, places, threshold
-            self.update()
+        self.prepareGeometryChange()
+        self._frame, self._places, self._threshold = frame, places, threshold
+        self.update()
 
     def set_editable(self, editable: bool) -> None:
         """Draw grips, or release the held handle and draw lines only."""

@@ -6,7 +6,7 @@ Importing it loads pyqtgraph, which takes as long as all of Qt.
 from dataclasses import replace
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QPointF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QBrush, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsEllipseItem, QGraphicsItem, QWidget
 
@@ -63,6 +63,7 @@ class CurvePlot(QWidget):
 
     Attributes:
         axis: raw counts at both ends.
+        handles: the handles over the curve, and a message beside one of them.
         trace: the input of the last seconds.
     """
 
@@ -91,19 +92,19 @@ class CurvePlot(QWidget):
         self._dot.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
         self._dot.setZValue(60)
         self._canvas.add_item(self._dot)
-        self._handles = HandleLayer(self._canvas.small_font())
-        self._canvas.add_overlay(self._handles)
+        self.handles = HandleLayer(self._canvas.small_font())
+        self._canvas.add_overlay(self.handles)
         self.trace = InputTrace(self)
         column((self._canvas, 2), (self.trace, 1), into=self, margins=0, spacing=0)
 
-        metrics, above = self._canvas.fontMetrics(), self._handles.room_above()
+        metrics, above = self._canvas.fontMetrics(), self.handles.room_above()
         side = metrics.horizontalAdvance(_WIDEST_X_LABEL) // 2 + 4
         self._canvas.set_margins(left=_WIDEST_Y_LABEL, top=above, right=side, x_axis=True)
         self._canvas.setMinimumHeight((_MIN_CURVE_LINES + 2) * metrics.height() + above)
-        self.trace.set_margins(left=_WIDEST_Y_LABEL, right=side)
+        self.trace.align(left=_WIDEST_Y_LABEL, right=side)
 
-        self._handles.dragged.connect(self._on_dragged)
-        self._handles.released.connect(self._on_released)
+        self.handles.dragged.connect(self._on_dragged)
+        self.handles.released.connect(self._on_released)
         theme().changed.connect(self._on_theme_changed)
         self._canvas.arranged.connect(self._place_handles)
         self._on_theme_changed()
@@ -124,7 +125,7 @@ class CurvePlot(QWidget):
         """Show a channel: what the board stores and what it would store after Apply."""
         if (channel, source) != (self._channel, self._source):
             self._cancel_drag()
-            self._handles.set_message(None, "")
+            self.handles.set_message(None, "")
             self._raw = None
             self.trace.clear()
         editable = editable and shown is not None
@@ -132,8 +133,8 @@ class CurvePlot(QWidget):
             self._cancel_drag()
         self._channel, self._source = channel, source
         self._stored, self._shown = stored, shown
-        self._handles.set_editable(editable)
-        if self._handles.held is None:
+        self.handles.set_editable(editable)
+        if self.handles.held is None:
             self._fit_axis()
         self._show_curves()
 
@@ -142,7 +143,7 @@ class CurvePlot(QWidget):
         if raw != self._raw:
             self._raw = raw
             low, high = self.axis
-            if raw is not None and not low <= raw <= high and self._handles.held is None:
+            if raw is not None and not low <= raw <= high and self.handles.held is None:
                 self._fit_axis()
                 self._show_curves()
             self._show_dot()
@@ -160,20 +161,10 @@ class CurvePlot(QWidget):
             return None
         return self._raw, curve.output(self._raw)
 
-    @property
-    def message(self) -> str:
-        """The text beside a handle: why it cannot move further, or its value was rejected."""
-        return self._handles.message
-
-    @property
-    def message_at(self) -> Handle | None:
-        """The handle with a message."""
-        return self._handles.message_at
-
     def show_message(self, handle: Handle | None, message: str) -> None:
         """Show a message beside a handle, or none; a held handle keeps its own."""
-        if self._handles.held is None:
-            self._handles.set_message(handle, message)
+        if self.handles.held is None:
+            self.handles.set_message(handle, message)
 
     def handle_position(self, handle: Handle) -> QPointF:
         """Return where a handle can be grabbed, in pixels."""
@@ -209,7 +200,7 @@ class CurvePlot(QWidget):
         widest = self._canvas.fontMetrics().horizontalAdvance(_WIDEST_X_LABEL) * 1.3
         labels = _input_labels(self._source, self.axis, max(2, int(self.width() / widest)))
         self._canvas.set_axes(x, (-_OUTPUT_REACH, _OUTPUT_REACH), labels, count_labels())
-        self.trace.set_axis(x, [(at, "") for at, _ in labels])
+        self.trace.set_input_axis(x, [(at, "") for at, _ in labels])
 
     def _show_curves(self) -> None:
         shown, stored = self.curve, self._stored
@@ -235,7 +226,7 @@ class CurvePlot(QWidget):
                 name = self.tr("flip on") if self._channel == 4 else self.tr("override on")
                 text = f"{name} ▸" if curve.reversed_ else f"◂ {name}"
                 threshold = Threshold(self.x_of(at), curve.reversed_, text)
-        self._handles.arrange(self._canvas.frame, places, threshold)
+        self.handles.arrange(self._canvas.frame, places, threshold)
 
     def _show_dot(self) -> None:
         dot = self.dot
@@ -261,7 +252,7 @@ class CurvePlot(QWidget):
 
     @Slot(float)
     def _on_dragged(self, x: float) -> None:
-        handle, shown = self._handles.held, self._shown
+        handle, shown = self.handles.held, self._shown
         if handle is None or shown is None:
             return
         count = round(self._canvas.x_at(x))
@@ -274,13 +265,13 @@ class CurvePlot(QWidget):
         if not low <= reached <= high:
             self.axis = min(low, reached), max(high, reached)
             self._show_axis()
-        self._handles.set_message(handle, move.why or why)
+        self.handles.set_message(handle, move.why or why)
         self._show_curves()
         self.previewed.emit(move.calibration)
 
     def _cancel_drag(self) -> None:
         self._preview = None
-        self._handles.release()
+        self.handles.release()
 
     @Slot()
     def _on_released(self) -> None:
@@ -292,35 +283,27 @@ class CurvePlot(QWidget):
         self._show_curves()
 
 
-class InputTrace(QWidget):
+class InputTrace(PlotCanvas):
     """The input of the last seconds, along the axis of the curve; time runs downwards."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(self.tr("Input of the last 10 seconds"), parent)
         self.setObjectName("inputTrace")
-        self.setAccessibleName(self.tr("Input of the last 10 seconds"))
         self.setToolTip(self.tr("The input of the last 10 seconds; the newest is at the top"))
-        self._canvas = PlotCanvas(self.accessibleName(), self)
-        self._deadband = self._canvas.add_band("deadband")
-        self._lines = [self._canvas.add_line("mark", vertical=True) for _ in range(3)]
-        self._line = self._canvas.add_curve("motor2", 1)
-        column(self._canvas, into=self, margins=0)
+        self._deadband = self.add_band("deadband")
+        self._lines = [self.add_line("mark", vertical=True) for _ in range(3)]
+        self._line = self.add_curve("motor2", 1)
 
-    @property
-    def frame(self) -> QRectF:
-        """The inside of the plot in pixels."""
-        return self._canvas.frame
-
-    def set_margins(self, *, left: str, right: int) -> None:
+    def align(self, *, left: str, right: int) -> None:
         """Align the sides with the curve above."""
-        line = self._canvas.fontMetrics().height()
+        line = self.fontMetrics().height()
         top = line // 2 + 3  # the label at the top is centred on the frame
-        self._canvas.set_margins(left=left, top=top, right=right, x_axis=False)
-        self._canvas.setMinimumHeight(_MIN_TRACE_LINES * line + top + line // 2)
+        self.set_margins(left=left, top=top, right=right, x_axis=False)
+        self.setMinimumHeight(_MIN_TRACE_LINES * line + top + line // 2)
 
-    def set_axis(self, axis: tuple[float, float], x_labels: Labels) -> None:
+    def set_input_axis(self, axis: tuple[float, float], x_labels: Labels) -> None:
         labels = [(0.0, self.tr("Now")), (TRACE_SECONDS / 2, "5 s"), (TRACE_SECONDS, "10 s")]
-        self._canvas.set_axes(axis, (TRACE_SECONDS, 0.0), x_labels, labels)
+        self.set_axes(axis, (TRACE_SECONDS, 0.0), x_labels, labels)
 
     def set_calibration(self, calibration: Calibration | None) -> None:
         """Mark minimum, neutral, maximum and the deadband, or nothing."""

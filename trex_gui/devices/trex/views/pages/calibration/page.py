@@ -310,7 +310,6 @@ class CalibrationPage(QWidget):
     @Slot()
     @only_when_visible
     def _on_frame(self) -> None:
-        """Show new samples."""
         telemetry = self._device.telemetry
         if telemetry.samples == self._samples_shown:
             return
@@ -380,7 +379,7 @@ class CalibrationPage(QWidget):
         stored = self._device.calibrations.stored(self.channel)
         before = self._options.curve(self.channel, stored, stored=True)
         if self._plot is not None:
-            self._rejection = self._plot.message
+            self._rejection = self._plot.handles.message
             self._legend.set_curves(True, differs=self._plot.curve != before, live=True)
         self._show_note()
 

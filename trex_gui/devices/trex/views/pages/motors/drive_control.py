@@ -2,8 +2,6 @@
 
 from PySide6.QtCore import QEvent, QRect, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import (
-    QFocusEvent,
-    QHideEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -16,6 +14,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.bars import OutputBar
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.bar import with_sign
 from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
@@ -25,6 +24,14 @@ _MOVING_KEYS = {
     *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down),
     *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
 }
+
+_DISCARDS = {
+    QEvent.Type.FocusOut,
+    QEvent.Type.Hide,
+    QEvent.Type.WindowDeactivate,
+    QEvent.Type.Close,
+}
+"""Events that discard a half-typed number."""
 
 
 class SpeedSlider(PressSlider):
@@ -41,9 +48,8 @@ class SpeedSlider(PressSlider):
 
     def set_ceiling(self, ceiling: int) -> None:
         """Show the usable part of the groove: up to this speed, 1-127, either way."""
-        if ceiling != self._ceiling:
-            self._ceiling = ceiling
-            self.update()
+        self._ceiling = ceiling
+        self.update()
 
     # --- Hands --------------------------------------------------------------------------
 
@@ -57,15 +63,14 @@ class SpeedSlider(PressSlider):
         match event.key():
             case Qt.Key.Key_Home | Qt.Key.Key_0:
                 self.setValue(0)
+                return
             case Qt.Key.Key_End:
-                pass
+                return
             case key if key in _MOVING_KEYS:
                 if event.isAutoRepeat() and not self.held:
                     return  # the hold has ended; the key has to be pressed again
                 self.grab_handle()
-                super().keyPressEvent(event)
-            case _:
-                super().keyPressEvent(event)
+        super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         """End the hold with any key: a pressed arrow may be released as a digit (Num Lock)."""
@@ -89,7 +94,6 @@ class SpeedSlider(PressSlider):
         return self.fontMetrics().height() + 6
 
     def paint_groove(self, painter: QPainter, handle: QRect) -> None:
-        """Paint the groove, its usable part, and the fill from zero."""
         middle = handle.center().y()
         left, right = self.x_of(self.minimum(), handle), self.x_of(self.maximum(), handle)
         groove = QRect(left, middle - 3, right - left, 7)
@@ -117,8 +121,7 @@ class SpeedSlider(PressSlider):
                 continue
             x = self.x_of(value, handle)
             painter.drawLine(x, top, x, top + 4)
-            text = f"+{value}" if value > 0 and self.minimum() < 0 else str(value)
-            text = text.replace("-", "−")
+            text = with_sign(value) if self.minimum() < 0 else str(value)
             width = metrics.horizontalAdvance(text)
             place = min(max(x - width // 2, 0), self.width() - width)
             painter.drawText(place, top + 6 + metrics.ascent(), text)
@@ -180,16 +183,8 @@ class SpeedEntry(QSpinBox):
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        self.put(self._setpoint)
-        super().focusOutEvent(event)
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        self.put(self._setpoint)
-        super().hideEvent(event)
-
     def event(self, event: QEvent) -> bool:
-        if event.type() in {QEvent.Type.WindowDeactivate, QEvent.Type.Close}:
+        if event.type() in _DISCARDS:
             self.put(self._setpoint)
         return super().event(event)
 
@@ -253,16 +248,13 @@ class DriveControl(QWidget):
         if not two_way:
             self._brake.hide()
 
-        layout = ui.grid(self, margins=0, spacing=(8, 2))
+        layout = ui.grid(self, margins=0, spacing=(8, 2), stretch=[(0, 1)])
         words = ui.row(self._title, self._setpoint_label, 1, self._reported, spacing=10)
         layout.addLayout(words, 0, 0, 1, 4)
-        layout.addWidget(self.slider, 1, 0)
-        layout.addWidget(self._entry, 1, 1, Qt.AlignmentFlag.AlignTop)
-        layout.addWidget(self._zero, 1, 2, Qt.AlignmentFlag.AlignTop)
-        layout.addWidget(self._brake, 1, 3, Qt.AlignmentFlag.AlignTop)
+        for place, widget in enumerate((self.slider, self._entry, self._zero, self._brake)):
+            layout.addWidget(widget, 1, place, Qt.AlignmentFlag.AlignTop)
         layout.addWidget(self._bar, 2, 0, 1, 4)
-        layout.setColumnStretch(0, 1)
-        # Without a brake its room is kept: the sliders of all motors are as long.
+        # The room of the brake is kept without it, so that all sliders have the same length.
         layout.setColumnMinimumWidth(3, self._brake.sizeHint().width())
 
         self.slider.valueChanged.connect(self._on_slider_changed)
@@ -270,7 +262,6 @@ class DriveControl(QWidget):
         self.set_title(title)
 
     def set_title(self, title: str) -> None:
-        """Name the motor, also for screen readers."""
         self._title.setText(title)
         self.slider.setAccessibleName(self.tr("{0}, speed").format(title))
         self._entry.setAccessibleName(self.tr("{0}, speed as a number").format(title))
@@ -303,8 +294,7 @@ class DriveControl(QWidget):
         if not self.slider.isSliderDown():
             self._move_slider(speed)
         self._entry.show_setpoint(speed)
-        if self._setpoint_label.text() != text:
-            self._setpoint_label.setText(text)
+        self._setpoint_label.setText(text)
 
     def show_report(self, text: str) -> None:
         self._reported.show_text(text)

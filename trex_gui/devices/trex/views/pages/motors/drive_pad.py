@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QEventPoint, QMouseEvent, QPainter, QPaintEvent, QPen, QTouchEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.behaviour import PressMonitor
 
 _STRAIGHT = 0.06
@@ -185,9 +185,7 @@ class DrivePad(QWidget):
 
     def _paint_words(self, painter: QPainter, frame: QRectF) -> None:
         painter.setPen(theme().color("muted" if self.isEnabled() else "track_edge"))
-        font = self.font()
-        font.setPointSizeF(font.pointSizeF() * 0.85)
-        painter.setFont(font)
+        painter.setFont(scaled_font(self.font(), 0.85))
         box = frame.adjusted(6, 3, -6, -3)
         centred = Qt.AlignmentFlag.AlignHCenter
         painter.drawText(box, centred | Qt.AlignmentFlag.AlignTop, self.tr("forward"))

@@ -1,5 +1,8 @@
 """How speeds are sent: ramp, ceiling, brake strength, lock, spring return."""
 
+from collections.abc import Callable
+from functools import partial
+
 from PySide6.QtCore import QObject, QSettings, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QGroupBox, QRadioButton, QSizePolicy, QSlider, QWidget
@@ -27,19 +30,27 @@ class _Slider(QSlider):
 
 
 class Level(QObject):
-    """A label, a slider and an entry of the same value, as `widgets`.
+    """A label, a slider and an entry of the same stored value, as `widgets`.
 
     A typed number counts with Enter only, as a speed does: a half-typed ceiling would let a motor
     run faster than intended.
-
-    Signals:
-        changed: a value that the user chose.
     """
 
-    changed = Signal(int)
-
-    def __init__(self, title: str, name: str, lowest: int, tip: str, parent: QWidget) -> None:
+    def __init__(
+        self,
+        title: str,
+        name: str,
+        lowest: int,
+        parent: QWidget,
+        *,
+        tip: str,
+        apply: Callable[[int], object],
+    ) -> None:
+        """Apply the stored value, and every value that the user chooses."""
         super().__init__(parent)
+        self._key = f"motors/{name}"
+        self._apply = apply
+        self._store = QSettings(self)
         plain = title.replace("&", "")
         self._slider = ui.named(
             _Slider(Qt.Orientation.Horizontal, parent), f"{name}Slider", accessible=plain, tip=tip
@@ -60,11 +71,14 @@ class Level(QObject):
         label = ui.label(parent, "", title, tip=tip, buddy=self.entry)
         self.widgets = (label, self._slider, self.entry)
 
+        stored = str(self._store.value(self._key))
+        value = int(stored) if stored.isdigit() else FULL_SCALE
+        apply(max(lowest, min(FULL_SCALE, value)))
         self._slider.valueChanged.connect(self._on_chosen)
         self.entry.chosen.connect(self._on_chosen)
 
     def set_value(self, value: int) -> None:
-        """Show a value without reporting it."""
+        """Show a value without applying it."""
         with QSignalBlocker(self._slider):
             self._slider.setValue(value)
         self.entry.show_setpoint(value)
@@ -72,7 +86,8 @@ class Level(QObject):
     @Slot(int)
     def _on_chosen(self, value: int) -> None:
         self.set_value(value)
-        self.changed.emit(value)
+        self._apply(value)
+        self._store.setValue(self._key, value)
 
 
 class Options(QGroupBox):
@@ -133,18 +148,20 @@ class Options(QGroupBox):
             self.tr("&Speed ceiling"),
             "ceiling",
             1,
-            self.tr("Highest speed sent; full deflection of pad or keys gives this speed"),
             self,
+            tip=self.tr("Highest speed sent; full deflection of pad or keys gives this speed"),
+            apply=motors.set_ceiling,
         )
         self._brake = Level(
             self.tr("&Brake strength"),
             "brake",
             0,
-            self.tr(
+            self,
+            tip=self.tr(
                 "How hard Brake and letting go of pad, keys and held sliders brake; Stop always "
                 "brakes fully"
             ),
-            self,
+            apply=motors.set_release_brake,
         )
         self._brake.entry.setSpecialValueText(self.tr("coast (0 %)"))
         tip = self.tr(
@@ -176,12 +193,8 @@ class Options(QGroupBox):
         ui.row(left, (right, 1), into=self, spacing=4 * _SPACING)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
-        motors.set_ceiling(_stored(self._store, "motors/ceiling", 1))
-        motors.set_release_brake(_stored(self._store, "motors/brake", 0))
-        accelerate.toggled.connect(self._on_accelerate_toggled)
+        accelerate.toggled.connect(partial(setattr, motors, "accelerate"))
         self._lock.chosen.connect(self._on_lock_chosen)
-        self._ceiling.changed.connect(self._on_ceiling_changed)
-        self._brake.changed.connect(self._on_brake_changed)
         motors.options_changed.connect(self._on_options_changed)
         motors.setpoints_changed.connect(self._show_link)
         self._on_options_changed()
@@ -192,7 +205,6 @@ class Options(QGroupBox):
         return self._return.isChecked()
 
     def set_joint(self, joint: bool) -> None:
-        """Offer to link the motors, or not."""
         self._joint = joint
         self._show_link()
 
@@ -208,24 +220,10 @@ class Options(QGroupBox):
             tip = self.tr("The motors run differently: stop both, or give both the same speed")
         self._link.setToolTip(tip)
 
-    @Slot(bool)
-    def _on_accelerate_toggled(self, accelerate: bool) -> None:
-        self._motors.accelerate = accelerate
-
     @Slot(int)
     def _on_lock_chosen(self, seconds: int) -> None:
         self._motors.lockout = float(seconds)
         remember_lockout(seconds)
-
-    @Slot(int)
-    def _on_ceiling_changed(self, speed: int) -> None:
-        self._motors.set_ceiling(speed)
-        self._store.setValue("motors/ceiling", speed)
-
-    @Slot(int)
-    def _on_brake_changed(self, duty: int) -> None:
-        self._motors.set_release_brake(duty)
-        self._store.setValue("motors/brake", duty)
 
     @Slot()
     def _on_options_changed(self) -> None:
@@ -233,9 +231,3 @@ class Options(QGroupBox):
         self._brake.set_value(self._motors.release_brake)
         self._lock.show_setpoint(round(self._motors.lockout))
         self._show_link()
-
-
-def _stored(store: QSettings, key: str, lowest: int) -> int:
-    """Return a stored number within range; full scale if it is none."""
-    text = str(store.value(key, FULL_SCALE))
-    return max(lowest, min(FULL_SCALE, int(text))) if text.isdigit() else FULL_SCALE
