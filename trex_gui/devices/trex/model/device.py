@@ -87,7 +87,7 @@ class Device(QObject):
         self.connection.changed.connect(self.link_changed)
         self.connection.device_read.connect(self._on_read)
         self.connection.ready.connect(self._on_ready)
-        self.connection.not_responding.connect(self._on_not_responding)
+        self.connection.not_responding.connect(self.telemetry.forget)
         self.connection.line_closed.connect(self._on_closed)
         self.connection.sampled.connect(self._on_sampled)
         self.connection.failed.connect(self._on_connection_failed)
@@ -342,15 +342,9 @@ class Device(QObject):
         if why and self.motors.text:
             self.motors.stop(why)
 
-    @Slot()
-    def _on_not_responding(self) -> None:
-        self.telemetry.forget()
-        self.parameters.set_editable(False)
-
     @Slot(object)
     def _on_closed(self, _last: Closed | None) -> None:
         self.state = None
         self._apply.forget()
         self.telemetry.forget()
-        self.parameters.set_editable(False)
         self.state_changed.emit()

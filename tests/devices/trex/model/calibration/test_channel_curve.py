@@ -39,7 +39,7 @@ def test_curve_matches_board_remapping_at_every_raw_count(
         reversed_=0x1F * reversed_,
         parabolic=0x1F * parabolic,
     )
-    outputs = curve.outputs(0, HIGHEST_CODED)
+    outputs = [curve.output(raw) for raw in range(HIGHEST_CODED + 1)]
     for raw in range(0, HIGHEST_CODED + 1, 5):
         # Five channels with the same settings: five counts at a time.
         counts = [min(raw + step, HIGHEST_CODED) for step in range(5)]
@@ -61,7 +61,7 @@ def test_drawn_corners_reproduce_every_output(
 ) -> None:
     curve = ChannelCurve(calibration, parabolic=True)
     low, high = 0, 6250
-    outputs = curve.outputs(low, high)
+    outputs = [curve.output(raw) for raw in range(low, high + 1)]
     counts, values = curve.corners(low, high)
     assert (counts[0], counts[-1]) == (low, high)
     drawn: list[int] = []

@@ -251,7 +251,7 @@ def test_leaving_out_a_parameter_of_a_file_can_be_undone(
     with qtbot.waitSignal(file.pending_changed) as changed:
         file.leave_out("serial_timeout")
     assert changed.args == [1]
-    assert list(file.removed) == ["serial_timeout"]
+    assert list(file.modified) == ["serial_timeout"]
     assert list(file.modified) == ["serial_timeout"]
     assert file.is_modified("serial_timeout")
     assert not file.pending
@@ -261,7 +261,7 @@ def test_leaving_out_a_parameter_of_a_file_can_be_undone(
     undo.undo()
     assert not file.modified
     undo.redo()
-    assert list(file.removed) == ["serial_timeout"]
+    assert list(file.modified) == ["serial_timeout"]
     file.discard_edits()
     assert not file.modified
 

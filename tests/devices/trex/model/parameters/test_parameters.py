@@ -71,7 +71,6 @@ def test_model_passes_qt_model_tester_through_changes(
     edit(model, "serial_timeout", 9)
     model.note_stored({"serial_timeout": 9})
     load(model, factory(JUNIOR), JUNIOR)
-    model.set_editable(False)
     model.discard_edits()
     qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
 
@@ -219,16 +218,6 @@ def test_edit_needs_a_valid_index_and_the_edit_role(model: ParameterModel) -> No
     assert model.pending == ()
 
 
-def test_disabled_model_shows_values_but_rejects_edits(model: ParameterModel) -> None:
-    edit(model, "serial_timeout", 9)
-    model.set_editable(False)
-    assert not edit(model, "serial_timeout", 10)
-    assert text(model, "serial_timeout") == "0.9 s"
-    assert not model.index_of("serial_timeout").flags() & Qt.ItemFlag.ItemIsEnabled
-    load(model)
-    assert edit(model, "serial_timeout", 10)
-
-
 def test_discard_drops_all_edits(model: ParameterModel) -> None:
     edit(model, "serial_timeout", 9)
     edit(model, "motor_mode", 1)
@@ -305,7 +294,6 @@ def test_reload_without_power_cycle_keeps_the_waiting(model: ParameterModel) -> 
 
 def test_edit_survives_reload_of_the_same_model(model: ParameterModel) -> None:
     edit(model, "serial_timeout", 9)
-    model.set_editable(False)
     load(model)
     assert model.pending == (("serial_timeout", 9),)
 

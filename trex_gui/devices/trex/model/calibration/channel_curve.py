@@ -33,10 +33,6 @@ class ChannelCurve:
             ignored=self.ignored,
         )
 
-    def outputs(self, low: int, high: int) -> tuple[int, ...]:
-        """Return the output for every raw count from `low` to `high`, both included."""
-        return _outputs(self, low, high)
-
     def corners(self, low: int, high: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """Return the counts beside which the output changes, and the outputs there.
 
@@ -65,13 +61,8 @@ class ChannelCurve:
 
 
 @lru_cache(maxsize=32)
-def _outputs(curve: ChannelCurve, low: int, high: int) -> tuple[int, ...]:
-    return tuple(curve.output(raw) for raw in range(low, high + 1))
-
-
-@lru_cache(maxsize=32)
 def _corners(curve: ChannelCurve, low: int, high: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    outputs = _outputs(curve, low, high)
+    outputs = [curve.output(raw) for raw in range(low, high + 1)]
     last = len(outputs) - 1
     kept = [
         index

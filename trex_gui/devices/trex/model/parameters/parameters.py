@@ -74,7 +74,6 @@ class ParameterModel(QAbstractItemModel):
         self._places: dict[str, tuple[int, int]] = {}
         self._draft = Draft()
         self._problems: dict[str, str] = {}
-        self._editable = False
         self.text = ParameterText(self._specs, self._draft, self._problems, self)
         self.model_key = ""
         self.both_motors = False
@@ -127,7 +126,6 @@ class ParameterModel(QAbstractItemModel):
         kept = {key: why for key, why in self._problems.items() if self.is_modified(key)}
         self._problems.clear()
         self._problems.update(kept | dict(unread))
-        self._editable = True
         self.endResetModel()
         if pending != self.modified:
             self._announce_pending()
@@ -142,12 +140,6 @@ class ParameterModel(QAbstractItemModel):
             for row, spec in enumerate(members):
                 self._specs[spec.key] = spec
                 self._places[spec.key] = number, row
-
-    def set_editable(self, editable: bool) -> None:
-        """Enable edits; without a board to write to, the rows are only shown."""
-        if editable != self._editable:
-            self._editable = editable
-            self._announce_all()
 
     def note_stored(self, stored: Mapping[str, int]) -> None:
         """Take the stored values after a verified write."""
@@ -179,13 +171,8 @@ class ParameterModel(QAbstractItemModel):
 
     @property
     def pending(self) -> tuple[tuple[str, int], ...]:
-        """Keys and values that Apply or Save writes; keys that Save leaves out are in `removed`."""
+        """Keys and values that Apply or Save writes."""
         return self._draft.pending
-
-    @property
-    def removed(self) -> tuple[str, ...]:
-        """Stored keys that Save leaves out, in the order of the table."""
-        return tuple(key for key in self._specs if key in self._draft.removed)
 
     @property
     def modified(self) -> tuple[str, ...]:
@@ -379,14 +366,11 @@ class ParameterModel(QAbstractItemModel):
     def flags(self, index: Index) -> Qt.ItemFlag:
         if not index.isValid():
             return Qt.ItemFlag.NoItemFlags
+        flags = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled
         spec = self._spec_at(index)
-        flags = Qt.ItemFlag.ItemIsSelectable
         if spec is not None:
             flags |= Qt.ItemFlag.ItemNeverHasChildren
-        if self._editable:
-            flags |= Qt.ItemFlag.ItemIsEnabled
-            is_value = index.column() == ParameterColumn.VALUE
-            if spec is not None and is_value and self.knows(spec.key):
+            if index.column() == ParameterColumn.VALUE and self.knows(spec.key):
                 flags |= Qt.ItemFlag.ItemIsEditable
         return flags
 
@@ -466,11 +450,3 @@ class ParameterModel(QAbstractItemModel):
                 )
         heading = self.index(self._places[key][0], 0)
         self.dataChanged.emit(heading, heading)
-
-    def _announce_all(self) -> None:
-        for number, (_, members) in enumerate(self._groups):
-            last = self._cell(number, len(members) - 1, _COLUMNS - 1)
-            self.dataChanged.emit(self._cell(number, 0, 0), last)
-        if self._groups:
-            last = self.index(len(self._groups) - 1, _COLUMNS - 1)
-            self.dataChanged.emit(self.index(0, 0), last)

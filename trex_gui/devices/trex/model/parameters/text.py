@@ -52,6 +52,21 @@ class ParameterText(QObject):
         self._specs = specs
         self._draft = draft
         self._problems = problems
+        self._sources = {
+            (True, True): (
+                self.tr("vendor"),
+                self.tr("The vendor's documents or staff confirm range and default."),
+            ),
+            (True, False): (
+                self.tr("default inferred"),
+                self.tr("The range is confirmed by the vendor; the default is inferred."),
+            ),
+            (False, True): (
+                self.tr("range inferred"),
+                self.tr("The default is confirmed by the vendor; the range is inferred."),
+            ),
+            (False, False): (self.tr("inferred"), self.tr("Range and default are inferred.")),
+        }
 
     # --- Cells --------------------------------------------------------------------------
 
@@ -102,15 +117,7 @@ class ParameterText(QObject):
 
     def source(self, spec: ParameterSpec) -> str:
         """Return how far the vendor's documents confirm limits and default, in a word or two."""
-        match spec.limits_confirmed, spec.default_confirmed:
-            case True, True:
-                return self.tr("vendor")
-            case True, False:
-                return self.tr("default inferred")
-            case False, True:
-                return self.tr("range inferred")
-            case _:
-                return self.tr("inferred")
+        return self._sources[spec.limits_confirmed, spec.default_confirmed][0]
 
     # --- Sentences ----------------------------------------------------------------------
 
@@ -123,15 +130,7 @@ class ParameterText(QObject):
 
     def origin(self, spec: ParameterSpec) -> str:
         """Return where limits and default come from, and what that means."""
-        match spec.limits_confirmed, spec.default_confirmed:
-            case True, True:
-                text = self.tr("The vendor's documents or staff confirm range and default.")
-            case True, False:
-                text = self.tr("The range is confirmed by the vendor; the default is inferred.")
-            case False, True:
-                text = self.tr("The default is confirmed by the vendor; the range is inferred.")
-            case _:
-                text = self.tr("Range and default are inferred.")
+        text = self._sources[spec.limits_confirmed, spec.default_confirmed][1]
         if {"scale", "bits"} & spec.inferred:
             text += " " + self.tr("So is what a wire value means.")
         if not (spec.limits_confirmed and spec.default_confirmed):

@@ -8,6 +8,7 @@ from PySide6.QtCore import (
     QModelIndex,
     QObject,
     QPersistentModelIndex,
+    QPoint,
     QRect,
     QSize,
     Qt,
@@ -98,12 +99,10 @@ class ParameterDelegate(QStyledItemDelegate):
     ) -> None:
         """Give an editor the size that it needs; it may cover neighbouring cells."""
         super().updateEditorGeometry(editor, option, index)
-        wanted = editor.sizeHint()
         place = editor.geometry()
-        place.setWidth(max(place.width(), wanted.width()))
-        if wanted.height() > place.height():
-            place.adjust(0, -((wanted.height() - place.height()) // 2), 0, 0)
-            place.setHeight(wanted.height())
+        middle = place.center().y()
+        place.setSize(place.size().expandedTo(editor.sizeHint()))
+        place.moveCenter(QPoint(place.center().x(), middle))
         view = editor.parentWidget()
         if view is not None and place.right() > view.width():
             place.moveRight(max(place.width(), view.width()) - 1)
@@ -158,14 +157,12 @@ class ResetDelegate(QStyledItemDelegate):
             return
         place = QRect(0, 0, _ICON, _ICON)
         place.moveCenter(option.rect.center())
-        state = option.state
-        if not state & QStyle.StateFlag.State_Enabled:
+        mode = QIcon.Mode.Normal
+        if not option.state & QStyle.StateFlag.State_Enabled:
             mode = QIcon.Mode.Disabled
-        elif state & QStyle.StateFlag.State_Selected:
+        elif option.state & QStyle.StateFlag.State_Selected:
             mode = QIcon.Mode.Selected
-        else:
-            mode = QIcon.Mode.Normal
-        if state & QStyle.StateFlag.State_HasFocus:
+        if option.state & QStyle.StateFlag.State_HasFocus:
             painter.save()
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(option.palette.color(QPalette.ColorRole.HighlightedText))

@@ -153,7 +153,7 @@ class ParameterView(QTreeView):
             self._begin_edit()
 
     def _press_reset(self, index: QModelIndex) -> None:
-        if index.data(Role.RESET) and index.flags() & Qt.ItemFlag.ItemIsEnabled:
+        if index.data(Role.RESET) and self.isEnabled():
             self._model.reset(self.current_key)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
