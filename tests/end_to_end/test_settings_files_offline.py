@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialogButtonBox, QListWidget, QMessageBox
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QListView, QMessageBox
 from shiboken6 import isValid
 
 from tests.support.bad_files import BAD_FILES
@@ -97,9 +97,10 @@ def test_new_file_starts_with_chosen_settings(
     for beginning, key, value in BEGINNINGS:
         window.trigger("new")
         dialog = window.dialog("newSettingsDialog")
-        beginnings = dialog.find(QListWidget, "beginningsList")
-        (item,) = beginnings.findItems(beginning, Qt.MatchFlag.MatchExactly)
-        beginnings.setCurrentItem(item)
+        beginnings = dialog.find(QListView, "beginningsList")
+        model, whole = beginnings.model(), Qt.MatchFlag.MatchExactly
+        (index,) = model.match(model.index(0, 0), Qt.ItemDataRole.DisplayRole, beginning, -1, whole)
+        beginnings.setCurrentIndex(index)
         box = dialog.find_only(QDialogButtonBox)
         QTest.mouseClick(box.button(QDialogButtonBox.StandardButton.Ok), LEFT)
         editor = files.editor()

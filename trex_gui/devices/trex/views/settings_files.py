@@ -1,20 +1,13 @@
 """Opening and saving settings files, from the window and in windows of their own."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from datetime import datetime
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings, Qt, Signal, Slot
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QFileDialog,
-    QListWidget,
-    QListWidgetItem,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialog, QFileDialog, QInputDialog, QListView, QWidget
 
 from trex_gui.core.errors import BadRequest, StudioError, sentence
 from trex_gui.core.files import Finding, SettingsError, load, save
@@ -31,8 +24,7 @@ from trex_gui.devices.trex.views.settings_editor.compare_dialogs import LoadDial
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.builders import column, label, named
-from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.builders import named
 
 
 class SettingsFiles(QObject):
@@ -89,9 +81,52 @@ class SettingsFiles(QObject):
 
     def ask_and_begin(self) -> None:
         """Let the user choose what a new file begins with, and open a window for it."""
-        dialog = NewDialog(self._device, self._window)
-        dialog.made.connect(self.open_editor)
+        makers = dict(self._beginnings())
+        dialog = QInputDialog(self._window)
+        dialog.setObjectName("newSettingsDialog")
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.setWindowTitle(self.tr("New settings file"))
+        dialog.setLabelText(self.tr("Start the new file with:"))
+        dialog.setOption(QInputDialog.InputDialogOption.UseListViewForComboBoxItems)
+        dialog.setComboBoxItems(list(makers))
+        (view,) = dialog.findChildren(QListView, options=Qt.FindChildOption.FindDirectChildrenOnly)
+        named(view, "beginningsList", accessible=dialog.labelText())
+        view.setCurrentIndex(view.model().index(0, 0))
+        view.activated.connect(dialog.accept)
+        dialog.textValueSelected.connect(lambda text: self._begin(makers[text]))
+        dialog.resize(620, 440)
         dialog.show()
+
+    def _beginnings(self) -> Iterator[tuple[str, Callable[[], SettingsDocument]]]:
+        """Yield what a new file can begin with, by title."""
+        shown = self._device.draft.shown
+        if shown is not None and self._device.state is not None:
+            text = self.tr("The board as shown: {0}, firmware {1}")
+            yield text.format(shown.product.name, shown.firmware), self._from_board
+        text, title = (
+            self.tr("Factory defaults of a {0}, firmware {1}"),
+            self.tr("Factory defaults."),
+        )
+        for model in device_table().models:
+            for firmware in reversed(model.firmware):
+                make = partial(_from_factory, model, firmware, title)
+                yield text.format(model.name, firmware), make
+        for path in sorted(resource("samples").glob("*.txt")):
+            if not path.stem.endswith("factory_defaults"):
+                yield self.tr("Sample: {0}").format(_title(path)), partial(_from_sample, path)
+
+    def _from_board(self) -> SettingsDocument:
+        shown = self._device.draft.shown
+        if shown is None:
+            raise StudioError(self.tr("no board is connected any more"))
+        name, title = f"{shown.product.key}_settings.txt", self.tr("As shown for a board.")
+        return SettingsDocument.of_settings(shown, name, title)
+
+    def _begin(self, make: Callable[[], SettingsDocument]) -> None:
+        try:
+            self.open_editor(make())
+        except StudioError as error:
+            self._notifier.error.emit(sentence(error))
 
     # --- Opening ------------------------------------------------------------------------
 
@@ -294,83 +329,9 @@ def _raise(editor: SettingsEditor) -> None:
     editor.activateWindow()
 
 
-class NewDialog(QDialog):
-    """Lets the user choose what a new settings file begins with.
-
-    Signals:
-        made: the new `SettingsDocument`.
-    """
-
-    made = Signal(object)
-
-    def __init__(self, device: Device, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setObjectName("newSettingsDialog")
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(self.tr("New settings file"))
-        self.resize(620, 440)
-        self._device = device
-        self._makers: list[Callable[[], SettingsDocument]] = []
-
-        about = label(self, text=self.tr("Start the new file with:"))
-        self._list = named(QListWidget(self), "beginningsList", accessible=about.text())
-        self._list.setAlternatingRowColors(True)
-        self._list.setSpacing(2)
-        self._trouble = Note(1, self)
-        self._trouble.hide()
-        standard = QDialogButtonBox.StandardButton
-        buttons = QDialogButtonBox(standard.Ok | standard.Cancel, self)
-        column(about, (self._list, 1), self._trouble, buttons, into=self)
-
-        self._fill()
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.close)
-        self._list.itemActivated.connect(self.accept)
-
-    def _fill(self) -> None:
-        shown = self._device.draft.shown if self._device.state is not None else None
-        if shown is not None:
-            text = self.tr("The board as shown: {0}, firmware {1}")
-            self._add(text.format(shown.product.name, shown.firmware), self._from_board)
-        text = self.tr("Factory defaults of a {0}, firmware {1}")
-        for model in device_table().models:
-            for firmware in reversed(model.firmware):
-                make = partial(self._from_factory, model, firmware)
-                self._add(text.format(model.name, firmware), make)
-        for path in sorted(resource("samples").glob("*.txt")):
-            if not path.stem.endswith("factory_defaults"):
-                self._add(self.tr("Sample: {0}").format(_title(path)), partial(_from_sample, path))
-        self._list.setCurrentRow(0)
-
-    def _add(self, text: str, make: Callable[[], SettingsDocument]) -> None:
-        item = QListWidgetItem(text, self._list)
-        item.setToolTip(text)
-        self._makers.append(make)
-
-    def _from_board(self) -> SettingsDocument:
-        shown = self._device.draft.shown
-        if shown is None:
-            raise StudioError(self.tr("no board is connected any more"))
-        name, title = f"{shown.product.key}_settings.txt", self.tr("As shown for a board.")
-        return SettingsDocument.of_settings(shown, name, title)
-
-    def _from_factory(self, model: Model, firmware: str) -> SettingsDocument:
-        name, title = f"{model.key}_settings.txt", self.tr("Factory defaults.")
-        return SettingsDocument.of_settings(factory_settings(model, firmware), name, title)
-
-    @Slot()
-    def accept(self) -> None:
-        row = self._list.currentRow()
-        if row < 0:
-            return
-        try:
-            document = self._makers[row]()
-        except StudioError as error:
-            self._trouble.show_note(sentence(error), alarming=True)
-            self._trouble.show()
-            return
-        self.made.emit(document)
-        super().accept()
+def _from_factory(model: Model, firmware: str, title: str) -> SettingsDocument:
+    settings = factory_settings(model, firmware)
+    return SettingsDocument.of_settings(settings, f"{model.key}_settings.txt", title)
 
 
 def _from_sample(path: Path) -> SettingsDocument:
