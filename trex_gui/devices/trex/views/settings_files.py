@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSettings, Qt, Signal, Slot
 from PySide6.QtWidgets import QDialog, QFileDialog, QInputDialog, QListView, QWidget
 
-from trex_gui.core.errors import BadRequest, StudioError, sentence
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError, load, save
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
@@ -49,10 +49,14 @@ class SettingsFiles(QObject):
         self.editors: list[SettingsEditor] = []
 
     def ask_and_open(self) -> None:
+        """Let the user choose a file and show what it would change of the board."""
+        self._ask_and(self.open_file)
+
+    def _ask_and(self, use: Callable[[Path], object]) -> None:
         title = self.tr("Open settings file")
         path = file_questions.ask_to_open(self._window, title, self._store)
         if path is not None:
-            self.open_file(path)
+            use(path)
 
     def ask_and_save(self) -> bool:
         """Let the user choose where to save the settings shown; return whether they are."""
@@ -93,7 +97,7 @@ class SettingsFiles(QObject):
         named(view, "beginningsList", accessible=dialog.labelText())
         view.setCurrentIndex(view.model().index(0, 0))
         view.activated.connect(dialog.accept)
-        dialog.textValueSelected.connect(lambda text: self._begin(makers[text]))
+        dialog.textValueSelected.connect(lambda text: self.open_editor(makers[text]()))
         dialog.resize(620, 440)
         dialog.show()
 
@@ -101,8 +105,10 @@ class SettingsFiles(QObject):
         """Yield what a new file can begin with, by title."""
         shown = self._device.draft.shown
         if shown is not None and self._device.state is not None:
-            text = self.tr("The board as shown: {0}, firmware {1}")
-            yield text.format(shown.product.name, shown.firmware), self._from_board
+            text, title = self.tr("The board as shown: {0}, firmware {1}"), self.tr("As shown.")
+            name = f"{shown.product.key}_settings.txt"
+            make = partial(SettingsDocument.of_settings, shown, name, title)
+            yield text.format(shown.product.name, shown.firmware), make
         text, title = (
             self.tr("Factory defaults of a {0}, firmware {1}"),
             self.tr("Factory defaults."),
@@ -113,20 +119,9 @@ class SettingsFiles(QObject):
                 yield text.format(model.name, firmware), make
         for path in sorted(resource("samples").glob("*.txt")):
             if not path.stem.endswith("factory_defaults"):
-                yield self.tr("Sample: {0}").format(_title(path)), partial(_from_sample, path)
-
-    def _from_board(self) -> SettingsDocument:
-        shown = self._device.draft.shown
-        if shown is None:
-            raise StudioError(self.tr("no board is connected any more"))
-        name, title = f"{shown.product.key}_settings.txt", self.tr("As shown for a board.")
-        return SettingsDocument.of_settings(shown, name, title)
-
-    def _begin(self, make: Callable[[], SettingsDocument]) -> None:
-        try:
-            self.open_editor(make())
-        except StudioError as error:
-            self._notifier.error.emit(sentence(error))
+                sample = path.read_text(encoding="utf-8")
+                make = partial(SettingsDocument, sample, path.name)
+                yield self.tr("Sample: {0}").format(_title(sample, path.stem)), make
 
     # --- Opening ------------------------------------------------------------------------
 
@@ -176,18 +171,11 @@ class SettingsFiles(QObject):
         self.editors.append(editor)
         editor.send_requested.connect(partial(self._send, editor))
         editor.new_requested.connect(self.ask_and_begin)
-        editor.open_requested.connect(self._on_open_requested)
+        editor.open_requested.connect(partial(self._ask_and, self.edit_file))
         editor.saved.connect(partial(file_questions.remember_folder, self._store))
         editor.closed.connect(partial(self._on_editor_closed, editor))
         _raise(editor)
         return editor
-
-    @Slot()
-    def _on_open_requested(self) -> None:
-        title = self.tr("Open settings file")
-        path = file_questions.ask_to_open(self._window, title, self._store)
-        if path is not None:
-            self.edit_file(path)
 
     def _on_editor_closed(self, editor: SettingsEditor) -> None:
         if editor in self.editors:
@@ -208,20 +196,19 @@ class SettingsFiles(QObject):
         dialog = LoadDialog(self._device, file, self._window)
         dialog.staged.connect(self._on_staged)
         dialog.ended.connect(self._notifier.error)
-        dialog.finished.connect(self._on_offer_finished)
+        dialog.finished.connect(partial(self._on_offer_finished, dialog))
         self._loading = dialog
         dialog.show()
         dialog.activateWindow()
         return dialog
 
-    @Slot()
-    def _on_offer_finished(self) -> None:
-        if self.sender() is self._loading:
+    def _on_offer_finished(self, dialog: LoadDialog, _result: int) -> None:
+        if dialog is self._loading:
             self._loading = None
 
     @Slot(str)
-    def _on_staged(self, words: str) -> None:
-        self._notifier.info.emit(words)
+    def _on_staged(self, text: str) -> None:
+        self._notifier.info.emit(text)
         self._window.activateWindow()
         self.staged.emit()
 
@@ -272,8 +259,8 @@ class SettingsFiles(QObject):
             self._notifier.error.emit(self.tr("{0} was not saved: {1}").format(path.name, error))
             return False
         file_questions.remember_folder(self._store, path)
-        words = self.tr("The settings shown were saved in {0}.").format(path)
-        self._notifier.info.emit(f"{words} {kept}".rstrip())
+        saved = self.tr("The settings shown were saved in {0}.").format(path)
+        self._notifier.info.emit(f"{saved} {kept}".rstrip())
         return True
 
     def _text_for(self, path: Path, settings: Settings) -> tuple[str | None, str]:
@@ -315,13 +302,7 @@ class SettingsFiles(QObject):
         if settings is None or state is None:
             return None
         name = self.tr("{0}, settings shown").format(state.signature)
-        try:
-            dialog = PrintedSettings(settings, name).preview(self._window)
-        except SettingsError as error:
-            self._notifier.error.emit(str(error))
-            return None
-        dialog.show()
-        return dialog
+        return PrintedSettings(settings, name).preview(self._window, self._notifier.error.emit)
 
 
 def _raise(editor: SettingsEditor) -> None:
@@ -334,12 +315,7 @@ def _from_factory(model: Model, firmware: str, title: str) -> SettingsDocument:
     return SettingsDocument.of_settings(settings, f"{model.key}_settings.txt", title)
 
 
-def _from_sample(path: Path) -> SettingsDocument:
-    return SettingsDocument(load(path).decode("utf-8"), path.name)
-
-
-def _title(path: Path) -> str:
+def _title(sample: str, default: str) -> str:
     """Return the first comment of a sample, which says what it is for."""
-    lines = path.read_text(encoding="utf-8").splitlines()
-    comments = (line.removeprefix("#").strip() for line in lines if line.startswith("# "))
-    return next(comments, path.stem).rstrip(".")
+    comments = (line.removeprefix("#").strip() for line in sample.splitlines() if line[:1] == "#")
+    return next(filter(None, comments), default).rstrip(".")

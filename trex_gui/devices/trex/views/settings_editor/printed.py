@@ -1,6 +1,6 @@
 """Settings on paper: all in tables, changes from the default in bold."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from datetime import datetime
 from html import escape
 from itertools import groupby
@@ -168,18 +168,15 @@ class PrintedSettings(QObject):
             reason = f"it cannot be written: {error.strerror or error}"
             raise SettingsError.of(path, reason) from error
 
-    def preview(self, window: QWidget) -> QDialog:
-        """Return a dialog that shows and prints the pages.
-
-        Raises:
-            SettingsError: this system's Qt cannot print.
-        """
+    def preview(self, window: QWidget, report: Callable[[str], object]) -> QDialog | None:
+        """Show the pages in a dialog that can print them; report if Qt cannot print here."""
         # Not installed everywhere, and only needed for printing.
         try:
             from PySide6.QtPrintSupport import QPrinter, QPrintPreviewDialog  # noqa: PLC0415
         except ImportError as error:
-            reason = f"Qt's printing is not installed here ({error}); save a PDF file instead"
-            raise SettingsError.of(self._name, reason) from error
+            text = self.tr("Qt's printing is not installed here ({0}); save a PDF file instead.")
+            report(text.format(error))
+            return None
         printer = QPrinter(QPrinter.PrinterMode.HighResolution)
         printer.setPageMargins(_MARGINS, QPageLayout.Unit.Millimeter)
         printer.setDocName(self._name)
@@ -189,6 +186,7 @@ class PrintedSettings(QObject):
         dialog.setObjectName("printPreviewDialog")
         dialog.paintRequested.connect(self.print_to)
         self.setParent(dialog)
+        dialog.show()
         return dialog
 
 

@@ -189,39 +189,32 @@ class SettingsEditor(QMainWindow):
         self.saved.emit(path)
         return True
 
-    def _printed(self, settings: Settings) -> PrintedSettings:
+    def _printed(self) -> PrintedSettings | None:
+        settings = self.document.settings
+        if settings is None:
+            return None
         remarks = [str(found) for found in self.document.findings]
         remarks += [found.message for found in self._linter.findings]
         return PrintedSettings(settings, self.document.name, remarks)
 
     def preview(self) -> QDialog | None:
         """Show the pages as they would be printed."""
-        settings = self.document.settings
-        if settings is None:
-            return None
-        try:
-            dialog = self._printed(settings).preview(self)
-        except SettingsError as error:
-            self._banner.show_problem(str(error))
-            return None
-        dialog.show()
-        return dialog
+        printed = self._printed()
+        return None if printed is None else printed.preview(self, self._banner.show_problem)
 
     def _ask_and_save_pdf(self) -> None:
         name = self._folder() / Path(self.document.name).with_suffix(".pdf").name
-        path = file_questions.ask_to_save(
-            self, self.tr("Save as PDF"), name, self.tr("PDF (*.pdf)")
-        )
+        filters = self.tr("PDF (*.pdf)")
+        path = file_questions.ask_to_save(self, self.tr("Save as PDF"), name, filters)
         if path is not None:
             self.save_pdf(path)
 
     def save_pdf(self, path: Path) -> None:
-        """Save the pages."""
-        settings = self.document.settings
-        if settings is None:
+        printed = self._printed()
+        if printed is None:
             return
         try:
-            self._printed(settings).save_pdf(path)
+            printed.save_pdf(path)
         except SettingsError as error:
             self._banner.show_problem(self.tr("Not saved. {0}").format(error))
             return
