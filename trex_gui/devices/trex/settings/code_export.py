@@ -3,7 +3,6 @@
 import textwrap
 import unicodedata
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import Enum
 
 from trex_gui import __version__
@@ -76,9 +75,15 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
             line has a baud rate that no board has.
     """
     link.line.to_wire()  # raises for an unknown baud rate
-    tables = _Tables.of(settings)
+    check_keys(settings)
+    valid = settings.without_invalid()
+    left_out = [p for spec, wire in settings.parameter_items() if (p := spec.problem(wire))]
+    left_out += [f"{key}: {p}" for key, c in settings.calibration_items() if (p := c.problem())]
+    # Communication comes last, so that the board stays reachable after an interruption.
+    parameters = valid.parameter_items()
+    parameters.sort(key=lambda p: (p[0].needs_power_cycle, p[0].group == "serial", p[0].number))
     product, device, line = settings.product, link.framing.device_number, link.line
-    new_device = tables.wire(ParameterKey.DEVICE_NUMBER)
+    new_device = valid.parameters.get(ParameterKey.DEVICE_NUMBER)
     firmware = "" if settings.firmware is None else f" with firmware {settings.firmware}"
     return _render(
         f"code/trex_board{language.suffix}.jinja",
@@ -87,10 +92,10 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
         product=plain(product.name),
         board=plain(product.name + firmware),
         stem=_stem(settings),
-        warning=textwrap.fill(plain(_warning(tables)), _COMMENT_WIDTH),
+        warning=textwrap.fill(plain(_warning(valid)), _COMMENT_WIDTH),
         # Line
         line=line.text(),
-        new_line=_new_line(link, tables),
+        new_line=_new_line(link, valid),
         baud=line.baud,
         parity=_PARITIES.get(line.detection, "NONE"),
         stop_bits=line.stop_bits,
@@ -105,11 +110,11 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
         signature=plain(product.signature.decode("ascii")),
         ampere=product.current_unit,
         power_cycle=min(spec.number for spec in settings.specs if spec.needs_power_cycle),
-        parameters=_aligned(language, [_row(language, *pair) for pair in tables.parameters]),
+        parameters=_aligned(language, [_row(language, *item) for item in parameters]),
         calibrations=_aligned(
-            language, [_calibration_row(language, *pair) for pair in tables.calibrations]
+            language, [_calibration_row(language, *item) for item in valid.calibration_items()]
         ),
-        left_out="\n".join(map(plain, tables.left_out)),
+        left_out="\n".join(map(plain, left_out)),
     )
 
 
@@ -144,32 +149,6 @@ def plain(text: str) -> str:
 
 
 _ASCII = str.maketrans({"µ": "u", "μ": "u", "−": "-", "–": "-", "—": "-", "×": "x", "…": "..."})
-
-
-@dataclass(frozen=True, slots=True)
-class _Tables:
-    """The valid settings, in the order in which the program stores them.
-
-    Parameters that change the communication come last, so that the board stays reachable after
-    an interruption. `left_out` has a sentence for each value that the board would reject.
-    """
-
-    parameters: list[tuple[ParameterSpec, int]]
-    calibrations: list[tuple[CalibrationKey, Calibration]]
-    left_out: list[str]
-
-    @classmethod
-    def of(cls, settings: Settings) -> "_Tables":
-        check_keys(settings)
-        left_out = [p for spec, wire in settings.parameter_items() if (p := spec.problem(wire))]
-        left_out += [f"{key}: {p}" for key, c in settings.calibration_items() if (p := c.problem())]
-        valid = settings.without_invalid()
-        parameters = valid.parameter_items()
-        parameters.sort(key=lambda p: (p[0].needs_power_cycle, p[0].group == "serial", p[0].number))
-        return cls(parameters, valid.calibration_items(), left_out)
-
-    def wire(self, key: str) -> int | None:
-        return next((wire for spec, wire in self.parameters if spec.key == key), None)
 
 
 def _row(language: Language, spec: ParameterSpec, wire: int) -> tuple[str, str]:
@@ -211,9 +190,10 @@ def _hexadecimal(byte: int) -> str:
     return f"0x{byte:02X}"
 
 
-def _new_line(link: ConnectionSettings, tables: _Tables) -> str:
+def _new_line(link: ConnectionSettings, settings: Settings) -> str:
     """Return the line settings after the next power cycle; empty if they do not change."""
-    wire, bits = tables.wire(ParameterKey.UART_SETTINGS), tables.wire(ParameterKey.CRC7_POLYNOMIAL)
+    wire = settings.parameters.get(ParameterKey.UART_SETTINGS)
+    bits = settings.parameters.get(ParameterKey.CRC7_POLYNOMIAL)
     line = link.line if wire is None else LineSettings.from_wire(wire)
     if line.detection is not Detection.CRC7:
         return "" if line == link.line else line.text()
@@ -225,14 +205,12 @@ def _new_line(link: ConnectionSettings, tables: _Tables) -> str:
     return f"{line.text()}, polynomial {_hexadecimal(polynomial)}"
 
 
-def _warning(tables: _Tables) -> str:
-    timeout = next(
-        (pair for pair in tables.parameters if pair[0].key == ParameterKey.SERIAL_TIMEOUT), None
-    )
+def _warning(settings: Settings) -> str:
+    spec = settings.specs[ParameterKey.SERIAL_TIMEOUT]
+    wire = settings.parameters.get(spec.key)
     goes_on = "Motors keep running when the program that started them ends or crashes"
-    if timeout is None:
-        return f"{goes_on}, unless Serial Timeout is set on the board."
-    spec, wire = timeout
+    if wire is None:
+        return f"{goes_on}, unless {spec.name} is set on the board."
     where = f"{spec.name} (parameter {_hexadecimal(spec.number)})"
     if wire == 0:
         return f"{goes_on}: these settings switch {where} off. Set it to have them stopped."

@@ -6,7 +6,6 @@ the same folder says to all programs how many snapshots to keep; other files are
 
 import os
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -119,8 +118,7 @@ class SettingsHistory:
 
     def snapshots(self) -> tuple[Snapshot, ...]:
         """Return all snapshots, the newest first, including those that cannot be read."""
-        found = [_look_at(path, match) for path, match in self._files()]
-        return tuple(sorted(found, key=_age, reverse=True))
+        return tuple(_look_at(*file) for file in self._files())
 
     def load(self, snapshot: Snapshot) -> Settings:
         """Return the settings in a snapshot.
@@ -183,13 +181,10 @@ class SettingsHistory:
         bound = self.bound()
         if bound.problem or bound.kept is None:
             return
-        others = [
-            Snapshot(path, *_when(match)) for path, match in self._files() if path.name != own.name
-        ]
-        others.sort(key=_age, reverse=True)
-        for snapshot in others[bound.kept - 1 :]:
-            if _saved(snapshot.path) < _saved(own):
-                _removed(snapshot.path)
+        others = [path for path, _, _ in self._files() if path.name != own.name]
+        for path in others[bound.kept - 1 :]:
+            if _saved(path) < _saved(own):
+                _removed(path)
 
     def _make_folder(self) -> None:
         try:
@@ -202,18 +197,14 @@ class SettingsHistory:
         again = "" if turn == 1 else f"{turn}-"
         return self.folder / f"{taken.strftime(_TIME)}-{again}{model}-{firmware}.txt"
 
-    def _files(self) -> Iterator[tuple[Path, re.Match[str]]]:
+    def _files(self) -> list[tuple[Path, datetime, int]]:
+        """Return path, time and turn of each snapshot, the newest first."""
         try:
             paths = list(self.folder.iterdir())
         except OSError:  # not made yet, or not ours to read
-            return
-        for path in paths:
-            if match := _NAME.fullmatch(path.name):
-                yield path, match
-
-
-def _age(snapshot: Snapshot) -> tuple[datetime, int, str]:
-    return snapshot.taken, snapshot.turn, snapshot.path.name
+            return []
+        found = [(path, *_when(m)) for path in paths if (m := _NAME.fullmatch(path.name))]
+        return sorted(found, key=lambda file: (file[1:], file[0].name), reverse=True)
 
 
 def _when(match: re.Match[str]) -> tuple[datetime, int]:
@@ -248,8 +239,7 @@ def _no_bound(path: Path, why: str) -> str:
     return f"{path} {why}: how many snapshots to keep is not known, so none is removed."
 
 
-def _look_at(path: Path, match: re.Match[str]) -> Snapshot:
-    taken, turn = _when(match)
+def _look_at(path: Path, taken: datetime, turn: int) -> Snapshot:
     problem = ""
     try:
         with path.open("rb") as file:

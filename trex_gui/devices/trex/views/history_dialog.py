@@ -1,10 +1,10 @@
 """The history window: list, compare and restore snapshots."""
 
-from pathlib import Path
+from functools import partial
 
 from PySide6.QtCore import QByteArray, QEvent, QSettings, Qt, QUrl, Signal, Slot
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QDialog, QFileDialog, QSplitter, QStackedWidget, QWidget
+from PySide6.QtWidgets import QDialog, QSplitter, QStackedWidget, QWidget
 
 from trex_gui.core.files import SettingsError, load, save
 from trex_gui.devices.trex.model.device import Device
@@ -51,36 +51,25 @@ class HistoryDialog(QDialog):
         self._question = InlinePrompt(self)
         self._question.setObjectName("historyQuestion")
         self._list = SnapshotList(self._table, self)
-        self._save = ui.button(
-            self,
+        button = partial(ui.button, self, default=False)  # Enter means something else
+        self._save = button(
             "saveSnapshotButton",
             self.tr("Save &as…"),
             icon="save",
             tip=self.tr("Save a copy as a settings file"),
-            default=False,
             on_click=self._on_save_clicked,
         )
-        self._delete = ui.button(
-            self,
-            "deleteSnapshotButton",
-            self.tr("&Delete…"),
-            icon="clear",
-            default=False,
-            on_click=self._on_delete_clicked,
+        delete_text = self.tr("&Delete…")
+        self._delete = button(
+            "deleteSnapshotButton", delete_text, icon="clear", on_click=self._on_delete_clicked
         )
         self._pane = SnapshotPane(device, self._table, notifier, self)
         self._bound = _BoundField(self._history, self._question, notifier, self)
-        self._folder = ui.button(
-            self,
-            "openFolderButton",
-            self.tr("&Open folder"),
-            icon="folder",
-            default=False,
-            on_click=self._on_folder_clicked,
+        folder_text = self.tr("&Open folder")
+        self._folder = button(
+            "openFolderButton", folder_text, icon="folder", on_click=self._on_folder_clicked
         )
-        close = ui.button(
-            self, "closeHistoryButton", self.tr("&Close"), default=False, on_click=self.close
-        )
+        close = button("closeHistoryButton", self.tr("&Close"), on_click=self.close)
         empty = ui.label(
             self,
             "historyEmpty",
@@ -192,16 +181,13 @@ class HistoryDialog(QDialog):
         if len(chosen) != 1:
             return
         source = chosen[0].path
-        proposal = file_questions.last_folder(self._store) / source.name
-        name, _ = QFileDialog.getSaveFileName(
+        path = file_questions.ask_to_save(
             self,
             self.tr("Save a copy of the snapshot"),
-            str(proposal),
-            file_questions.file_filter(),
+            file_questions.last_folder(self._store) / source.name,
         )
-        if not name:
+        if path is None:
             return
-        path = Path(name)
         try:
             save(path, load(source).decode("utf-8"))
         except (SettingsError, UnicodeDecodeError) as error:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Signal, Slot
 from PySide6.QtGui import QStandardItemModel
-from PySide6.QtWidgets import QComboBox, QFileDialog, QSizePolicy, QWidget
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError, load
@@ -392,15 +392,10 @@ class _PresentChoice(QWidget):
 
     def _ask_for_file(self) -> bool:
         """Let the user choose a settings file to compare with; return whether it can be used."""
-        chosen, _ = QFileDialog.getOpenFileName(
-            self,
-            self.tr("Compare with a settings file"),
-            str(file_questions.last_folder(self._store)),
-            file_questions.file_filter(),
-        )
-        if not chosen:
+        title = self.tr("Compare with a settings file")
+        path = file_questions.ask_to_open(self, title, self._store)
+        if path is None:
             return False
-        path = Path(chosen)
         try:
             settings, _ = read_settings(load(path), path.name)
         except SettingsError as error:
