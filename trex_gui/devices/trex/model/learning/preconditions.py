@@ -33,10 +33,13 @@ class CalibrationPreconditions(QObject):
         self._with_motors = False
         self._source: InputSource | None = None
 
-        device.link_changed.connect(self._on_link_changed)
-        device.state_changed.connect(self._on_state_changed)
-        device.motors.arming_changed.connect(self._on_arming_changed)
-        device.telemetry.updated.connect(self._on_updated)
+        for changed in (
+            device.link_changed,
+            device.state_changed,
+            device.motors.arming_changed,
+            device.telemetry.updated,
+        ):
+            changed.connect(self._check)
 
     @property
     def source(self) -> InputSource:
@@ -52,7 +55,7 @@ class CalibrationPreconditions(QObject):
     def watch_motors(self, watch: bool) -> None:
         """Set whether armed motors are a violation; motors that are armed already count."""
         self._with_motors = watch
-        self._on_arming_changed()
+        self._check()
 
     @property
     def blocker(self) -> str:
@@ -78,39 +81,26 @@ class CalibrationPreconditions(QObject):
             return self.tr("Settings are being written.")
         return ""
 
-    def _report(self, text: str) -> None:
-        if self._watching:
+    @Slot()
+    def _check(self) -> None:
+        if self._watching and (reason := self._violation()):
             self.end()
-            self.violated.emit(text)
+            self.violated.emit(reason)
 
-    @Slot()
-    def _on_link_changed(self) -> None:
-        link = self._device.link
-        if link is ConnectionState.NOT_RESPONDING:
-            self._report(
-                self.tr("The board has stopped responding: its power or its cable was cut.")
-            )
-        elif link is not ConnectionState.CONNECTED:
-            self._report(self.tr("The line to the board is gone."))
-
-    @Slot()
-    def _on_state_changed(self) -> None:
-        state = self._device.state
-        if state is None:
-            self._report(self.tr("The line to the board is gone."))
-        elif not state.mode.is_serial or state.source is not self._source:
+    def _violation(self) -> str:
+        device, state = self._device, self._device.state
+        if device.link is ConnectionState.NOT_RESPONDING:
+            return self.tr("The board has stopped responding: its power or its cable was cut.")
+        if device.link is not ConnectionState.CONNECTED or state is None:
+            return self.tr("The line to the board is gone.")
+        if not state.mode.is_serial or state.source is not self._source:
             text = self.tr("The board was started in another mode.")
-            self._report(f"{text} {self.blocker}".rstrip())
-
-    @Slot()
-    def _on_arming_changed(self) -> None:
-        if self._with_motors and self._device.motors.armed:
-            self._report(self.tr("The motors were armed, so this has ended."))
-
-    @Slot()
-    def _on_updated(self) -> None:
-        if self._device.telemetry.serial_controls is False:
-            self._report(self.tr("The sticks drive the motors now: the channels are in control."))
+            return f"{text} {self.blocker}".rstrip()
+        if self._with_motors and device.motors.armed:
+            return self.tr("The motors were armed, so this has ended.")
+        if device.telemetry.serial_controls is False:
+            return self.tr("The sticks drive the motors now: the channels are in control.")
+        return ""
 
 
 _QUIET = 3

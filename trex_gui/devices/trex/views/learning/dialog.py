@@ -286,7 +286,7 @@ class LearnDialog(QDialog):
         )
         self._use.setVisible(reviewing)
         self._use.setEnabled(learning.can_use_values)
-        self._use.setToolTip(self._use_tip())
+        self._use.setToolTip(self._review_texts()[1])
         self._use.setDefault(reviewing)
         self._test.setVisible(self._offers_test)
         ends = step in {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
@@ -359,7 +359,7 @@ class LearnDialog(QDialog):
             case LearningStep.TRAVEL:
                 return self._travel_text()
             case LearningStep.REVIEW:
-                return self._review_text()
+                return self._review_texts()[0]
             case LearningStep.TEST:
                 return f"{learning.news} {self._test_text()}".strip()
         return learning.trouble
@@ -399,39 +399,37 @@ class LearnDialog(QDialog):
         rate = 1 / max(travel.interval for travel in slow)
         return f"{text} {reason.format(hold, self._learning.baud, rate)}"
 
-    def _review_text(self) -> str:
-        if not any(channel.choice is not None for channel in self._learning.channels):
-            return self.tr("Nothing was learned. The reason is below. Go back, or start over.")
-        if not self._learning.included:
-            return self.tr("No channel is selected. Select each channel whose new values to use.")
-        if self._rejected:
-            return self.tr(
-                "The board would reject the values of channel {0}: change them, or clear its "
-                "check box."
-            ).format(self._rejected)
-        return self.tr(
-            "Check the new values. You can change them; clear the check box of a channel to "
-            "keep its old values. "
-            "Nothing is written yet: you confirm all changes in the next window."
-        )
-
-    def _use_tip(self) -> str:
+    def _review_texts(self) -> tuple[str, str]:
+        """Return the text of the head and the tip of the button that uses the values."""
         learning = self._learning
-        if learning.can_use_values:
-            return self.tr("Use the values of all selected channels. Nothing is written yet.")
+        rejected = ", ".join(str(c.number) for c in learning.included if not c.can_be_used)
         if not any(channel.choice is not None for channel in learning.channels):
-            return self.tr("Nothing was learned, so there are no values to use.")
+            return (
+                self.tr("Nothing was learned. The reason is below. Go back, or start over."),
+                self.tr("Nothing was learned, so there are no values to use."),
+            )
         if not learning.included:
-            return self.tr("No channel is selected.")
-        if self._rejected:
-            text = self.tr("The board would reject the values of channel {0}.")
-            return text.format(self._rejected)
-        return learning.preconditions.blocker
-
-    @property
-    def _rejected(self) -> str:
-        """The included channels whose values the board would reject."""
-        return ", ".join(str(c.number) for c in self._learning.included if not c.can_be_used)
+            return (
+                self.tr("No channel is selected. Select each channel whose new values to use."),
+                self.tr("No channel is selected."),
+            )
+        if rejected:
+            return (
+                self.tr(
+                    "The board would reject the values of channel {0}: change them, or clear its "
+                    "check box."
+                ).format(rejected),
+                self.tr("The board would reject the values of channel {0}.").format(rejected),
+            )
+        return (
+            self.tr(
+                "Check the new values. You can change them; clear the check box of a channel to "
+                "keep its old values. "
+                "Nothing is written yet: you confirm all changes in the next window."
+            ),
+            learning.preconditions.blocker
+            or self.tr("Use the values of all selected channels. Nothing is written yet."),
+        )
 
     def _test_text(self) -> str:
         tests = self._learning.tests
