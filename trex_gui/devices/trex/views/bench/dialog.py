@@ -135,7 +135,7 @@ class BenchDialog(QDialog):
         self._hold.hold_started.connect(bench.start)
         self._hold.hold_ended.connect(bench.release)
         self.files.reported.connect(self._on_reported)
-        tuning.apply_requested.connect(self.apply_requested)
+        tuning.apply.clicked.connect(self.apply_requested)
         bench.changed.connect(self._on_changed)
         bench.started.connect(self._on_started)
         bench.finished.connect(self._on_finished)

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from functools import partial
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QGroupBox, QLabel, QSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
@@ -182,12 +182,7 @@ class TuningForm(QGroupBox):
     """Edits one motor's acceleration, brake duration, current limit and P.
 
     The edits are those of the Parameters page, and are reviewed before they are written.
-
-    Signals:
-        apply_requested: write the edits.
     """
-
-    apply_requested = Signal()
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
         super().__init__(parent)
@@ -199,19 +194,18 @@ class TuningForm(QGroupBox):
         self._empty = ui.label(self, text=self.tr("Connect to a board to see its settings."))
         self._empty.setWordWrap(True)
         self._edited = ui.label(self, "benchEdited", wrap=True)
-        self._apply = ui.button(
+        self.apply = ui.button(
             self,
             "benchApplyButton",
             self.tr("A&pply…"),
             icon="apply",
             tip=self.tr("Review and write all pending edits, these included"),
             default=False,
-            on_click=self.apply_requested,
         )
         self._form = QFormLayout()
         self._form.setVerticalSpacing(3)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        ui.column(self._empty, self._form, self._edited, 1, self._apply, into=self, spacing=4)
+        ui.column(self._empty, self._form, self._edited, 1, self.apply, into=self, spacing=4)
 
         bench.changed.connect(self._on_changed)
         device.state_changed.connect(self._on_changed)
@@ -236,7 +230,7 @@ class TuningForm(QGroupBox):
         can_edit = is_up and not device.applying and not self._bench.is_driving
         for _, editor in self._fields.values():
             editor.setEnabled(can_edit)
-        self._apply.setEnabled(can_edit and device.draft.pending > 0)
+        self.apply.setEnabled(can_edit and device.draft.pending > 0)
 
     def _make_editors(self, keys: tuple[str, ...]) -> None:
         while self._form.rowCount():

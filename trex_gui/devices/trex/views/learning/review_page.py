@@ -6,7 +6,7 @@ Importing it loads pyqtgraph: do so when it is to be shown.
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Slot
 from PySide6.QtGui import QIcon, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QTabBar, QWidget
 
@@ -157,32 +157,23 @@ class ChannelForm(QWidget):
 
 
 class CurvePane(QWidget):
-    """The curve of one channel before and after, with the live input.
-
-    Its handles change the values, as the numbers do.
-
-    Signals:
-        edited: the calibration after a handle was released.
-    """
-
-    edited = Signal(object)
+    """The curve of one channel before and after, with the live input; its handles edit it."""
 
     def __init__(self, learning: Learning) -> None:
         super().__init__()
         self._learning = learning
         self._channel: LearnedChannel | None = None
 
-        self._plot = ui.named(CurvePlot(self), "learnCurve")
-        self._plot.setMinimumHeight(_CURVE_LINES * self.fontMetrics().lineSpacing())
+        self.plot = ui.named(CurvePlot(self), "learnCurve")
+        self.plot.setMinimumHeight(_CURVE_LINES * self.fontMetrics().lineSpacing())
         self._after = LegendKey("", "motor1", self)
         self._before = ui.named(
             LegendKey(self.tr("as it was"), "muted", self, Qt.PenStyle.DashLine), "learnCurveBefore"
         )
         self._live = ui.named(Muted("", self), "learnCurveLive")
         key = ui.row(self._after, self._before, 1)
-        ui.column(key, (self._plot, 1), self._live, into=self, margins=0)
+        ui.column(key, (self.plot, 1), self._live, into=self, margins=0)
 
-        self._plot.edited.connect(self.edited)
         learning.measured.connect(self._on_measured)
 
     def minimumSizeHint(self) -> QSize:
@@ -193,7 +184,7 @@ class CurvePane(QWidget):
         self._channel = channel
         before, after = channel.curve_before, channel.curve_after
         editable = channel.is_included
-        self._plot.show_channel(channel.number, channel.source, before, after, editable=editable)
+        self.plot.show_channel(channel.number, channel.source, before, after, editable=editable)
         same = before == after
         self._after.setVisible(after is not None)
         self._after.setText(self.tr("proposed, as it was") if same else self.tr("proposed"))
@@ -205,8 +196,8 @@ class CurvePane(QWidget):
         channel = self._channel
         if channel is None or not self.isVisibleTo(self.window()):
             return
-        self._plot.set_raw(channel.raw)
-        self._plot.trace.set_samples(*self._learning.trace(channel.number))
+        self.plot.set_raw(channel.raw)
+        self.plot.trace.set_samples(*self._learning.trace(channel.number))
         if channel.raw is None:
             self._live.setText(self.tr("No signal now: the output is 0."))
             return
@@ -252,7 +243,7 @@ class ReviewPage(QWidget):
 
         self._tabs.currentChanged.connect(self._on_changed)
         self._tabs.setVisible(len(self._forms) > 1)
-        self._curve.edited.connect(
+        self._curve.plot.edited.connect(
             lambda calibration: learning.choose(self._form.channel.number, calibration=calibration)
         )
         learning.changed.connect(self._on_changed)
