@@ -22,7 +22,6 @@ from trex_gui.devices.aracna.session.messages import (
     PlayEnded,
     Request,
     Restarted,
-    SetLed,
     SetSpeeds,
     SetTimeScale,
     Step,
@@ -35,7 +34,6 @@ REQUESTS: st.SearchStrategy[Callable[[int], Request]] = st.one_of(
     st.builds(lambda goals: lambda number: Move(number, goals), PLACES),
     st.builds(lambda goals: lambda _number: Drag(goals), PLACES),
     st.builds(lambda speed: lambda number: SetSpeeds(number, (speed,) * 8), st.integers(50, 1100)),
-    st.builds(lambda on: lambda number: SetLed(number, on), st.booleans()),
     st.builds(
         lambda steps, rounds, out: lambda number: Play(number, steps, rounds, (), out),
         STEPS,

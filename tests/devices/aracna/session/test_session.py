@@ -16,7 +16,6 @@ from trex_gui.devices.aracna.session.messages import (
     NotResponding,
     Passed,
     Restarted,
-    SetLed,
     SetSpeeds,
     SpeedsHeld,
     Stuck,
@@ -158,12 +157,6 @@ def test_drag_sends_only_newest_goal_when_line_is_free() -> None:
     assert sent == sorted(set(sent))
     assert sent[-1] == 599
     assert 20 < len(sent) < 40  # 27 to 30 a second at best
-
-
-def test_led_command_returns_led_state() -> None:
-    session = ScriptedSession().at(0.2, SetLed(1, on=True)).at(0.3, SetLed(2, on=False)).until(1.0)
-    session.run()
-    assert [outcome.value for outcome in session.of(Outcome)] == [True, False]
 
 
 def test_halt_drops_queued_moves_and_reports_motion_end() -> None:

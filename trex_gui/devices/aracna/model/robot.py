@@ -149,7 +149,7 @@ class Robot(DeviceConnection[PortSettings]):
                 if self.dragging:
                     self._rate.add(moment)
                 if self._is_holding:
-                    self._hold()
+                    self.aim_at_present()
             case DragDropped(error=error):
                 self.dragging = False  # reported once, not for every goal
                 self._reject_because(self.tr("Not moved: {0}"), error)
@@ -306,7 +306,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.events.add(EventKind.STOP, text)
         self.halted.emit()
         if self._is_holding:
-            self._hold()
+            self.aim_at_present()
         self.changed.emit()
 
     def halt_now(self, *, ending: bool = False) -> None:
@@ -343,7 +343,7 @@ class Robot(DeviceConnection[PortSettings]):
         text = self.tr("{0}. Nothing more is sent; a running motion continues to its goal.")
         return text.format(reason)
 
-    def _hold(self) -> None:
+    def aim_at_present(self) -> None:
         """Set the targets to the present positions, so that the next move starts there."""
         pairs = zip(self.state.present, self.targets.goals, strict=False)
         self.targets.set_all([goal if present is None else present for present, goal in pairs])

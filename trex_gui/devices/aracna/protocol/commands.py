@@ -12,7 +12,6 @@ from trex_gui.devices.aracna.protocol.units import HIGHEST
 BAUD = 38_400  # its UART runs at 38400 8N1, without flow control
 QUERY = b".q\n"  # three bytes: as many as the chip keeps while the firmware is busy
 EMPTY = b"\n"  # ends an unfinished line in the firmware's buffer; has no other effect
-LED = {True: b".l1\n", False: b".l0\n"}
 
 
 def speeds(values: Sequence[int], motors: int) -> bytes:

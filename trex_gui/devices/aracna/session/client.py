@@ -37,7 +37,7 @@ from trex_gui.devices.aracna.session.messages import LineStats
 
 LINE = SerialFormat(commands.BAUD)
 
-REPLY_TIMEOUT = 1.0  # seconds for `.q`, `.l` and `.v`; the slowest takes 0.06 s on a wire
+REPLY_TIMEOUT = 1.0  # seconds for `.q` and `.v`; the slowest takes 0.06 s on a wire
 QUERY_RETRY = 5.0
 """Seconds after which `.q` is repeated behind a reply that stopped halfway. The chip keeps one `.q`
 and answers it once, however often it was sent."""
@@ -60,7 +60,7 @@ class Answered:
     """The complete reply has arrived."""
 
     command: SentCommand
-    reply: Version | Speeds | Positions | Led
+    reply: Version | Speeds | Positions
     time: float
 
 
@@ -141,9 +141,6 @@ class AracnaClient:
     def query(self, timeout: float = REPLY_TIMEOUT) -> None:
         self._send("q", (), commands.QUERY, timeout)
 
-    def set_led(self, *, on: bool) -> None:
-        self._send("l", (), commands.LED[on], REPLY_TIMEOUT)
-
     def set_speeds(self, values: Sequence[int]) -> None:
         """Set every servo's speed, one value of 0-1023 for each motor (BadRequest otherwise)."""
         line = commands.speeds(values, self._known_motors())
@@ -194,7 +191,7 @@ class AracnaClient:
             voided, self.pending = self.pending, None
             return [Voided(voided, now)]
         command = self.pending
-        if not isinstance(reply, Unrecognized) and command is not None:
+        if not isinstance(reply, Led | Unrecognized) and command is not None:
             if self._matches(command, reply):
                 self._count_reply(command, now)
                 self.pending = self._query_behind(now)
@@ -214,8 +211,6 @@ class AracnaClient:
         match reply:
             case Version():
                 return command.letter == "q"
-            case Led():
-                return command.letter == "l"
             case Speeds(values):
                 return command.letter == "v" and len(values) == self.motors
             case Positions(values):

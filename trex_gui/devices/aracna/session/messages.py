@@ -57,14 +57,6 @@ class SetLimits:
 
 
 @dataclass(frozen=True, slots=True)
-class SetLed:
-    """Switch the board's debug LED; the value of its `Outcome` is the new state."""
-
-    id: int
-    on: bool
-
-
-@dataclass(frozen=True, slots=True)
 class Step:
     """One step of a sequence: reach `goals` in `seconds`, at suitable speeds."""
 
@@ -108,9 +100,7 @@ class Halt:
     """
 
 
-Request = (
-    SetSpeeds | SetLimits | Move | Drag | SetLed | Play | SetTimeScale | EndPlay | Halt | Close
-)
+Request = SetSpeeds | SetLimits | Move | Drag | Play | SetTimeScale | EndPlay | Halt | Close
 
 # --- Reports --------------------------------------------------------------------------------
 

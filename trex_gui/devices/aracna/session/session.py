@@ -13,7 +13,7 @@ from trex_gui.core.session import SHORTEST_WAIT, Close, Closed, Closing, Inbox, 
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
-from trex_gui.devices.aracna.protocol.replies import UNREADABLE, Led, Positions, Speeds, Version
+from trex_gui.devices.aracna.protocol.replies import UNREADABLE, Positions, Speeds, Version
 from trex_gui.devices.aracna.session.client import (
     LINE,
     Answered,
@@ -51,7 +51,6 @@ from trex_gui.devices.aracna.session.messages import (
     Report,
     Request,
     Restarted,
-    SetLed,
     SetLimits,
     SetSpeeds,
     SetTimeScale,
@@ -191,9 +190,6 @@ class AracnaSession:
             case Move() | SetSpeeds():
                 self._check_ready()
                 self._jobs.add(request)
-            case SetLed():
-                self._check_responding()
-                self._jobs.add(request)
             case _:
                 pass
 
@@ -205,12 +201,9 @@ class AracnaSession:
         else:
             self._jobs.drag = drag
 
-    def _check_responding(self) -> None:
+    def _check_ready(self) -> None:
         if not self._liveness.is_responding:
             raise RobotNoReplyError(ErrorCode.NOT_READY)
-
-    def _check_ready(self) -> None:
-        self._check_responding()
         if self._player.is_playing:
             raise RobotBusyError(ErrorCode.PLAYING)
         if self._is_stuck:
@@ -242,8 +235,6 @@ class AracnaSession:
                 self._move(goals)
             case SetSpeeds(speeds=speeds):
                 self._client.set_speeds(speeds)
-            case SetLed(on=on):
-                self._client.set_led(on=on)
         return False
 
     def _move(self, goals: tuple[int, ...]) -> None:
@@ -299,8 +290,6 @@ class AracnaSession:
                     error = RobotNoReplyError(ErrorCode.GOALS_MISSED, tuple(wrong))
                     self._player.stop(now, Ending.MISSED, error)
                 self._jobs.finish(moved)
-            case Led(on=on):
-                self._jobs.finish(on)
 
     def _on_speeds(self, speeds: SpeedsHeld) -> None:
         """Start a motion only if every servo has taken its speed."""

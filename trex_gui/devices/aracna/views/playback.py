@@ -64,7 +64,8 @@ class RobotPlaybackWindow(RecordingWindow):
 
         playback.moved.connect(self._show_moment)
         playback.loaded.connect(self._show_moment)
-        self._drawing.pointed.connect(self._on_pointed)
+        self._drawing.pointed.connect(self._drawing.mark)
+        self._drawing.pointed.connect(self._joints.mark)
         self._drawing.chosen.connect(self._joints.focus)
         self._joints.toggled.connect(self._on_toggled)
         self.arrange(
@@ -96,12 +97,6 @@ class RobotPlaybackWindow(RecordingWindow):
         self._joints.show_state(state)
         text, alarming = activity_text(state, self.playback.position)
         self._activity.show_note(text, alarming=alarming)
-
-    @Slot(int)
-    def _on_pointed(self, motor: int) -> None:
-        marked = motor if motor >= 0 else None
-        self._drawing.mark(marked)
-        self._joints.mark(marked)
 
     @Slot(int, bool)
     def _on_toggled(self, motor: int, on: bool) -> None:
@@ -161,7 +156,8 @@ class JointValues(QWidget):
         if motor < len(self._boxes):
             self._boxes[motor].setFocus(Qt.FocusReason.OtherFocusReason)
 
-    def mark(self, motor: int | None) -> None:
+    @Slot(int)
+    def mark(self, motor: int) -> None:
         for number, box in enumerate(self._boxes):
             ui.set_bold(box, number == motor)
 

@@ -84,14 +84,15 @@ class AracnaWorkspace(Workspace):
         tabs = self.pages
         tabs.setObjectName("aracnaTabs")
         tabs.setAccessibleName(self.tr("Pages"))
-        self._page = RobotPage(robot, self)
+        page = RobotPage(robot, self)
+        self._controls = page.controls
         self._poses = PosesPage(robot, self.library, self)
         traffic = TrafficPage(
             robot.traffic, "aracnaTranscript", self.tr("a robot"), self.notifier, self
         )
         self.add_pages(
             (
-                PageInfo("robot", self.tr("R&obot"), self._page),
+                PageInfo("robot", self.tr("R&obot"), page),
                 PageInfo("poses", self.tr("Pos&es"), self._poses),
                 PageInfo("log", self.tr("Lo&g"), LogPage(robot, self)),
                 PageInfo("transcript", self.tr("&Traffic"), traffic),
@@ -160,12 +161,14 @@ class AracnaWorkspace(Workspace):
             return ActionInfo(f"aracna_{key}", text, shortcut, icon, checkable)
 
         tr, keys = self.tr, QKeySequence.StandardKey
-        page, poses, robot = self._page, self._poses, self._robot
-        controls, files, undo = page.controls, poses.files, self.library.undo
+        controls, robot = self._controls, self._robot
+        files, undo = self._poses.files, self.library.undo
         record, open_recording = self.recordings.toggle, self.recordings.choose_and_open
         return {
             tr("&Aracna"): (
-                entry("move", tr("&Move to the sliders' goals"), page.move_now, "Ctrl+M", "run"),
+                entry(
+                    "move", tr("&Move to the sliders' goals"), controls.move_now, "Ctrl+M", "run"
+                ),
                 entry("present", tr("Sliders to the &present position"), controls.take_present),
                 entry("centre", tr("Sliders to the &centre"), controls.centre),
                 entry("stand", tr("Sliders to &stand"), controls.stand),
@@ -222,11 +225,11 @@ class AracnaWorkspace(Workspace):
         idle, undo = robot.state.play is None, self.library.undo
         known = any(position is not None for position in robot.state.present)
         return {
-            "aracna_move": self._page.controls.can_move,
+            "aracna_move": not robot.move_blocker,
             "aracna_present": idle and known,
             "aracna_centre": idle,
             "aracna_stand": idle,
-            "aracna_play": self._page.controls.can_move,
+            "aracna_play": not robot.move_blocker,
             "aracna_end": not idle and robot.link is ConnectionState.CONNECTED,
             "aracna_record": recorder.recording or recorder.can_record,
             "aracna_limits": not robot.limits.are_factory,

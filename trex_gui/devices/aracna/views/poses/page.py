@@ -24,10 +24,11 @@ class PosesPage(QWidget):
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaPosesPage")
-        self._robot = robot
         self._library = library
         self.files = PoseFiles(library, robot.notifier, self)
-        self._drawing = ui.named(RobotDrawing(robot.state, self), "aracnaPosesDrawing")
+        drawing = ui.named(RobotDrawing(robot.state, self), "aracnaPosesDrawing")
+        drawing.follow(robot)
+        drawing.pointed.connect(drawing.mark)
         footnote = ui.label(self, "aracnaPosesFootnote", f"* {assumed_text()}", wrap=True)
         footnote.setForegroundRole(footnote.palette().ColorRole.PlaceholderText)
         self._name = ui.named(ElidedLabel("poses.ppr", self), "aracnaPoseFile")
@@ -45,17 +46,13 @@ class PosesPage(QWidget):
             (self._name, 1),
         )
         panel = ui.column(head, (ui.row((poses, 2), (motions, 3)), 1), bar)
-        left = ui.column((self._drawing, 1), footnote, 0)
+        left = ui.column((drawing, 1), footnote, 0)
         ui.row((left, 1), (panel, 4), into=self, spacing=16)
 
-        self._drawing.pointed.connect(self._drawing.mark)
         poses.pose_chosen.connect(motions.show_pose)
         motions.show_pose(poses.current_name)
         library.changed.connect(self._show_file)
-        robot.changed.connect(self._show_robot)
-        robot.targets.changed.connect(self._show_robot)
         self._show_file()
-        self._show_robot()
 
     def _file_button(self) -> QToolButton:
         title = self.tr("Pose file")
@@ -84,7 +81,3 @@ class PosesPage(QWidget):
         name = self.tr("{0}, changed").format(library.name) if library.modified else library.name
         self._name.show_text(name)
         self._name.setToolTip(str(library.path or self.tr("Not saved yet")))
-
-    @Slot()
-    def _show_robot(self) -> None:
-        self._drawing.show_robot(self._robot.state, self._robot.targets.goals)

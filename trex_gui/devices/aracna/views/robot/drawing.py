@@ -8,10 +8,11 @@ equal numbers look alike.
 import math
 from dataclasses import dataclass
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
 from trex_gui.devices.aracna.protocol.joints import JOINTS, Side
@@ -83,7 +84,7 @@ class RobotDrawing(QWidget):
         self.setAccessibleName(self.tr("The robot from above"))
         self._state = state
         self._goals: tuple[int, ...] = ()
-        self._marked: int | None = None
+        self._marked = -1
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         theme().changed.connect(self.update)
@@ -103,7 +104,20 @@ class RobotDrawing(QWidget):
         super().resizeEvent(event)
         self.setMaximumHeight(max(self.width(), self.minimumSizeHint().height()))
 
-    def mark(self, motor: int | None) -> None:
+    def follow(self, robot: Robot) -> None:
+        """Draw the state and the targets of a robot from now on."""
+        self._robot = robot
+        robot.changed.connect(self._on_robot_changed)
+        robot.targets.changed.connect(self._on_robot_changed)
+        self._on_robot_changed()
+
+    @Slot()
+    def _on_robot_changed(self) -> None:
+        self.show_robot(self._robot.state, self._robot.targets.goals)
+
+    @Slot(int)
+    def mark(self, motor: int) -> None:
+        """Highlight a joint; none for -1."""
         if motor != self._marked:
             self._marked = motor
             self.update()

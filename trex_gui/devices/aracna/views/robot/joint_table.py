@@ -231,7 +231,9 @@ class JointTable(QWidget):
             head.setVisible(column not in _ALTERNATING or shown is (column != _SPEED))
         self._show_rows(self._robot.state.motors)
 
-    def mark(self, motor: int | None) -> None:
+    @Slot(int)
+    def mark(self, motor: int) -> None:
+        """Highlight the name of a motor; none for -1."""
         for number, row in enumerate(self._rows):
             row.set_marked(number == motor)
 

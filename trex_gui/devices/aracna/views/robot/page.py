@@ -1,6 +1,6 @@
 """The robot page: a drawing, the joints in rows, and controls for all joints."""
 
-from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
@@ -39,24 +39,21 @@ class RobotPage(QWidget):
         self.setObjectName("aracnaRobotPage")
         self._robot = robot
         self._sketch = Sketch(robot, self)
-        self._table = JointTable(robot, self)
+        table = JointTable(robot, self)
         self._report = ui.named(
             Note(2, self), "aracnaReport", accessible=self.tr("Report of the robot")
         )
-        self.controls = Controls(robot, self)
-        self._right = ui.column(self._table, self.controls, self._report, 1, spacing=10)
+        self.controls = Controls(robot, table, self)
+        self._right = ui.column(table, self.controls, self._report, 1, spacing=10)
         self._sides = ui.row(
             (self._sketch, 2), (self._right, 7, Qt.AlignmentFlag.AlignTop), into=self, spacing=_GAP
         )
 
-        self._sketch.drawing.pointed.connect(self._on_pointed)
-        self._sketch.drawing.chosen.connect(self._table.focus)
-        self._table.pointed.connect(self._on_pointed)
-        self._table.goal_edited.connect(self._on_goal_edited)
-        self._table.grabbed.connect(self._on_grabbed)
-        self._table.released.connect(robot.end_drag)
-        self.controls.move_clicked.connect(self.move_now)
-        self.controls.limits_toggled.connect(lambda shown: self._table.show_limits(shown=shown))
+        drawing = self._sketch.drawing
+        for signal in (drawing.pointed, table.pointed):
+            signal.connect(drawing.mark)
+            signal.connect(table.mark)
+        drawing.chosen.connect(table.focus)
         robot.changed.connect(self._on_changed)
         self._on_changed()
 
@@ -66,34 +63,6 @@ class RobotPage(QWidget):
         margins = self._sides.contentsMargins()
         taken = margins.left() + margins.right() + self._right.minimumSize().width() + _GAP
         self._sketch.setVisible(self.width() - taken >= _MIN_SKETCH_WIDTH)
-
-    @Slot()
-    def move_now(self) -> None:
-        take_typed()
-        self._robot.move(self._robot.targets.goals)
-
-    @Slot(int)
-    def _on_pointed(self, motor: int) -> None:
-        marked = motor if motor >= 0 else None
-        self._sketch.drawing.mark(marked)
-        self._table.mark(marked)
-
-    @Slot()
-    def _on_grabbed(self) -> None:
-        if self.controls.is_live and self.controls.can_move:
-            self._robot.begin_drag()
-
-    @Slot()
-    def _on_goal_edited(self) -> None:
-        """Send the goals in live mode; a key or a spin box is a drag of one step."""
-        if not self.controls.is_live or not self.controls.can_move:
-            return
-        if self._robot.dragging:
-            self._robot.drag(self._robot.targets.goals)
-        elif not self._table.is_held:
-            self._robot.begin_drag()
-            self._robot.drag(self._robot.targets.goals)
-            self._robot.end_drag()
 
     @Slot()
     def _on_changed(self) -> None:
@@ -148,8 +117,8 @@ class Sketch(QWidget):
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._robot = robot
         self.drawing = RobotDrawing(robot.state, self)
+        self.drawing.follow(robot)
         text = self.tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
         caption = f"{text}\n* {assumed_text()}"
         self._caption = ui.label(self, "aracnaCaption", caption, wrap=True)
@@ -157,14 +126,6 @@ class Sketch(QWidget):
         self._caption.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
         self._caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         ui.column((self.drawing, 1), self._caption, 0, into=self, margins=0)
-
-        robot.changed.connect(self._show_robot)
-        robot.targets.changed.connect(self._show_robot)
-        self._show_robot()
-
-    @Slot()
-    def _show_robot(self) -> None:
-        self.drawing.show_robot(self._robot.state, self._robot.targets.goals)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Make room for the whole caption, however often it wraps."""
@@ -176,16 +137,12 @@ class Sketch(QWidget):
 class Controls(QWidget):
     """Controls for all joints: move, live mode, sliders, speed, limits."""
 
-    move_clicked = Signal()
-    limits_toggled = Signal(bool)  # whether limits are shown
-
-    def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
+    def __init__(self, robot: Robot, table: JointTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._robot = robot
+        self._table = table
 
-        self._move = ui.button(
-            self, "aracnaMoveButton", self.tr("Move"), on_click=self.move_clicked
-        )
+        self._move = self._button("Move", self.tr("Move"), "", self.move_now)
         ui.set_bold(self._move)
         tint(self._move, "run")
         set_icon(self._move, "run", "run_text")
@@ -226,40 +183,58 @@ class Controls(QWidget):
             on_toggle=self._on_limits_toggled,
         )
         speed_label = ui.label(self, "", self.tr("S&peed of all:"), buddy=self._speed)
-        sliders = ui.row(
-            ui.label(self, "", self.tr("Set sliders to:")), self._present, self._centre, self._stand
-        )
-        sliders.addSpacing(16)
-        for widget in (speed_label, self._speed):
-            sliders.addWidget(widget)
-        sliders.addStretch(1)
         ui.column(
-            sliders,
+            ui.row(
+                ui.label(self, "", self.tr("Set sliders to:")),
+                self._present,
+                self._centre,
+                self._stand,
+                ui.row(speed_label, self._speed, margins=(16, 0, 0, 0)),
+                1,
+            ),
             ui.row(self._move, self._live, self._rate, 1, self._factory, limits),
             into=self,
             margins=0,
         )
 
+        table.goal_edited.connect(self._on_goal_edited)
+        table.grabbed.connect(self._on_grabbed)
+        table.released.connect(robot.end_drag)
         self._speed.valueChanged.connect(self._on_speed_changed)
         robot.changed.connect(self._on_changed)
         robot.limits.changed.connect(self._on_changed)
         self._on_limits_toggled(shown=False)
         self._on_changed()
 
-    @property
-    def is_live(self) -> bool:
-        return self._live.isChecked()
+    @Slot()
+    def move_now(self) -> None:
+        take_typed()
+        self._robot.move(self._robot.targets.goals)
 
     @property
-    def can_move(self) -> bool:
-        return not self._robot.move_blocker
+    def _is_live(self) -> bool:
+        return self._live.isChecked() and not self._robot.move_blocker
+
+    @Slot()
+    def _on_grabbed(self) -> None:
+        if self._is_live:
+            self._robot.begin_drag()
+
+    @Slot()
+    def _on_goal_edited(self) -> None:
+        """Send the goals in live mode; a key or a spin box is a drag of one step."""
+        robot = self._robot
+        if self._is_live and robot.dragging:
+            robot.drag(robot.targets.goals)
+        elif self._is_live and not self._table.is_held:
+            robot.begin_drag()
+            robot.drag(robot.targets.goals)
+            robot.end_drag()
 
     @Slot()
     def take_present(self) -> None:
         take_typed()
-        pairs = zip(self._robot.state.present, self._robot.targets.goals, strict=False)
-        goals = [goal if present is None else present for present, goal in pairs]
-        self._robot.targets.set_all(goals)
+        self._robot.aim_at_present()
 
     @Slot()
     def centre(self) -> None:
@@ -277,7 +252,7 @@ class Controls(QWidget):
     @Slot(bool)
     def _on_limits_toggled(self, shown: bool) -> None:
         self._factory.setVisible(shown)
-        self.limits_toggled.emit(shown)
+        self._table.show_limits(shown=shown)
 
     @Slot(int)
     def _on_speed_changed(self, speed: int) -> None:
@@ -286,9 +261,10 @@ class Controls(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         robot = self._robot
-        self._move.setEnabled(self.can_move)
+        blocker = robot.move_blocker
+        self._move.setEnabled(not blocker)
         tip = self.tr("Move every motor to its goal, within its limits (Ctrl+M)")
-        self._move.setToolTip(robot.move_blocker or tip)
+        self._move.setToolTip(blocker or tip)
         is_idle = robot.state.play is None
         is_known = any(each is not None for each in robot.state.present)
         self._present.setEnabled(is_idle and is_known)
