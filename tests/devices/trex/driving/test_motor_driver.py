@@ -1,5 +1,7 @@
 """What goes to the motors over one line; the session around it has tests of its own."""
 
+import math
+
 import pytest
 
 from tests.devices.trex.session.helpers import moving, staged
@@ -48,7 +50,7 @@ class MotorsHarness:
     def advance(self, seconds: float) -> None:
         """Let time pass and send whenever that is due, as a session does."""
         end = self.now + seconds
-        while (due := self.driver.seconds_to_drive()) is not None:
+        while (due := self.driver.seconds_to_drive()) < math.inf:
             if self.now + due > end:
                 break
             if due > 0:
@@ -62,21 +64,20 @@ def harness() -> MotorsHarness:
     return MotorsHarness(staged()[0])
 
 
-def test_seconds_to_drive_is_none_without_setpoint(harness: MotorsHarness) -> None:
-    assert harness.driver.seconds_to_drive() is None
+def test_seconds_to_drive_is_infinite_without_setpoint(harness: MotorsHarness) -> None:
+    assert harness.driver.seconds_to_drive() == math.inf
     assert not harness.motors.may_move
 
 
 def test_newest_setpoint_is_sent_and_next_one_waits(harness: MotorsHarness) -> None:
     harness.stage.line.advance(1.0)
     harness.put(SetMotor(1, Drive.at(10)))
-    assert (harness.driver.seconds_to_drive() or 0) <= 0
+    assert harness.driver.seconds_to_drive() <= 0
     harness.drive(20)
     assert moving(harness.stage.transport.sent) == [DriveMotor(1, Drive.at(20))]
     assert harness.motors.may_move
     harness.put(SetMotor(1, Drive.at(30)))
     seconds = harness.driver.seconds_to_drive()
-    assert seconds is not None
     assert seconds >= DRIVE_INTERVAL
 
 
@@ -88,7 +89,7 @@ def test_lost_setpoint_is_resent(harness: MotorsHarness) -> None:
     sent = moving(harness.stage.transport.sent)
     assert sent == [DriveMotor(1, Drive.at(20))] * (1 + len(REPEATS))
     assert harness.stage.board.motors[0].target_speed == 20
-    assert harness.driver.seconds_to_drive() is None
+    assert harness.driver.seconds_to_drive() == math.inf
 
 
 def test_newer_setpoint_replaces_unconfirmed_one(harness: MotorsHarness) -> None:
@@ -105,12 +106,12 @@ def test_newer_setpoint_replaces_unconfirmed_one(harness: MotorsHarness) -> None
 def test_no_setpoint_is_pending_after_stop(harness: MotorsHarness) -> None:
     harness.drive(20)
     harness.stop()
-    assert harness.driver.seconds_to_drive() is None
+    assert harness.driver.seconds_to_drive() == math.inf
     harness.arm()
     harness.drive(20)
-    assert harness.driver.seconds_to_drive() is not None
+    assert harness.driver.seconds_to_drive() < math.inf
     harness.motors.handle(OutputEvent.NOT_RESPONDING, harness.now)
-    assert harness.driver.seconds_to_drive() is None
+    assert harness.driver.seconds_to_drive() == math.inf
 
 
 def test_confirmed_stop_is_reported_and_clears_may_move(harness: MotorsHarness) -> None:

@@ -1,6 +1,7 @@
 """The state machine of the motor output, without a line."""
 
 import itertools
+import math
 
 import pytest
 
@@ -75,7 +76,7 @@ def test_every_stop_disarms_and_drops_setpoints(arming: Arming, event: OutputEve
     motors.handle(event, 1.0)
     assert not motors.is_armed
     assert not motors.setpoints
-    assert motors.seconds_to_drive(1.0, 0.02) is None
+    assert motors.seconds_to_drive(1.0, 0.02) == math.inf
 
 
 # --- Lock-out ---------------------------------------------------------------------------
@@ -118,8 +119,7 @@ def test_unreachable_board_cannot_be_armed(motors: MotorOutput) -> None:
 
 
 def has_timed_out(motors: MotorOutput, now: float) -> bool:
-    seconds = motors.seconds_to_heartbeat_timeout(now)
-    return seconds is not None and seconds <= 0
+    return motors.seconds_to_heartbeat_timeout(now) <= 0
 
 
 def test_late_heartbeat_does_not_hide_timeout(motors: MotorOutput) -> None:
@@ -152,20 +152,20 @@ def test_arming_again_clears_heartbeat_timeout(motors: MotorOutput) -> None:
 
 def test_unanswered_stop_is_repeated_only_if_driven(motors: MotorOutput) -> None:
     motors.note_stop(1.0, (), confirmed=False, final=False)
-    assert motors.seconds_to_stop_retry(1.0) is None
+    assert motors.seconds_to_stop_retry(1.0) == math.inf
     motors.take(SETPOINT, 2.0)
     motors.take_setpoints(2.0)
     motors.note_stop(3.0, (), confirmed=False, final=False)
-    assert motors.seconds_to_stop_retry(3.0) is not None
+    assert motors.seconds_to_stop_retry(3.0) < math.inf
     motors.note_stop(4.0, (), confirmed=True, final=False)
-    assert motors.seconds_to_stop_retry(4.0) is None
+    assert motors.seconds_to_stop_retry(4.0) == math.inf
 
 
 def test_setpoint_ends_repetition_of_stop_but_direct_command_does_not() -> None:
     motors = MotorOutput(lambda _report: None, may_move=True)
     motors.note_stop(1.0, (), confirmed=False, final=False)
     motors.handle(OutputEvent.DIRECT_COMMAND_SENT, 2.0)
-    assert motors.seconds_to_stop_retry(2.0) is not None
+    assert motors.seconds_to_stop_retry(2.0) < math.inf
     motors.handle(OutputEvent.SETPOINT_SENT, 2.0)
-    assert motors.seconds_to_stop_retry(2.0) is None
+    assert motors.seconds_to_stop_retry(2.0) == math.inf
     assert motors.may_move

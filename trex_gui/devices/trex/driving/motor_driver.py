@@ -184,30 +184,29 @@ class MotorDriver:
         output, now = self.output, self._now()
         if output.stops:
             self.serve_stops()
-        elif _is_due(output.seconds_to_heartbeat_timeout(now)):
+        elif output.seconds_to_heartbeat_timeout(now) <= 0:
             output.handle(OutputEvent.LOCK_OUT, now)
             output.end_heartbeat_stop(answered=self._stop(_ATTEMPTS))
-        elif _is_due(output.seconds_to_stop_retry(now)):
+        elif output.seconds_to_stop_retry(now) <= 0:
             self._stop(_RETRY_ATTEMPTS)
             output.end_stop_retry()
-        elif _is_due(self.seconds_to_drive()):
+        elif self.seconds_to_drive() <= 0:
             self._drive()
         else:
             return False
         return True
 
-    def seconds_to_next(self) -> list[float]:
+    def seconds_to_next(self) -> float:
         """Return when `serve` has something to do."""
         now = self._now()
-        seconds = (
+        return min(
             self.output.seconds_to_heartbeat_timeout(now),
             self.output.seconds_to_stop_retry(now),
             self.seconds_to_drive(),
         )
-        return [one for one in seconds if one is not None]
 
-    def seconds_to_drive(self) -> float | None:
-        """Return when to send motor packets, in at most half of the time; `None` without any."""
+    def seconds_to_drive(self) -> float:
+        """Return when to send motor packets, which take at most half of the time."""
         self._is_quiet()
         seconds = 2 * self.client.settings.line.seconds(_LONGEST_DRIVE)
         return self.output.seconds_to_drive(self._now(), max(DRIVE_INTERVAL, seconds))
@@ -251,7 +250,3 @@ class MotorDriver:
 
     def _now(self) -> float:
         return self.client.transport.clock()
-
-
-def _is_due(seconds: float | None) -> bool:
-    return seconds is not None and seconds <= 0

@@ -236,35 +236,32 @@ class MotorOutput:
 
     # --- What comes next ----------------------------------------------------------------
 
-    def seconds_to_heartbeat_timeout(self, now: float) -> float | None:
-        """Return how long the next heartbeat may take; `None` unless armed."""
-        return self._heartbeat_at + self._timeouts.heartbeat - now if self.is_armed else None
+    # Each returns seconds, infinite for never.
 
-    def seconds_to_stop_retry(self, now: float) -> float | None:
-        """Return when to repeat an unconfirmed stop; `None` while there is none to repeat."""
+    def seconds_to_heartbeat_timeout(self, now: float) -> float:
+        return self._heartbeat_at + self._timeouts.heartbeat - now if self.is_armed else math.inf
+
+    def seconds_to_stop_retry(self, now: float) -> float:
         if self.motion is not Motion.STOP_UNCONFIRMED or self.arming is Arming.UNREACHABLE:
-            return None
+            return math.inf
         return self._stopped_at + STOP_RETRY_INTERVAL - now
 
-    def seconds_to_drive(self, now: float, interval: float) -> float | None:
-        """Return when to send motor packets; `None` if there is nothing to send.
-
-        `interval`: least seconds between motor packets.
-        """
-        due = [self._sent_at] if self.setpoints else []
-        if self.retry.due is not None:
-            due.append(self.retry.due)
+    def seconds_to_drive(self, now: float, interval: float) -> float:
+        """`interval`: least seconds between motor packets."""
         idle = self.idle.due(interval, armed=self.is_armed)
-        if idle is not None and self.arming is not Arming.UNREACHABLE:
-            due.append(idle)
-        return max(min(due), self._sent_at + interval) - now if due else None
+        due = min(
+            self._sent_at if self.setpoints else math.inf,
+            self.retry.due,
+            math.inf if self.arming is Arming.UNREACHABLE else idle,
+        )
+        return max(due, self._sent_at + interval) - now
 
     def take_setpoints(self, now: float) -> list[Setpoint]:
         """Return the queued setpoints, or else those to repeat, and count them as sent."""
         self._sent_at = now
         if setpoints := self.setpoints.take():
             self.retry.begin(setpoints, now)
-        elif self.retry.due is not None and self.retry.due <= now:
+        elif self.retry.due <= now:
             setpoints = self.retry.take(now)
         if setpoints:
             self.handle(OutputEvent.SETPOINT_SENT, now)

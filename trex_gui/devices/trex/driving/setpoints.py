@@ -1,5 +1,6 @@
 """Queued, unconfirmed and idle setpoints, and the quality of the line that carries them."""
 
+import math
 from collections.abc import Sequence
 
 from trex_gui.devices.trex.client.client import Counters
@@ -75,11 +76,11 @@ class SetpointRetry:
     Motor packets have no reply: a clean status that was read after one confirms it.
 
     Attributes:
-        due: when to send them again, on the line's clock; `None` while there are none.
+        due: when to send them again, on the line's clock.
     """
 
     def __init__(self) -> None:
-        self.due: float | None = None
+        self.due = math.inf
         self._set_at = 0.0
         self._unconfirmed: list[Setpoint] = []
         self._repeated = 0
@@ -103,7 +104,7 @@ class SetpointRetry:
 
     def clear(self) -> None:
         self._unconfirmed = []
-        self.due = None
+        self.due = math.inf
 
     def _schedule(self, setpoints: list[Setpoint], now: float) -> None:
         is_late = now >= self._set_at + LONGEST_REPEATING
@@ -127,7 +128,7 @@ class SetpointRetry:
             is_whole: whether no error can be latched that was not read.
             stops_on_error: whether the board stops its motors on a UART error.
         """
-        if self.due is None:
+        if not self._unconfirmed:
             return
         status = Status(0) if latched is None else latched.status
         uart = UartError(0) if latched is None else latched.uart
@@ -248,15 +249,15 @@ class IdleRefresh:
         """Send nothing until the next setpoint or stop: it is not known which motors are idle."""
         self._is_active = False
 
-    def due(self, interval: float, *, armed: bool) -> float | None:
-        """Return when to send, on the line's clock; `None` while the line is quiet."""
+    def due(self, interval: float, *, armed: bool) -> float:
+        """Return when to send, on the line's clock; never while the line is quiet."""
         self._is_active = self._is_active or armed
         if self._quality.is_quiet:
             self._watch_auxiliary()
             self._damages_seen = self._quality.damages
-            return None
+            return math.inf
         if not self._is_active:
-            return None
+            return math.inf
         is_new = self._quality.damages > self._damages_seen
         return self._sent_at + (interval if is_new else IDLE_INTERVAL)
 

@@ -241,9 +241,8 @@ class SampleBatcher:
         self.add = self._samples.append
         self.extend = self._samples.extend
 
-    def seconds_to_next(self, now: float) -> float | None:
-        """Return when a batch is due; `None` if there are no samples."""
-        return self._last_flush + FRAME - now if self._samples else None
+    def seconds_to_next(self, now: float) -> float:
+        return self._last_flush + FRAME - now if self._samples else math.inf
 
     def flush(self, counters: Counters, now: float) -> None:
         self._last_flush = now

@@ -163,8 +163,7 @@ class TrexSession:
     def _step(self) -> None:
         self._collect()
         now = self._now()
-        due = self._batcher.seconds_to_next(now)
-        if due is not None and due <= 0:
+        if self._batcher.seconds_to_next(now) <= 0:
             self._flush()
         if self._serve_motors():
             return
@@ -183,15 +182,13 @@ class TrexSession:
             raise Closing
 
     def _seconds_to_wait(self, now: float) -> float:
-        seconds = [self._settings.timeouts.retry, *self._driver.seconds_to_next()]
         if self._liveness.silent:
-            seconds.append(self._liveness.retry_at - now)
+            seconds = self._liveness.retry_at - now
         else:
             armed = self._motors.is_armed
-            seconds.append(self._polling.seconds_to_next(now, self._serial_timeout, armed=armed))
-        if (batch := self._batcher.seconds_to_next(now)) is not None:
-            seconds.append(batch)
-        return max(SHORTEST_WAIT, min(seconds))
+            seconds = self._polling.seconds_to_next(now, self._serial_timeout, armed=armed)
+        driving, batch = self._driver.seconds_to_next(), self._batcher.seconds_to_next(now)
+        return max(SHORTEST_WAIT, min(seconds, driving, batch, self._settings.timeouts.retry))
 
     def _serve_motors(self) -> bool:
         """Stop or drive if that is due; return whether the line was used."""
