@@ -34,7 +34,7 @@ EVERY_ERROR: list[StudioError] = [
     NoReply("2 of 7 bytes came"),
     BadReply("the CRC is 08, not 07"),
     *(Rejected("Serial Timeout", code) for code in ResultCode if code),
-    CodedError(ErrorCode.NOT_READ),
+    CodedError(ErrorCode.INTERNAL, "a bug"),
     TrexError(ErrorCode.CLOSED),
     TrexRequestError(ErrorCode.LOCKED_OUT),
     TrexNoReplyError(ErrorCode.NO_REPLY, "81"),

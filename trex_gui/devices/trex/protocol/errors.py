@@ -100,7 +100,6 @@ class ErrorCode(Enum):
     )
     # The session
     SCANNING = QT_TRANSLATE_NOOP("TrexErrors", "The board is not responding; scanning for it.")
-    NOT_READ = QT_TRANSLATE_NOOP("TrexErrors", "No board has been read yet.")
     CLOSED = QT_TRANSLATE_NOOP("TrexErrors", "The connection was closed before this was done.")
     INTERNAL = QT_TRANSLATE_NOOP("TrexErrors", "Internal error in the connection: {0}")
 

@@ -70,6 +70,8 @@ class TrexSession:
             else.
     """
 
+    _state: DeviceState  # since the line was opened
+
     def __init__(
         self,
         settings: ConnectionSettings,
@@ -88,7 +90,6 @@ class TrexSession:
         self._batcher = SampleBatcher(emit)
         self._liveness = LivenessMonitor(settings.timeouts)
         self._polling = Polling()
-        self._state: DeviceState | None = None
         self._port_rates: frozenset[int] | None = None
 
     def run(self) -> None:
@@ -186,7 +187,7 @@ class TrexSession:
             seconds = self._liveness.retry_at - now
         else:
             armed = self._motors.is_armed
-            seconds = self._polling.seconds_to_next(now, self._serial_timeout, armed=armed)
+            seconds = self._polling.seconds_to_next(now, self._state.serial_timeout, armed=armed)
         driving, batch = self._driver.seconds_to_next(), self._batcher.seconds_to_next(now)
         return max(SHORTEST_WAIT, min(seconds, driving, batch, self._settings.timeouts.retry))
 
@@ -252,8 +253,6 @@ class TrexSession:
 
         Motors that may be moving are stopped before that.
         """
-        if self._state is None:
-            raise TrexNoReplyError(ErrorCode.NOT_READ)
         stop_is_due = True
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
@@ -276,8 +275,7 @@ class TrexSession:
         return Written(results, self._state, self._line.settings)
 
     def _note_stored(self, result: WriteResult) -> None:
-        if self._state is not None:
-            self._state = after_writing(self._state, (result,))
+        self._state = after_writing(self._state, (result,))
 
     # --- Reading ------------------------------------------------------------------------
 
@@ -310,16 +308,12 @@ class TrexSession:
             )
         )
 
-    @property
-    def _serial_timeout(self) -> float:
-        return 0.0 if self._state is None else self._state.serial_timeout
-
     def _next_topic(self, now: float) -> Topic | None:
         self._line.keepalive_while_waiting = self._motors.is_armed
         return self._polling.next(
             now,
             self._line.settings.line,
-            self._serial_timeout,
+            self._state.serial_timeout,
             armed=self._motors.is_armed,
             careful=self._driver.avoids_risky_polls(),
         )
@@ -332,11 +326,7 @@ class TrexSession:
                 self._note_status(sample if isinstance(sample, LatchedStatus) else None)
             if sample is not None:
                 self._batcher.add(sample)
-            if (
-                isinstance(sample, ModeSample)
-                and self._state
-                and sample.mode is not self._state.mode
-            ):
+            if isinstance(sample, ModeSample) and sample.mode is not self._state.mode:
                 # The power was off and a jumper was moved: everything may have changed.
                 self._stop_if_moving()
                 self._read_everything(ReadReason.MODE_CHANGED)
@@ -344,12 +334,12 @@ class TrexSession:
             self._note_failure(error)
 
     def _note_status(self, latched: LatchedStatus | None) -> None:
-        parameters = {} if self._state is None else self._state.parameters
+        stops_on_error = self._state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)
         self._motors.note_status(
             latched,
             self._now(),
             is_whole=not self._status.uart_due,
-            stops_on_error=bool(parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)),
+            stops_on_error=bool(stops_on_error),
         )
 
     # --- A board that does not respond --------------------------------------------------
