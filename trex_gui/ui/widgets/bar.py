@@ -115,8 +115,8 @@ class Bar(QWidget):
         raise NotImplementedError
 
     def _cache_key(self) -> tuple[object, ...]:
-        """Return everything that the static picture depends on, beyond size, font and theme."""
-        raise NotImplementedError
+        """Return what the static picture depends on, beyond size, font, state and theme."""
+        return ()
 
     def _paint_static(self, painter: QPainter, track: QRect) -> None:
         """Paint what does not move, over the frame."""

@@ -259,7 +259,7 @@ def test_output_without_signal_has_no_value(output: OutputBar) -> None:
 
 
 def test_auxiliary_output_fills_from_the_left(qtbot: QtBot) -> None:
-    auxiliary = OutputBar(label="Auxiliary", bipolar=False)
+    auxiliary = OutputBar(bipolar=False)
     qtbot.addWidget(auxiliary)
     auxiliary.resize(400, auxiliary.sizeHint().height())
     auxiliary.set_connected(True)
@@ -267,4 +267,3 @@ def test_auxiliary_output_fills_from_the_left(qtbot: QtBot) -> None:
     assert auxiliary.x_of(0) == auxiliary._track().left()
     assert colours(auxiliary, auxiliary.x_of(0), auxiliary.x_of(60)) == {named("bar")}
     assert colours(auxiliary, auxiliary.x_of(60), auxiliary.x_of(127)) == {named("track")}
-    assert auxiliary.accessibleName() == "Auxiliary"

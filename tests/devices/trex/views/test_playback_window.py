@@ -123,7 +123,8 @@ def test_values_follow_slider_keys_and_events(window: RecordingWindow) -> None:
         window.playback.set_position(T0 + place)
         with window.qtbot.waitSignal(window.window.settings_wanted) as wanted:
             window.click("settingsAtPositionButton")
-        assert wanted.args == [settings, f"minute at 0:00:{place}"]
+        (document,) = wanted.args
+        assert (document.text, document.name) == (settings, f"minute at 0:00:{place}")
 
 
 def test_play_button_plays_and_pauses_at_the_selected_speed(window: RecordingWindow) -> None:

@@ -116,12 +116,10 @@ class DemoSnapshot:
 
     @property
     def active_mode_jumper(self) -> str:
-        """The mode jumper that was read at the last power-up."""
         return _JUMPERS_OF_MODE.get(self.mode, "serial")
 
 
 def read_snapshot(text: str) -> DemoSnapshot:
-    """Parse the JSON that `show` reports."""
     shown: dict[str, Any] = json.loads(text)
     return DemoSnapshot(
         power=shown["power"],
@@ -247,7 +245,6 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
                     self.hold_stick(channel, middle)
 
     def _send_stick(self, channel: int) -> None:
-        """Send the signal that a stick gives now."""
         text = "rest"
         if channel in self._held and self.snapshot is not None:
             low, high = STICK_ENDS[self.snapshot.source]

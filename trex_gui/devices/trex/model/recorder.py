@@ -87,5 +87,4 @@ class Recorder(RecordThread[Record]):
 
 
 def _identity(state: DeviceState) -> tuple[object, ...]:
-    """Return what must not change within a recording."""
     return state.signature, state.source

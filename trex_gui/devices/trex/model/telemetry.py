@@ -1,7 +1,7 @@
 """Polled values: inputs, currents, source of control."""
 
 import math
-from enum import IntEnum, auto
+from enum import IntEnum
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
@@ -19,18 +19,12 @@ _UNKNOWN = (math.nan,) * len(CHANNELS)
 _CHANNEL_COLORS = ("good", "warning", "dirty", "muted", "plot_text")
 
 
-class Series(IntEnum):
-    """The columns of `Telemetry.currents`."""
-
-    CURRENT1 = 0
-    CURRENT2 = auto()
-    SETPOINT1 = auto()
-    SETPOINT2 = auto()
-    CHANNEL1 = auto()
-    CHANNEL2 = auto()
-    CHANNEL3 = auto()
-    CHANNEL4 = auto()
-    CHANNEL5 = auto()
+Series = IntEnum(
+    "Series",
+    "CURRENT1 CURRENT2 SETPOINT1 SETPOINT2 CHANNEL1 CHANNEL2 CHANNEL3 CHANNEL4 CHANNEL5",
+    start=0,
+)
+"""The columns of `Telemetry.currents`."""
 
 
 def board_traces() -> list[TraceInfo]:

@@ -271,15 +271,11 @@ class ChannelBar(Bar):
 class OutputBar(Bar):
     """Shows -127 to 127 from the centre, or 0 to 127 from the left; `value` is the one shown."""
 
-    def __init__(
-        self, parent: QWidget | None = None, *, label: str = "", bipolar: bool = True
-    ) -> None:
-        """Show a bar with `label` at its left."""
-        self._label = label
+    def __init__(self, parent: QWidget | None = None, *, bipolar: bool = True) -> None:
         self._bipolar = bipolar
         self.value: int | None = None
         super().__init__("bar", "bar_negative", parent)
-        self.setAccessibleName(label or self.tr("Output"))
+        self.setAccessibleName(self.tr("Output"))
         self._refresh()
 
     def set_value(self, value: int | None) -> None:
@@ -313,26 +309,12 @@ class OutputBar(Bar):
     def _height(self) -> int:
         return self.fontMetrics().height() + 2 + 2 * _ZERO_OVERSHOOT + 2
 
-    def _label_column(self) -> int:
-        if not self._label:
-            return 0
-        metrics = self.fontMetrics()
-        return metrics.horizontalAdvance(self._label) + metrics.averageCharWidth()
-
     def _lay_out(self) -> QRect:
         height = self.fontMetrics().height() + 2
-        left = self._label_column() + 1
-        width = self.width() - left - self._value_column() - 2
-        return QRect(left, (self.height() - height) // 2, max(width, 1), height)
-
-    def _cache_key(self) -> tuple[object, ...]:
-        return (self._label, self._bipolar)
+        width = self.width() - self._value_column() - 3
+        return QRect(1, (self.height() - height) // 2, max(width, 1), height)
 
     def _paint_static(self, painter: QPainter, track: QRect) -> None:
-        painter.setPen(self._marks.text)
-        if self._label:
-            box = QRect(0, track.top(), self._label_column(), track.height())
-            painter.drawText(box, Qt.AlignmentFlag.AlignVCenter, self._label)
         if not self._caption():
             self._paint_zero(painter, track)
 

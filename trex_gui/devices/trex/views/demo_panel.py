@@ -41,7 +41,6 @@ PACKETS = "with packets"
 
 
 def tr(text: str) -> str:
-    """Translate a text of the panel."""
     return QCoreApplication.translate("demo", text)
 
 

@@ -3,22 +3,12 @@
 from dataclasses import replace
 
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QSpinBox, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QWidget
 
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.views.pages.parameters.editors import LineSettingsEditor
 from trex_gui.ui.widgets import builders as ui
-
-
-class HexSpinBox(QSpinBox):
-    """Shows a byte as two hexadecimal digits."""
-
-    def textFromValue(self, val: int) -> str:
-        return f"{val:02X}"
-
-    def valueFromText(self, text: str) -> int:
-        return int(text.removeprefix(self.prefix()), 16)
 
 
 class LineSettingsDialog(QDialog):
@@ -40,11 +30,11 @@ class LineSettingsDialog(QDialog):
         )
         self._line = ui.named(LineSettingsEditor(self), "lineEditor")
         self._line.set_settings(settings.line)
-        self._polynomial = ui.named(HexSpinBox(self), "polynomialField")
+        self._polynomial = ui.spin_box(
+            self, "polynomialField", "", 0x80, 0xFF, value=settings.polynomial
+        )
         self._polynomial.setDisplayIntegerBase(16)
         self._polynomial.setPrefix("0x")
-        self._polynomial.setRange(0x80, 0xFF)
-        self._polynomial.setValue(settings.polynomial)
         self._addressed = ui.check_box(
             self,
             "addressedBox",

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.playback import Playback
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.recording import BoardSnapshot
@@ -20,10 +21,10 @@ class PlaybackWindow(RecordingWindow):
     """One recording of a board.
 
     Signals:
-        settings_wanted: text and name of the settings at the position, to be opened.
+        settings_wanted: a `SettingsDocument` of the settings at the position, to be opened.
     """
 
-    settings_wanted = Signal(str, str)
+    settings_wanted = Signal(object)
 
     def __init__(self, playback: Playback, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(playback, "playback", parent=parent)
@@ -70,7 +71,7 @@ class PlaybackWindow(RecordingWindow):
     def _on_settings_clicked(self) -> None:
         seconds = self.playback.position - self.playback.start
         name = self.tr("{0} at {1}").format(self.playback.path.stem, time_text(seconds))
-        self.settings_wanted.emit(self.playback.state().settings, name)
+        self.settings_wanted.emit(SettingsDocument(self.playback.state().settings, name))
 
 
 class ValuesPanel(QWidget):

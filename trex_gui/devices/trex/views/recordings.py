@@ -3,13 +3,12 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QCoreApplication, Signal, Slot
+from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.recorder import Recorder
-from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 
 if TYPE_CHECKING:
@@ -26,7 +25,12 @@ class Recordings(RecordingManager["PlaybackWindow"]):
     settings_wanted = Signal(object)
 
     def __init__(self, device: Device, window: QWidget) -> None:
-        super().__init__(Recorder(device), _texts(), device.notifier, window, store="recording")
+        texts = RecordingTexts(
+            stem="trex",
+            unavailable=_tr("Nothing can be recorded: no board is connected."),
+            open_command=_tr("File, Open recording"),
+        )
+        super().__init__(Recorder(device), texts, device.notifier, window, store="recording")
         self._device = device
 
     def open_window(self, path: Path) -> "PlaybackWindow":
@@ -35,20 +39,9 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
 
         window = PlaybackWindow(playback, self._device)
-        window.settings_wanted.connect(self._on_settings_wanted)
+        window.settings_wanted.connect(self.settings_wanted)
         return window
 
-    @Slot(str, str)
-    def _on_settings_wanted(self, text: str, name: str) -> None:
-        self.settings_wanted.emit(SettingsDocument(text, name))
 
-
-def _texts() -> RecordingTexts:
-    def tr(text: str) -> str:
-        return QCoreApplication.translate("Recordings", text)
-
-    return RecordingTexts(
-        stem="trex",
-        unavailable=tr("Nothing can be recorded: no board is connected."),
-        open_command=tr("File, Open recording"),
-    )
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("Recordings", text)

@@ -105,32 +105,38 @@ class TrexWorkspace(Workspace):
         self.files.staged.connect(lambda: self.show_page("parameters"))
         self.recordings.accept_drops(frame, self)
         self.recordings.settings_wanted.connect(self.files.open_editor)
-        self.recordings.changed.connect(self._on_recording_changed)
-        bar.apply_requested.connect(self._review.review)
-        self._bench.apply_requested.connect(self._review.review)
-        self._defaults.staged.connect(self._review.review)
-        self._history.restore_requested.connect(self._review.review)
+        for reviewed in (
+            bar.apply_requested,
+            self._bench.apply_requested,
+            self._defaults.staged,
+            self._history.restore_requested,
+            learning.edited,
+        ):
+            reviewed.connect(self._review.review)
         self._defaults.reset_requested.connect(device.reset_to_factory)
         parameters_page.reload_requested.connect(self._on_reload_requested)
         parameters_page.power_cycle_requested.connect(self._power.guide)
         calibration_page.power_cycle_requested.connect(self._power.guide)
         calibration_page.learn_requested.connect(self._learn.learn)
-        learning.edited.connect(self._review.review)
         motors_page.parameter_wanted.connect(parameters_page.table.show_parameter)
         motors_page.parameter_wanted.connect(lambda: self.show_page("parameters"))
-        controller.changed.connect(self._on_demo_changed)
         controller.demo_board.rejected.connect(self.notifier.error)
-        self._demo.wanted_changed.connect(self._on_demo_changed)
         device.applied.connect(self._on_applied)
         device.applied.connect(self._question.reconsider)
         device.link_changed.connect(self._on_link_changed)
-        motors = device.motors
-        for signal in (motors.arming_changed, motors.availability_changed, motors.lockout_changed):
-            signal.connect(self._on_actions_changed)
-        device.draft.pending_changed.connect(self._on_actions_changed)
+        for changed in (
+            self.recordings.changed,
+            controller.changed,
+            self._demo.wanted_changed,
+            device.motors.arming_changed,
+            device.motors.availability_changed,
+            device.motors.lockout_changed,
+            device.draft.pending_changed,
+        ):
+            changed.connect(self._on_actions_changed)
         self._slots: dict[str, Callable[[], object]] = {}
         self._menus = self._make_menus()
-        self._undo_watch = device.draft.undo.indexChanged.connect(self._on_undo_changed)
+        self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
     @property
     def help_url(self) -> str:
@@ -242,7 +248,6 @@ class TrexWorkspace(Workspace):
         page = str(self._store.value("window/page", 0))
         self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
         self._demo.show_if_wanted()
-        self._on_demo_changed()
         self._on_link_changed()
 
     def enabled_actions(self) -> Mapping[str, bool]:
@@ -283,30 +288,19 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _on_actions_changed(self) -> None:
-        self.actions_changed.emit()
-        self._question.reconsider()
-
-    @Slot()
-    def _on_recording_changed(self) -> None:
-        if not self._actions:
-            return
-        recording = self.recordings.recorder.recording
-        text = self.tr("Stop &recording") if recording else self.tr("&Record…")
-        self._actions["record"].setText(text)
-        self.actions_changed.emit()
-
-    @Slot()
-    def _on_undo_changed(self) -> None:
-        undo = self._device.draft.undo
-        self._actions["undo"].setText(self.tr("&Undo {0}").format(undo.undoText()).strip())
-        self._actions["redo"].setText(self.tr("&Redo {0}").format(undo.redoText()).strip())
-        self._on_actions_changed()
-
-    @Slot()
-    def _on_demo_changed(self) -> None:
         if self._actions:
+            record, undo = self.tr("&Record…"), self._device.draft.undo
+            if self.recordings.recorder.recording:
+                record = self.tr("Stop &recording")
+            for key, text in (
+                ("record", record),
+                ("undo", self.tr("&Undo {0}").format(undo.undoText()).strip()),
+                ("redo", self.tr("&Redo {0}").format(undo.redoText()).strip()),
+            ):
+                self._actions[key].setText(text)
             self._actions["demo"].setChecked(self._demo.wanted)
         self.actions_changed.emit()
+        self._question.reconsider()
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:

@@ -94,7 +94,6 @@ class HandleLayer(QGraphicsObject):
         self.update()
 
     def set_message(self, handle: Handle | None, message: str) -> None:
-        """Show a message beside a handle; an empty one removes it."""
         self.message_at, self.message = handle if message else None, message
         self.update()
 

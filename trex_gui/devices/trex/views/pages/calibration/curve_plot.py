@@ -139,7 +139,6 @@ class CurvePlot(QWidget):
         self._show_curves()
 
     def set_raw(self, raw: int | None) -> None:
-        """Show the dot at a raw count; `None`: no valid signal."""
         if raw != self._raw:
             self._raw = raw
             low, high = self.axis
@@ -155,7 +154,6 @@ class CurvePlot(QWidget):
 
     @property
     def dot(self) -> tuple[int, int] | None:
-        """Raw count and output of the live dot, if there is one."""
         curve = self.curve
         if self._raw is None or curve is None:
             return None
@@ -167,7 +165,6 @@ class CurvePlot(QWidget):
             self.handles.set_message(handle, message)
 
     def handle_position(self, handle: Handle) -> QPointF:
-        """Return where a handle can be grabbed, in pixels."""
         if self.curve is None:
             return QPointF()
         frame = self._canvas.frame
@@ -295,7 +292,6 @@ class InputTrace(PlotCanvas):
         self._line = self.add_curve("motor2", 1)
 
     def align(self, *, left: str, right: int) -> None:
-        """Align the sides with the curve above."""
         line = self.fontMetrics().height()
         top = line // 2 + 3  # the label at the top is centred on the frame
         self.set_margins(left=left, top=top, right=right, x_axis=False)

@@ -52,7 +52,6 @@ class ChannelList(QListWidget):
 
     @property
     def channel(self) -> int:
-        """The chosen channel, 1 to 5."""
         return CHANNELS[max(self.currentRow(), 0)]
 
     def set_input(self, channel: int, text: str) -> None:

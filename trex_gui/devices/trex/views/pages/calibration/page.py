@@ -214,7 +214,6 @@ class CalibrationPage(QWidget):
         )
 
     def _show_actions(self) -> None:
-        """Disable actions while the source that is shown is not the one that the board reads."""
         is_connected, reason = self._device.link is ConnectionState.CONNECTED, ""
         if not self._is_active:
             read = channel_text.SOURCE_NAMES[self._device.calibrations.source]
@@ -243,7 +242,6 @@ class CalibrationPage(QWidget):
                 self._discard.setEnabled(edited and self._editable)
 
     def _failure(self, channel: int) -> str:
-        """Return why the calibration that is shown could not be stored."""
         failed, why = self._failures.get(channel, (None, ""))
         return why if failed == self._device.calibrations.shown(channel) else ""
 

@@ -47,7 +47,6 @@ class SpeedSlider(PressSlider):
         self.setPageStep(16)
 
     def set_ceiling(self, ceiling: int) -> None:
-        """Show the usable part of the groove: up to this speed, 1-127, either way."""
         self._ceiling = ceiling
         self.update()
 
@@ -152,7 +151,6 @@ class SpeedEntry(QSpinBox):
         self.valueChanged.connect(self._on_value_changed)
 
     def set_limits(self, lowest: int, highest: int) -> None:
-        """Offer these speeds; a change discards a half-typed number."""
         if (lowest, highest) != (self.minimum(), self.maximum()):
             with QSignalBlocker(self):
                 self.setRange(lowest, highest)
@@ -270,7 +268,7 @@ class DriveControl(QWidget):
         self._bar.setAccessibleName(self.tr("{0}, channel command").format(title))
 
     def set_ceiling(self, ceiling: int) -> None:
-        """Offer no speed beyond this one, 1-127."""
+        """Offer no speed beyond this one, 1-127, either way."""
         self.slider.set_ceiling(ceiling)
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
 
@@ -279,7 +277,6 @@ class DriveControl(QWidget):
         self._brake.setAccessibleDescription(tip)
 
     def set_channel_driven(self, driven: bool) -> None:
-        """Show the bar of a channel instead of the controls."""
         for widget in (self.slider, self._entry, self._zero):
             widget.setVisible(not driven)
         self._brake.setVisible(self._two_way and not driven)

@@ -45,7 +45,6 @@ class DrivePad(QWidget):
         theme().changed.connect(self.update)
 
     def set_can_turn(self, can_turn: bool) -> None:
-        """Have a turn axis, or only forward and back."""
         if can_turn != self._can_turn:
             self._can_turn = can_turn
             self.let_go()
@@ -120,7 +119,6 @@ class DrivePad(QWidget):
     # --- Geometry and looks -------------------------------------------------------------
 
     def _field(self) -> QRectF:
-        """Return the square in which the knob's centre moves."""
         side = min(self.width(), self.height()) - 2 * _KNOB - 2
         middle = QRectF(self.rect()).center()
         return QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side)
@@ -138,7 +136,6 @@ class DrivePad(QWidget):
         self.update()
 
     def _describe(self) -> None:
-        """Describe use and position for screen readers."""
         use = self.tr("Hold an arrow key to drive while the pad has the focus.")
         if not self._can_turn:
             use = self.tr("Hold Up or Down to drive; the motors cannot turn separately.")

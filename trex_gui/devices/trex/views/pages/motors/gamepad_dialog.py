@@ -220,8 +220,12 @@ class GamepadDialog(QDialog):
             on_change=self._on_edited,
         )
         self._motors = [
-            ui.named(PartBar(uses, label=text), f"gamepadMotor{number}Bar")
-            for number, text in enumerate((self.tr("Motor 1"), self.tr("Motor 2")), 1)
+            ui.named(
+                PartBar(uses),
+                f"gamepadMotor{number}Bar",
+                accessible=self.tr("Setpoint of motor {0}").format(number),
+            )
+            for number in (1, 2)
         ]
         self._note = ui.named(Note(2, self), "gamepadSetUpNote")
         standard = QDialogButtonBox.StandardButton
@@ -239,8 +243,8 @@ class GamepadDialog(QDialog):
         form.addRow(self.tr("Expo:"), self._expo)
         for key in ("hold", "stop"):
             form.addRow(self._rows[key].label, self._rows[key])
-        form.addRow(self.tr("Setpoints:"), self._motors[0])
-        form.addRow("", self._motors[1])
+        form.addRow(self.tr("Motor 1:"), self._motors[0])
+        form.addRow(self.tr("Motor 2:"), self._motors[1])
         halves = ui.row((live, 2), (uses, 3))
         ui.column(self._name, (halves, 1), self._note, buttons, into=self)
 

@@ -53,8 +53,18 @@ class GamepadPanel(QGroupBox):
             Qt.TextInteractionFlag.TextSelectableByMouse
             | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )
-        self._forward = ui.named(PartBar(self, label=self.tr("Forward")), "gamepadForward")
-        self._turn = ui.named(PartBar(self, label=self.tr("Turn")), "gamepadTurn")
+        forward, turn = self.tr("Forward"), self.tr("Turn")
+        self._forward = ui.named(PartBar(self), "gamepadForward", accessible=forward)
+        self._turn = ui.named(PartBar(self), "gamepadTurn", accessible=turn)
+        self._bars = QWidget(self)
+        ui.row(
+            ui.label(self, "", forward),
+            (self._forward, 1),
+            ui.label(self, "", turn),
+            (self._turn, 1),
+            into=self._bars,
+            margins=0,
+        )
         self._unfocused = ui.check_box(
             self,
             "gamepadUnfocusedBox",
@@ -65,8 +75,7 @@ class GamepadPanel(QGroupBox):
         )
 
         top = ui.row(self._on, (self._pads, 1), self._set_up, 0)
-        bars = ui.row((self._forward, 1), (self._turn, 1), spacing=16)
-        ui.column(top, self._state, bars, self._unfocused, into=self)
+        ui.column(top, self._state, self._bars, self._unfocused, into=self)
 
         self.gamepad.changed.connect(self._on_gamepad_changed)
         self.gamepad.moved.connect(self._on_gamepad_moved)
@@ -112,7 +121,7 @@ class GamepadPanel(QGroupBox):
             self._pads.setCurrentIndex(pads.index(gamepad.pad))
         self._pads.setEnabled(bool(pads))
         self._set_up.setEnabled(gamepad.pad is not None)
-        for widget in (self._pads, self._set_up, self._forward, self._turn, self._unfocused):
+        for widget in (self._pads, self._set_up, self._bars, self._unfocused):
             widget.setVisible(gamepad.on)
         self._state.setVisible(bool(gamepad.text))
         self._state.show_note(gamepad.text, alarming=bool(gamepad.failure) or bool(gamepad.gone))

@@ -92,7 +92,6 @@ class KeyDriver(QObject):
 
     @Slot()
     def let_go(self) -> None:
-        """Treat every key as released."""
         self._forget()
         self._drive.release()
 
@@ -130,7 +129,6 @@ class KeyDriver(QObject):
         return is_known
 
     def _listens(self) -> bool:
-        """Whether a pressed key drives."""
         if not self._motors.armed or not self._page.isVisible():
             return False
         if QApplication.activePopupWidget() or QApplication.activeModalWidget():
@@ -138,7 +136,6 @@ class KeyDriver(QObject):
         return self._is_at(QApplication.focusWidget())
 
     def _is_at(self, focus: QWidget | None) -> bool:
-        """Whether keys drive with the focus there."""
         return focus is self._pad or (self.enabled and not isinstance(focus, _NEEDS_KEYS))
 
     def _steer(self) -> None:

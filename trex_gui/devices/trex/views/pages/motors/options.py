@@ -201,7 +201,6 @@ class Options(QGroupBox):
 
     @property
     def returns_to_zero(self) -> bool:
-        """Whether a slider drives only while it is held."""
         return self._return.isChecked()
 
     def set_joint(self, joint: bool) -> None:

@@ -208,7 +208,6 @@ class MotorsPage(QWidget):
             control.show_report("" if self._is_unused(number) else report_text(device, number))
 
     def _show_status(self) -> None:
-        """Show whether the motors obey, why not, and what to do about it."""
         status = drive_status(drive_inputs(self._device, perhaps_held=self._safe_start.may_hold))
         alarming = status.blocker.is_alarming
         if alarming:
@@ -329,7 +328,6 @@ class Facts(QLabel):
             self._name()
 
     def _name(self) -> None:
-        """Give screen readers a name while there is no text."""
         nothing = self.tr("Stored motor settings: not known")
         self.setAccessibleName("" if self.text() else nothing)
 
