@@ -85,12 +85,7 @@ def main(
 
 
 def simulate(context: click.Context) -> Simulation:
-    """Build the simulation that the options describe.
-
-    Raises:
-        click.UsageError: an option belongs to another device.
-        StudioError: a file cannot be read.
-    """
+    """Build the simulation; UsageError if an option belongs to another device."""
     options = context.params
     device = next((key for key in _SIMULATORS if options.get(key)), _DEFAULT)
     for key, simulator in _SIMULATORS.items():

@@ -48,12 +48,7 @@ class Finding:
 
 
 class SettingsError(StudioError):
-    """A settings file cannot be used, read or written.
-
-    Attributes:
-        name: the file, as shown to the user.
-        findings: everything found, in the order of the lines; at least one is an error.
-    """
+    """A settings file cannot be used, read or written; `findings` are in the order of lines."""
 
     def __init__(self, name: str, findings: Iterable[Finding]) -> None:
         self.name = name
@@ -138,11 +133,7 @@ LARGEST_FILE = 256 * 1024
 
 
 def load(path: Path, content: str = "settings") -> bytes:
-    """Return the bytes of a text file; `content` (plural) says what it holds, for messages.
-
-    Raises:
-        SettingsError: it is missing, forbidden, not a regular file, or larger than 256 KiB.
-    """
+    """Return the bytes of a text file; `content` (plural) says what it holds, for messages."""
     with _sentences(path, "read"):
         if not path.is_file():
             path.stat()  # raises where the file is missing or forbidden
@@ -186,11 +177,7 @@ def save(path: Path, text: str) -> None:
 
 
 def save_new(path: Path, text: str) -> bool:
-    """Write a text file under a free name; return `False` if it is taken.
-
-    Raises:
-        SettingsError: it cannot be written.
-    """
+    """Write a text file under a free name; return `False` if it is taken."""
     with _sentences(path, "written"):
         try:
             with atomic_file(path, overwrite=False) as file:

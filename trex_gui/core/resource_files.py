@@ -20,11 +20,7 @@ def _root() -> Path:
 
 
 def resource(name: str) -> Path:
-    """Return the path of a file or folder of `resources/`, such as `"icons/stop.svg"`.
-
-    Raises:
-        FileNotFoundError: there is no such file; the installation is incomplete.
-    """
+    """Return the path of a file or folder of `resources/`, such as `icons/stop.svg`."""
     path = _root() / name
     if not path.exists():
         message = f"{name} is missing from {_root()}; install the program again"

@@ -89,11 +89,7 @@ class Prober(Protocol):
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Send the probes of a part; `cancelled` is called before each.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
+        """Send the probes of a part; `cancelled` is called before each. Raises PortUnavailable."""
 
     def diagnosis(self) -> Diagnosis:
         """Report what was tried and received, if no device was found."""
@@ -133,14 +129,7 @@ byte that no packet may contain.
 
 
 def flush(wire: Transport, extra: float = 0.0) -> None:
-    """End every packet that a device may have begun to receive, at whatever rate it runs.
-
-    `extra` is in seconds and added to the time that the byte needs.
-
-    Raises:
-        BadRequest: the port cannot be set to 1200 baud.
-        PortUnavailable: the line is gone.
-    """
+    """End what any device may have begun to receive, within the wire's time and `extra` seconds."""
     wire.reconfigure(FLUSH_LINE)
     wire.write(FLUSH_BYTE)
     wire.wait(FLUSH_LINE.seconds(len(FLUSH_BYTE)) + wire.latency + extra)

@@ -143,11 +143,7 @@ def probe_in_order(
     progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
 ) -> list[str]:
-    """Send the probes of each kind until one is done; return the keys of those probed for.
-
-    Raises:
-        PortUnavailable: the line is gone.
-    """
+    """Send the probes of each kind until one is done; return the keys of those probed for."""
     plan = order({key: prober.parts for key, prober in running.items()}, first)
     totals = [running[key].parts[part] for key, part in plan]
     probed: dict[str, None] = {}

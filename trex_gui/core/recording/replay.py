@@ -41,10 +41,7 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
     def read_next(
         self, take: Callable[[StateT, Sequence[RecordT]], ResultT]
     ) -> tuple[Sequence[RecordT], ResultT]:
-        """Read one more chunk; return its records and what `take` returns.
-
-        `take` takes them into the state.
-        """
+        """Read one more chunk; return its records and what `take` makes of state and records."""
         index = len(self._starts)
         records = self._read(index)
         state = copy(self._states[-1])
@@ -55,11 +52,7 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
         return records, result
 
     def at(self, time: float) -> StateT:
-        """Return what was known at a time, as far as the recording was read.
-
-        Raises:
-            RecordingError: the file cannot be read any more.
-        """
+        """Return what was known at a time, as far as the recording was read."""
         index = max(0, bisect_right(self._starts, time) - 1)
         state = copy(self._states[index])
         if self._starts:

@@ -206,11 +206,6 @@ class Recording(Generic[HeaderT, RecordT]):
     """
 
     def __init__(self, path: Path, fmt: RecordingFormat[HeaderT]) -> None:
-        """Open a recording.
-
-        Raises:
-            RecordingError: it is missing, of another kind, of another device or damaged.
-        """
         self.path = path
         self.problems: list[str] = []
         self.format = fmt
@@ -326,11 +321,7 @@ class Recording(Generic[HeaderT, RecordT]):
         self._database.close()
 
     def read(self, first: int, last: int) -> list[RecordT]:
-        """Return records by number, in order; damaged ones are left out and reported.
-
-        Raises:
-            RecordingError: the file cannot be read any more.
-        """
+        """Return records by number, in order; damaged ones are left out and reported."""
         found: list[tuple[int, Timestamped]] = []
         for kind in self.kinds:
             names = ", ".join(("record", "clock_s", *(column.name for column in kind.columns)))
@@ -383,6 +374,5 @@ def _check_types(kind: SampleKind, types: Sequence[type]) -> None:
 
 
 def _size(database: sqlite3.Connection) -> int:
-    """Return the size of a database in bytes, as it is or will be."""
     pages = database.execute("PRAGMA page_count").fetchone()[0]
     return int(pages * database.execute("PRAGMA page_size").fetchone()[0])

@@ -32,11 +32,7 @@ Arrival = tuple[HostSettings | None, bytes]
 
 
 class Endpoint(Protocol):
-    """A connection that a host can open and reopen.
-
-    Attributes:
-        hosts_left: number of hosts that have disconnected, where that can be seen.
-    """
+    """A connection that a host can open and reopen; `hosts_left` counts those that left."""
 
     hosts_left: int
 
@@ -57,11 +53,7 @@ class Endpoint(Protocol):
         """Break the connection so that the host notices."""
 
     def plug(self) -> None:
-        """Offer a connection again.
-
-        Raises:
-            EndpointError: that fails.
-        """
+        """Offer a connection again; EndpointError if that fails."""
 
     def close(self) -> None:
         """Release everything."""

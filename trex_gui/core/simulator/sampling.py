@@ -36,11 +36,7 @@ class ReceiveError(Enum):
 
 @dataclass(frozen=True, slots=True)
 class SampledByte:
-    """A byte as received.
-
-    Attributes:
-        begun, at: seconds at which the start bit began and the last bit was sampled.
-    """
+    """A byte as received, with the times (s) of its start bit and its last sample."""
 
     begun: float
     at: float
@@ -146,11 +142,7 @@ class Receiver:
 
 
 class RateConverter:
-    """A receiver of bytes that arrive at another rate, in virtual time.
-
-    Attributes:
-        line: how the receiver is set.
-    """
+    """Receives bytes that arrive at another rate, in virtual time."""
 
     def __init__(
         self,

@@ -60,11 +60,7 @@ class Server:
         self._wake.setblocking(False)
 
     def run(self) -> None:
-        """Serve until `quit`, a signal, or the end of a pipe on standard input.
-
-        Raises:
-            StudioError: the endpoint failed.
-        """
+        """Serve until `quit`, a signal, or the end of a pipe on standard input."""
         previous = self._catch_signals()
         try:
             self._print(f"ready {self._endpoint.url}")

@@ -9,11 +9,7 @@ EPSILON = 1e-9  # seconds; absorbs the rounding of summed times
 
 
 class Timeline:
-    """Runs actions in the order of their moments.
-
-    Attributes:
-        now: seconds since it was created.
-    """
+    """Runs actions in the order of their moments; `now` is in seconds since it was created."""
 
     def __init__(self, advance: Callable[[float], None]) -> None:
         """Start at 0; `advance` is called with each span of time that passes, in seconds."""

@@ -56,7 +56,7 @@ def latency_of(url: str) -> float:
 
 
 class Transport(Protocol):
-    """One open line."""
+    """One open line. Every method that uses it raises PortUnavailable when it is gone."""
 
     @property
     def latency(self) -> float:
@@ -76,39 +76,21 @@ class Transport(Protocol):
         ...
 
     def reconfigure(self, line: SerialFormat) -> None:
-        """Use these settings from now on; no byte may be on the wire.
-
-        Raises:
-            BadRequest: the port does not support them.
-            PortUnavailable: the line is gone.
-        """
+        """Use these settings from now on; no byte may be on the wire. Raises BadRequest."""
         ...
 
     def clock(self) -> float: ...
 
     def write(self, data: bytes) -> None:
-        """Send bytes.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
+        """Send bytes."""
         ...
 
     def read(self, size: int, seconds: float) -> bytes:
-        """Return `size` bytes, or the fewer that came within `seconds`.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
+        """Return `size` bytes, or the fewer that came within `seconds`."""
         ...
 
     def discard(self) -> bytes:
-        """Discard what was received so far, and return it.
-
-        Raises:
-            BadReply: unsolicited bytes keep coming.
-            PortUnavailable: the line is gone.
-        """
+        """Discard and return what was received so far; BadReply if it does not end."""
         ...
 
     def wait(self, seconds: float) -> None: ...
@@ -250,11 +232,7 @@ PORT_ERRORS = _port_errors()
 
 
 def _parity(url: str, line: SerialFormat) -> str:
-    """Return pyserial's letter for the parity of a line.
-
-    A pseudo-terminal of Linux has none, and the C library rejects setting one if nothing else
-    changes.
-    """
+    """Return pyserial's letter for the parity; pseudo-terminals reject any but none."""
     if Path(url).resolve().is_relative_to("/dev/pts"):
         return serial.PARITY_NONE
     return line.parity.value

@@ -147,11 +147,7 @@ class Header:
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> "Header":
-        """Return the header of the rows of a header table.
-
-        Raises:
-            ValueError: a row is missing or damaged, or the model is unknown.
-        """
+        """Return the header of the rows of a header table; ValueError if they are damaged."""
         try:
             number = values["device_number"]
             return cls(

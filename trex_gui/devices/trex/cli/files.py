@@ -229,11 +229,7 @@ def diff(first: str, second: str | None, as_json: bool, **options: Any) -> None:
 
 
 def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
-    """Return what of a file's settings can be given to this board.
-
-    Raises:
-        SettingsError: they are for another model, or need another firmware.
-    """
+    """Return the settings of a file that fit this board; SettingsError if none can."""
     board = state.signature
     if wanted.product != board.model:
         message = f"these are settings of a {wanted.product.name}, the board is a {board}"

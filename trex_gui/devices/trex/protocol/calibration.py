@@ -86,11 +86,7 @@ class Calibration:
         return None
 
     def encode(self) -> bytes:
-        """The eight data bytes of 0xA0-0xA4.
-
-        Raises:
-            BadRequest: the board would reject the values.
-        """
+        """Return the eight data bytes of 0xA0-0xA4; BadRequest if the board would reject them."""
         if problem := self.problem():
             raise BadRequest(f"calibration: {problem}")
         values = (self.minimum, self.neutral, self.maximum, self.deadband)

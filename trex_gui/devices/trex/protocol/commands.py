@@ -57,20 +57,12 @@ class Command(ABC, Generic[ReplyT_co]):
         return self.opcodes[0]
 
     def data(self) -> bytes:
-        """The data bytes.
-
-        Raises:
-            BadRequest: a value does not fit; names it and its limits.
-        """
+        """Return the data bytes; BadRequest names a value that does not fit, and its limits."""
         return b""
 
     @classmethod
     def from_packet(cls, opcode: int, data: bytes) -> Self:
-        """Read a command back from its packet.
-
-        Raises:
-            BadRequest: the data bytes cannot be this command's.
-        """
+        """Read a command back from its packet; BadRequest if the data cannot be its."""
         del opcode, data
         return cls()
 
@@ -81,11 +73,7 @@ class Command(ABC, Generic[ReplyT_co]):
 
     @abstractmethod
     def parse(self, reply: bytes) -> ReplyT_co:
-        """Read a reply of `reply_size` bytes.
-
-        Raises:
-            BadReply: no TReX sends this.
-        """
+        """Read a reply of `reply_size` bytes; BadReply if no TReX sends it."""
 
 
 def _motor_index(motor: int) -> int:
@@ -94,10 +82,17 @@ def _motor_index(motor: int) -> int:
     return motor - 1
 
 
-def _channel_index(channel: int) -> int:
-    if channel not in CHANNELS:
-        raise BadRequest(f"channels are numbered 1 to 5, not {channel}")
-    return channel - 1
+@dataclass(frozen=True, slots=True)
+class _ChannelCommand(Command[ReplyT_co]):
+    """A command whose opcode selects a channel, 1-5."""
+
+    channel: int
+
+    @property
+    def opcode(self) -> int:
+        if self.channel not in CHANNELS:
+            raise BadRequest(f"channels are numbered 1 to 5, not {self.channel}")
+        return self.opcodes[self.channel - 1]
 
 
 # --- Queries, 0x81 to 0x9F, which work in every mode ------------------------------------
@@ -215,10 +210,7 @@ class _ChannelQuery(Command[ReplyT_co]):
 
 @dataclass(frozen=True, slots=True)
 class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
-    """0x86: raw input of each requested channel, in counts of 0.4 us or 4.89 mV.
-
-    The reply maps channel to count; `None` is a channel without a valid pulse.
-    """
+    """0x86: raw counts by requested channel; `None` for a channel without a valid pulse."""
 
     opcodes = (0x86,)
 
@@ -287,17 +279,11 @@ class GetCurrents(Command[tuple[int, int]]):
 
 
 @dataclass(frozen=True, slots=True)
-class GetCalibration(Command[Calibration]):
-    """0x90-0x94: calibration of one channel, for the input source in force."""
+class GetCalibration(_ChannelCommand[Calibration]):
+    """0x90-0x94: calibration of one channel, for the active input source."""
 
     opcodes = range(0x90, 0x95)
     fixed_reply = 8
-
-    channel: int
-
-    @property
-    def opcode(self) -> int:
-        return self.opcodes[_channel_index(self.channel)]
 
     @classmethod
     def from_packet(cls, opcode: int, data: bytes) -> Self:
@@ -351,18 +337,12 @@ FORMAT_BYTES = b"\x55\x2a"
 """What ends every write, so that noise does not become one."""
 
 
-class _Write(Command[ResultCode]):
-    """A write to EEPROM; the reply comes when the board has stored the value."""
-
-    __slots__ = ()
-
-    fixed_reply = 1
-
-    def parse(self, reply: bytes) -> ResultCode:
-        try:
-            return ResultCode(reply[0])
-        except ValueError:
-            raise BadReply(f"{reply[0]} is no result code of a TReX (0 to 3)") from None
+def _result(reply: bytes) -> ResultCode:
+    """Read the reply to a write, which comes when the board has stored the value."""
+    try:
+        return ResultCode(reply[0])
+    except ValueError:
+        raise BadReply(f"{reply[0]} is no result code of a TReX (0 to 3)") from None
 
 
 def _without_format_bytes(data: bytes) -> bytes:
@@ -372,19 +352,15 @@ def _without_format_bytes(data: bytes) -> bytes:
 
 
 @dataclass(frozen=True, slots=True)
-class SetCalibration(_Write):
-    """0xA0-0xA4: store one channel's calibration for the input source in force."""
+class SetCalibration(_ChannelCommand[ResultCode]):
+    """0xA0-0xA4: store one channel's calibration for the active input source."""
 
     opcodes = range(0xA0, 0xA5)
     data_size = 10
+    fixed_reply = 1
     seconds_to_answer = 0.1  # about 32 ms; the documentation calls 100 ms too late
 
-    channel: int
     calibration: Calibration
-
-    @property
-    def opcode(self) -> int:
-        return self.opcodes[_channel_index(self.channel)]
 
     def data(self) -> bytes:
         return self.calibration.encode() + FORMAT_BYTES
@@ -394,13 +370,17 @@ class SetCalibration(_Write):
         calibration = Calibration.from_data(_without_format_bytes(data))
         return cls(opcode - cls.opcodes[0] + 1, calibration)
 
+    def parse(self, reply: bytes) -> ResultCode:
+        return _result(reply)
+
 
 @dataclass(frozen=True, slots=True)
-class SetParameter(_Write):
+class SetParameter(Command[ResultCode]):
     """0xAF: store one configuration parameter."""
 
     opcodes = (0xAF,)
     data_size = 4
+    fixed_reply = 1
     seconds_to_answer = 0.05  # about 4 ms; the documentation calls 50 ms too late
 
     number: int
@@ -417,25 +397,22 @@ class SetParameter(_Write):
         number, value = _without_format_bytes(data)
         return cls(number, value)
 
+    def parse(self, reply: bytes) -> ResultCode:
+        return _result(reply)
+
 
 # --- Commands without a reply -----------------------------------------------------------
 
 
-class _NoReply(Command[None]):
-    """A command without a reply."""
-
-    __slots__ = ()
-
-    def parse(self, reply: bytes) -> None:
-        del reply
-
-
-class _MotorCommand(_NoReply):
+class _MotorCommand(Command[None]):
     """A motor command, 0xC0 to 0xF1: only what the board reports afterwards confirms it."""
 
     __slots__ = ()
 
     moves = True
+
+    def parse(self, reply: bytes) -> None:
+        del reply
 
 
 @dataclass(frozen=True, slots=True)
@@ -526,14 +503,14 @@ Set commands, so neither acceleration nor a reversal delays them.
 
 
 @dataclass(frozen=True, slots=True)
-class Null(_NoReply):
-    """0xFF: does nothing; only an echo shows that it passed.
-
-    Inferred: it carries no CRC byte even when CRC is enabled.
-    """
+class Null(Command[None]):
+    """0xFF: does nothing; only an echo shows that it passed."""
 
     opcodes = (0xFF,)
-    has_crc = False
+    has_crc = False  # inferred
+
+    def parse(self, reply: bytes) -> None:
+        del reply
 
 
 _CLASSES: tuple[type[Command[object]], ...] = (

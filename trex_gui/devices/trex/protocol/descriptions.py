@@ -3,29 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
+from trex_gui.devices.trex.protocol import commands as c
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS, Calibration
-from trex_gui.devices.trex.protocol.commands import (
-    Command,
-    DriveAuxiliary,
-    DriveBoth,
-    DriveMotor,
-    GetCalibratedChannels,
-    GetCalibration,
-    GetCurrent,
-    GetCurrents,
-    GetMode,
-    GetParameter,
-    GetRawChannels,
-    GetRemappedChannels,
-    GetSerialControl,
-    GetSignature,
-    GetStatus,
-    GetUartErrors,
-    Null,
-    SetCalibration,
-    SetParameter,
-    Signature,
-)
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ResultCode
@@ -39,15 +18,15 @@ from trex_gui.devices.trex.protocol.flags import (
 )
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 
-_QUERIES: dict[type[Command[Any]], str] = {
-    GetSignature: "get signature",
-    GetMode: "get mode",
-    GetSerialControl: "get whether serial controls the motors",
-    GetStatus: "get status bits, and clear them",
-    GetUartErrors: "get UART error bits, and clear them",
-    GetCurrents: "get currents of both motors",
-    GetCalibratedChannels: "get which calibrations differ from the default",
-    Null: "null command: nothing",
+_QUERIES: dict[type[c.Command[Any]], str] = {
+    c.GetSignature: "get signature",
+    c.GetMode: "get mode",
+    c.GetSerialControl: "get whether serial controls the motors",
+    c.GetStatus: "get status bits, and clear them",
+    c.GetUartErrors: "get UART error bits, and clear them",
+    c.GetCurrents: "get currents of both motors",
+    c.GetCalibratedChannels: "get which calibrations differ from the default",
+    c.Null: "null command: nothing",
 }
 
 _MODES = {
@@ -87,42 +66,39 @@ BEYOND_A_STOP = (
 """A stop is a serial command; it does not stop motors that channels control."""
 
 
-def describe(command: Command[Any], board: Signature | None = None) -> str:
+def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
     """Say a command in words; units are those of `board`, else of the newest TReX."""
     if (text := _QUERIES.get(type(command))) is not None:
         return text
     match command:
-        case GetRawChannels():
+        case c.GetRawChannels():
             return f"get raw inputs of {_channels(command.channels)}"
-        case GetRemappedChannels():
+        case c.GetRemappedChannels():
             return f"get remapped inputs of {_channels(command.channels)}"
-        case GetCurrent(motor=motor):
+        case c.GetCurrent(motor=motor):
             return f"get current of motor {motor}"
-        case GetCalibration(channel=channel):
+        case c.GetCalibration(channel=channel):
             return f"get calibration of channel {channel}"
-        case SetCalibration(channel=channel, calibration=calibration):
+        case c.SetCalibration(channel=channel, calibration=calibration):
             return f"set calibration of channel {channel}: {_calibration(calibration)}"
-        case GetParameter(number=number):
+        case c.GetParameter(number=number):
             return f"get {_parameter(number, board)}"
-        case SetParameter(number=number, value=value):
+        case c.SetParameter(number=number, value=value):
             return f"set {_parameter(number, board)} to {_value(number, value, board)}"
-        case DriveMotor(motor=motor, drive=drive, accelerate=accelerate):
+        case c.DriveMotor(motor=motor, drive=drive, accelerate=accelerate):
             return f"{_verb(accelerate)} motor {motor} to {_drive(drive)}"
-        case DriveBoth(motor1=first, motor2=second, accelerate=accelerate):
+        case c.DriveBoth(motor1=first, motor2=second, accelerate=accelerate):
             verb = _verb(accelerate)
             return f"{verb} motor 1 to {_drive(first)}, motor 2 to {_drive(second)}"
-        case DriveAuxiliary(speed=speed, accelerate=accelerate):
+        case c.DriveAuxiliary(speed=speed, accelerate=accelerate):
             return f"{_verb(accelerate)} auxiliary motor to {speed}"
     return type(command).__name__
 
 
-def describe_reply(command: Command[Any], value: Any, board: Signature | None = None) -> str:
-    """Say in words what a command was answered; `value` is what its `parse` returned.
-
-    Empty for a command that has no answer.
-    """
+def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | None = None) -> str:
+    """Say the result of a command's `parse` in words; empty for a command without a reply."""
     match command, value:
-        case _, Signature():
+        case _, c.Signature():
             return str(value)
         case _, Mode():
             return _MODES[value]
@@ -132,17 +108,17 @@ def describe_reply(command: Command[Any], value: Any, board: Signature | None = 
             return ", ".join(bit_names(value)) or "none"
         case _, Calibration():
             return _calibration(value)
-        case GetSerialControl(), _:
+        case c.GetSerialControl(), _:
             return "yes" if value else "no"
-        case ((GetRawChannels() | GetRemappedChannels()), _):
+        case ((c.GetRawChannels() | c.GetRemappedChannels()), _):
             return _by_channel(value)
-        case GetCurrent(motor=motor), _:
+        case c.GetCurrent(motor=motor), _:
             return _current(motor, value, board)
-        case GetCurrents(), _:
+        case c.GetCurrents(), _:
             return ", ".join(_current(motor, count, board) for motor, count in enumerate(value, 1))
-        case GetCalibratedChannels(), _:
+        case c.GetCalibratedChannels(), _:
             return _channels(channels_in(value))
-        case GetParameter(number=number), _:
+        case c.GetParameter(number=number), _:
             return _value(number, value, board)
     return "" if value is None else str(value)
 
@@ -176,7 +152,7 @@ def _by_channel(values: Mapping[int, int | None]) -> str:
     return ", ".join(said)
 
 
-def _current(motor: int, count: int, board: Signature | None) -> str:
+def _current(motor: int, count: int, board: c.Signature | None) -> str:
     if board is None:
         return f"motor {motor}: {count} counts"
     return f"motor {motor}: {count * board.model.current_unit:.2f} A"
@@ -203,20 +179,20 @@ def _drive(drive: Drive) -> str:
     return f"{drive.direction.name.lower()} {drive.speed}"
 
 
-def _spec(number: int, board: Signature | None) -> ParameterSpec | None:
+def _spec(number: int, board: c.Signature | None) -> ParameterSpec | None:
     if board is not None:
         return parameters_of(board.model.key, board.firmware).number(number)
     model = device_table().models[0]
     return parameters_of(model.key, model.firmware[-1]).number(number)
 
 
-def _parameter(number: int, board: Signature | None) -> str:
+def _parameter(number: int, board: c.Signature | None) -> str:
     spec = _spec(number, board)
     source = "no TReX" if board is None else f"no {board}"
     return f"parameter {number:#04x}, which {source} has" if spec is None else spec.name
 
 
-def _value(number: int, value: int, board: Signature | None) -> str:
+def _value(number: int, value: int, board: c.Signature | None) -> str:
     spec = _spec(number, board)
     if spec is None or not spec.readable:
         return f"{value:#04x}"

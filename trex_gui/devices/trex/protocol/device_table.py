@@ -39,11 +39,7 @@ class PwmClock:
         return self.scale * wire + self.offset
 
     def frequency(self, prescaler: int, maximum_wire: int) -> float:
-        """Return the PWM frequency in Hz for two wire values.
-
-        Raises:
-            BadRequest: there is no such prescaler.
-        """
+        """Return the frequency in Hz for two wire values; BadRequest without such a prescaler."""
         if not 0 <= prescaler < len(self.divisors):
             raise BadRequest(f"PWM prescaler is 0 to {len(self.divisors) - 1}, not {prescaler}")
         return self.clock / (self.divisors[prescaler] * (self.maximum(maximum_wire) + 1))
@@ -72,11 +68,7 @@ _NAMES = {"TReX": "TReX", "TReXJr": "TReX Jr"}
 
 
 def read_table(text: str) -> DeviceTable:
-    """Read the table from the text of its TOML file.
-
-    Raises:
-        tomllib.TOMLDecodeError, KeyError: the table is damaged.
-    """
+    """Read the table from the text of its TOML file."""
     data = tomllib.loads(text)
     models = tuple(
         Model(

@@ -30,11 +30,7 @@ class Drive:
 
     @classmethod
     def at(cls, speed: int) -> "Drive":
-        """Return the drive for a signed speed of -127 to 127; 0 is forward at speed 0.
-
-        Raises:
-            BadRequest: the speed is outside that.
-        """
+        """Return the drive for a speed of -127 to 127; 0 is forward. Else raise BadRequest."""
         if not -FULL_SCALE <= speed <= FULL_SCALE:
             raise BadRequest(f"a motor's speed is -127 to 127, not {speed}")
         return cls(Direction.REVERSE if speed < 0 else Direction.FORWARD, abs(speed))

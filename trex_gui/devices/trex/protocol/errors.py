@@ -6,11 +6,7 @@ from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadReply, BadRequest, CodedE
 
 
 class ResultCode(IntEnum):
-    """Reply to 0xA0-0xA4 and 0xAF.
-
-    Ref: TReX 1.0 command documentation, "set channel calibration", "set configuration
-    parameter".
-    """
+    """Reply to 0xA0-0xA4 and 0xAF."""
 
     OK = 0
     BAD_PARAMETER = 1

@@ -35,11 +35,7 @@ def check_polynomial(polynomial: int) -> int:
 
 
 def crc7(data: bytes, polynomial: int = DEFAULT_POLYNOMIAL) -> int:
-    """Return the CRC-7 of `data`, 0-127: top bit first, start 0, seven zero bits appended.
-
-    Raises:
-        BadRequest: `polynomial` is outside 0x80-0xFF.
-    """
+    """Return the CRC-7 of `data`, 0-127: top bit first, start 0, seven zero bits appended."""
     table = _table(check_polynomial(polynomial))
     remainder = 0
     for byte in data:
@@ -74,11 +70,7 @@ class Framing:
             check_polynomial(self.polynomial)
 
     def encode(self, command: Command[object]) -> bytes:
-        """Return the packet of a command.
-
-        Raises:
-            BadRequest: a value of the command does not fit.
-        """
+        """Return the packet of a command; BadRequest if a value does not fit."""
         if self.device_number is None:
             packet = bytes([command.opcode]) + command.data()
         else:

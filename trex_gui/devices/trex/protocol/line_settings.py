@@ -52,11 +52,7 @@ class LineSettings(SerialFormat):
 
     @classmethod
     def from_wire(cls, wire: int) -> "LineSettings":
-        """Read the value of parameter 0x7E.
-
-        Raises:
-            BadRequest: the low four bits are not a rate code (0-10), or bit 7 is set.
-        """
+        """Read the value of parameter 0x7E; BadRequest if it names no baud rate."""
         if not 0 <= wire <= 0x7F:
             raise BadRequest(f"UART settings are a wire value of 0 to 127, not {wire}")
         code = wire & _BAUD_FIELD
@@ -66,11 +62,7 @@ class LineSettings(SerialFormat):
         return cls(baud_rates()[code], detection, 2 if wire & _TWO_STOP_BITS else 1)
 
     def to_wire(self) -> int:
-        """Return the value for parameter 0x7E.
-
-        Raises:
-            BadRequest: the baud rate or the number of stop bits is not one the board has.
-        """
+        """Return the value for parameter 0x7E; BadRequest if the board has no such setting."""
         if self.baud not in baud_rates():
             rates = ", ".join(map(str, baud_rates()))
             raise BadRequest(f"a TReX runs at {rates} baud, not {self.baud}")

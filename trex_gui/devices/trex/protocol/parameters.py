@@ -336,11 +336,7 @@ class ParameterSet:
 
 @cache
 def parameters_of(model_key: str, firmware: str) -> ParameterSet:
-    """Return the parameters of a model (`trex`, `trexjr`) with a firmware (`1.2`).
-
-    Raises:
-        BadRequest: there is no such model.
-    """
+    """Return the parameters of a model (`trex`, `trexjr`) with a firmware (`1.2`)."""
     table = device_table()
     model = table.model(model_key)
     specs = tuple(

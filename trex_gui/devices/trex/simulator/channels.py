@@ -97,33 +97,21 @@ class Signal:
 
     @classmethod
     def pulses(cls, microseconds: float) -> "Signal":
-        """Return servo pulses, 50 a second; the width may be invalid for the board.
-
-        Raises:
-            ValueError: a pulse train cannot have this width.
-        """
+        """Return servo pulses, 50 a second; the width may be invalid for the board."""
         if not 0 <= microseconds < _RECEIVER_PERIOD:
             raise ValueError(f"a pulse is 0 to {_RECEIVER_PERIOD:.0f} us wide")
         return cls(SignalKind.PULSES, microseconds)
 
     @classmethod
     def voltage(cls, volts: float) -> "Signal":
-        """Return a steady voltage.
-
-        Raises:
-            ValueError: outside 0-5 V.
-        """
+        """Return a steady voltage; ValueError outside 0-5 V."""
         if not 0 <= volts <= SUPPLY:
             raise ValueError(f"an input carries 0 to {SUPPLY:g} V")
         return cls(SignalKind.VOLTAGE, volts)
 
     @classmethod
     def from_counts(cls, counts: float, source: InputSource) -> "Signal":
-        """Return the signal that the board measures as these raw counts.
-
-        Raises:
-            ValueError: there is none.
-        """
+        """Return the signal that the board measures as these raw counts."""
         if source is InputSource.RC:
             return cls.pulses(source.physical(counts))
         return cls.voltage(source.physical(counts))
@@ -182,10 +170,7 @@ _SAMPLES_A_TICK = 2
 
 
 class Channels:
-    """The inputs as the board measures them, each 50 times a second.
-
-    A receiver sends the pulses of the channels one after the other.
-    """
+    """The inputs, each measured 50 times a second; pulses arrive one after the other."""
 
     def __init__(self, source: InputSource, seed: int = 0) -> None:
         self._random = Random(seed)  # noqa: S311 - noise, not secrets

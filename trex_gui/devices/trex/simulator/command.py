@@ -97,11 +97,7 @@ def simulate(
     seed: int = 0,
     demo: bool = False,
 ) -> Simulation:
-    """Create one TReX, or several on one wire; the arguments are the command-line options.
-
-    Raises:
-        EepromError: the EEPROM file cannot be read.
-    """
+    """Create one TReX, or several on one wire, from the command-line options."""
     boards = [
         Board(
             device.model or model,

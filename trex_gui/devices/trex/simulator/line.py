@@ -21,11 +21,7 @@ from trex_gui.devices.trex.simulator.uart import SerialPort
 
 
 class BoardStation:
-    """One board on the line. It receives nothing while it transmits.
-
-    Attributes:
-        board, port: the board and its UART.
-    """
+    """One board on the line. It receives nothing while it transmits."""
 
     def __init__(self, board: Board, line: "TrexLine") -> None:
         self.board = board
@@ -194,11 +190,7 @@ class BoardStation:
 
 
 class TrexLine(SimulatedLine):
-    """One wire with one or several boards.
-
-    Attributes:
-        boards, numbers: the boards, and their device numbers at the start, which name them.
-    """
+    """One wire with boards; their device numbers at the start name them."""
 
     def __init__(
         self,

@@ -58,11 +58,7 @@ class Eeprom:
 
     @classmethod
     def open(cls, path: Path, model: str = "trex") -> "Eeprom":
-        """Return the EEPROM in a file, or a new one that is saved to the file.
-
-        Raises:
-            EepromError: the file is damaged, belongs to another model, or cannot be written.
-        """
+        """Return the EEPROM in a file, which is created if missing; EepromError if damaged."""
         eeprom = cls(model, path=path)
         try:
             text = path.read_text(encoding="utf-8")
@@ -79,12 +75,7 @@ class Eeprom:
         return self._values[self._spec(which).key]
 
     def write(self, which: str | int, value: int) -> None:
-        """Store a parameter (wire value) and save.
-
-        Raises:
-            KeyError: there is no such cell.
-            ValueError: the parameter cannot be this value.
-        """
+        """Store a wire value and save; KeyError or ValueError if there is no such one."""
         spec = self._spec(which)
         self._values[spec.key] = spec.check(value)
         self._save_if_possible()
@@ -149,11 +140,7 @@ class Eeprom:
             self.unsaved = error
 
     def save(self) -> None:
-        """Write the file, if there is one, atomically.
-
-        Raises:
-            EepromError: it cannot be written.
-        """
+        """Write the file, if there is one, atomically; EepromError if that fails."""
         if self._path is None:
             return
         text = json.dumps(self._document(), indent=2) + "\n"
@@ -267,13 +254,7 @@ the four values of a calibration have two bytes each."""
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """One value on its way into the EEPROM.
-
-    Attributes:
-        seconds: duration of the write.
-        store: called at its end.
-        lose: called when the power is cut before.
-    """
+    """A value on its way into the EEPROM; `lose` is called if the power is cut before `store`."""
 
     seconds: float
     store: Callable[[], None]
