@@ -16,7 +16,7 @@ ARACNA = DevicePlugin(
     commands={
         "aracna": CommandInfo(
             Lazy(f"{_HERE}.cli.commands:aracna"), "Query an Aracna, move it, play its poses."
-        ),
+        )
     },
     simulator=Lazy(f"{_HERE}.simulator.control:SIMULATOR"),
 )

@@ -237,17 +237,17 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
 
 def test_robot_moves_again_after_lost_bytes(panel: DemoRobotPanel) -> None:
     window, robot = panel.window, panel.robot
-    panel.lose("REPLY_BYTE")
+    panel.lose("drop 1")
     window.wait_until_up()
     window.move()
 
     # Most likely of a question; in a move it would be a wrong value, or one too few.
-    panel.lose("COMMAND_BYTE")
+    panel.lose("drop 1 sent")
     window.wait_until_up()
 
     window.move()
     panel.begin_to_move()
-    panel.choose("aracnaDemoLoss", "REPLY_END")
+    panel.choose("aracnaDemoLoss", "cut 6")
     panel.click("aracnaDemoLose")
     panel.wait(lambda: robot.state.moving is None)
     assert None in robot.state.present

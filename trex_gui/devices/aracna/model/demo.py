@@ -9,16 +9,6 @@ from PySide6.QtCore import QObject
 
 from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, switch
 
-PASSING = 6  # bytes of a reply before it is cut: `.c`, a position, its comma
-
-
-class Loss(Enum):
-    """Bytes that can be lost once; the value is the rest of the control line."""
-
-    REPLY_BYTE = "drop 1"
-    COMMAND_BYTE = "drop 1 sent"
-    REPLY_END = f"cut {PASSING}"
-
 
 class FirmwareState(Enum):
     OFF = "off"
@@ -115,8 +105,9 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         """Let a servo lose this share of its speed, 0-1."""
         self._send_newest(f"load {motor}", f"servo {motor} load {part:.2f}")
 
-    def lose(self, loss: Loss) -> None:
-        self._send(f"line {loss.value}")
+    def lose(self, what: str) -> None:
+        """Lose `what` of the next transfer, once: the rest of the control line."""
+        self._send(f"line {what}")
 
     def repair(self) -> None:
         """Clear all faults but an unplugged cable; servos keep their positions and speeds."""

@@ -5,13 +5,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QStyle, QWidget
 
 from trex_gui.devices.aracna.model.controller import AracnaController
-from trex_gui.devices.aracna.model.demo import (
-    DemoRobot,
-    DemoServo,
-    FirmwareState,
-    Loss,
-    RobotSnapshot,
-)
+from trex_gui.devices.aracna.model.demo import DemoRobot, DemoServo, FirmwareState, RobotSnapshot
 from trex_gui.devices.aracna.model.texts import spoken_joint
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS, degrees
 from trex_gui.ui.devices.demo_panel import (
@@ -30,7 +24,7 @@ RobotRows = Rows[RobotSnapshot]
 
 _EXTRA_WIDTH = 34  # pixels, of which a scroll bar may take some
 _STEP, _PAGE = 5, 20  # per cent of the speed
-_LEAST = 44  # pixels of a slider
+_SLIDER_WIDTH = 44  # pixels of a slider
 
 _HEIGHT, _MIN_WIDTH, _WIDTH = 14, 26, 70
 _RADIUS = 4.5
@@ -168,7 +162,7 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
     )
     load.setSingleStep(_STEP)
     load.setPageStep(_PAGE)
-    load.setMinimumWidth(_LEAST)
+    load.setMinimumWidth(_SLIDER_WIDTH)
     show_load(0)
     dead = rows.check_box(
         f"aracnaDemoDead{motor}",
@@ -222,20 +216,13 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
             ),
         ),
         faults=(
-            (tr("Reply byte"), Loss.REPLY_BYTE.name),
-            (tr("Command byte"), Loss.COMMAND_BYTE.name),
-            (tr("Reply: end"), Loss.REPLY_END.name),
+            (tr("Reply byte"), "drop 1"),
+            (tr("Command byte"), "drop 1 sent"),
+            (tr("Reply: end"), "cut 6"),  # behind `.c`, a position and its comma
         ),
         once=("aracnaDemoLose", tr("Lose it"), tr("It is lost in the next transfer")),
     )
-    return cable_rows(
-        robot,
-        "aracnaDemo",
-        columns,
-        texts,
-        cause=lambda name: robot.lose(Loss[name]),
-        parent=parent,
-    )
+    return cable_rows(robot, "aracnaDemo", columns, texts, cause=robot.lose, parent=parent)
 
 
 class ServoGauge(QWidget):

@@ -45,7 +45,7 @@ class PosesPage(QWidget):
             self._action_button("aracnaRedo", redo, "redo"),
             (self._name, 1),
         )
-        panel = ui.column(head, (ui.row((poses, 2), (motions, 3)), 1), bar)
+        panel = ui.column(head, (ui.row((poses, 2), (motions, 3)), 1), bar, spacing=6)
         left = ui.column((drawing, 1), footnote, 0)
         ui.row((left, 1), (panel, 4), into=self, spacing=16)
 
