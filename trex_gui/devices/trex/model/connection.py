@@ -7,13 +7,7 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.session import Close, Progress
 from trex_gui.devices.trex.client.client import Counters
-from trex_gui.devices.trex.driving.requests import (
-    MotorsStopped,
-    SetAuxiliary,
-    SetMotor,
-    SetMotors,
-    Stop,
-)
+from trex_gui.devices.trex.driving.requests import MotorsStopped, SetpointRequest, Stop
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Batch, Connected, NotResponding, Write
 from trex_gui.devices.trex.session.session import TrexSession
@@ -58,7 +52,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.counters = Counters()
 
     def moves(self, request: object) -> bool:
-        return isinstance(request, (SetMotor, SetMotors, SetAuxiliary))
+        return isinstance(request, SetpointRequest)
 
     def writes(self, request: object) -> bool:
         return isinstance(request, Write)
@@ -102,8 +96,6 @@ class Connection(DeviceConnection[ConnectionSettings]):
                     "The board has stopped responding. Is its power on? Waiting for it …"
                 )
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
-            case _:
-                pass
 
     def _take_state(self, report: Connected) -> None:
         self.settings = report.settings

@@ -115,9 +115,6 @@ def _probe(client: TrexClient, place: ConnectionSettings) -> TrexClient | None:
 REACH = (ParameterKey.DEVICE_NUMBER, ParameterKey.CRC7_POLYNOMIAL, ParameterKey.UART_SETTINGS)
 """The parameters that decide how a board is reached."""
 
-POLYNOMIAL_BIT = 0x80
-"""The highest bit of a CRC-7 polynomial; it is always set, and a board does not store it."""
-
 
 def reconnect_candidates(
     link: ConnectionSettings, before: Mapping[str, int], after: Mapping[str, int], firmware: str
@@ -154,7 +151,8 @@ def after_power_cycle(
             kept = LineSettings.from_wire(stored[ParameterKey.UART_SETTINGS])
             line = replace(kept, baud=kept.real_baud(firmware))
         if ParameterKey.CRC7_POLYNOMIAL in stored:
-            polynomial = check_polynomial(stored[ParameterKey.CRC7_POLYNOMIAL] | POLYNOMIAL_BIT)
+            # The highest bit is always set, and a board does not store it.
+            polynomial = check_polynomial(stored[ParameterKey.CRC7_POLYNOMIAL] | 0x80)
     except BadRequest:
         return None
     number = link.device_number
