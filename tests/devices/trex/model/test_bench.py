@@ -301,6 +301,8 @@ def test_current_above_abort_limit_aborts_and_disarms(driving: BenchSetup) -> No
     run = aborted(driving)
     assert "Motor 1 drew 21.00 A, more than the abort current of 20 A" in run.reason
     assert driving.device.motors.stop_reason == run.reason
+    assert driving.device.motors.locked_for
+    assert not driving.device.motors.can_arm
     driving.simulator.do("current 1 auto")
 
 

@@ -56,8 +56,8 @@ class Phase(Enum):
 class Bench(QObject):
     """Runs one test at a time, only while its button is held, and keeps the last ones.
 
-    Releasing the button brakes the motor. Everything else that ends a test stops and disarms
-    all motors: too high a current, a fault, missing readings, loss of serial control, a stop.
+    Releasing the button brakes the motor. Everything else that ends a test stops, disarms and
+    locks out all motors: too high a current, a fault, missing readings, loss of serial control.
 
     Signals:
         changed: the plan, `phase` or `blocker`; the readings of `current` grow silently.
@@ -152,9 +152,8 @@ class Bench(QObject):
         if device.telemetry.serial_controls is False:
             return self.tr("{0} A test needs serial control.").format(device.control_text)
         if motors.locked_for:
-            return self.tr("Stop was pressed: the motors are locked for {0:.0f} s more.").format(
-                max(1.0, motors.locked_for)
-            )
+            text = self.tr("After a stop the motors are locked for {0:.0f} s more.")
+            return text.format(max(1.0, motors.locked_for))
         if not motors.armed:
             return self.tr("Put the robot on blocks, then press Run motor.")
         if motors.holder not in {"", _HOLDER}:
@@ -224,7 +223,7 @@ class Bench(QObject):
             self._end(End.RELEASED)
 
     def abort(self, reason: str) -> None:
-        """Stop and disarm all motors; `reason` is for the user."""
+        """Stop, disarm and lock out all motors; `reason` is for the user."""
         if self.is_driving:
             self._end(End.ABORTED, reason)
 
@@ -322,10 +321,10 @@ class Bench(QObject):
     def _end(self, how: End, reason: str = "") -> None:
         """Brake the motor first; continue recording its current for a moment."""
         self.phase = Phase.BRAKING
-        if how is End.ABORTED:
-            self._motors.abort(_HOLDER, reason)  # does nothing if the motors are stopped already
-        else:
+        if how is not End.ABORTED:
             self._motors.release(_HOLDER)
+        elif self._motors.holder == _HOLDER:  # else the motors are stopped already
+            self._motors.press_stop(reason=reason)
         accelerate, linked = self._options
         self._motors.accelerate = accelerate
         if linked:

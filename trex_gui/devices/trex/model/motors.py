@@ -174,12 +174,12 @@ class Motors(QObject):
             self.stop_reason = ""
             self.arming_changed.emit()
 
-    def press_stop(self) -> None:
-        """Stop for the user; the motors cannot be armed for `lockout` seconds."""
+    def press_stop(self, *, reason: str = "") -> None:
+        """Stop for the user, or for a `reason`; no arming for `lockout` seconds."""
         self._locked_until = max(self._locked_until, self._clock() + self.lockout)
         self._announced = math.ceil(self.locked_for)
         self._lockout_timer.start()
-        self.stop()
+        self.stop(reason)
         self.lockout_changed.emit()
 
     @property

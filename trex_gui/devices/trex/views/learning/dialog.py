@@ -42,8 +42,9 @@ class StepStrip(QLabel):
             self._fit()
 
     def minimumSizeHint(self) -> QSize:
-        widest = max(map(self.fontMetrics().horizontalAdvance, self._steps), default=0)
-        return QSize(round(1.3 * widest), super().minimumSizeHint().height())
+        texts = [f"0/0: {step}" for step in self._steps]
+        widest = max(map(self.fontMetrics().horizontalAdvance, texts), default=0)
+        return QSize(round(1.2 * widest), super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
