@@ -75,22 +75,18 @@ class Comparison:
 
     @property
     def differing(self) -> tuple[ComparisonRow, ...]:
-        """The rows whose two sides are not equal."""
         return tuple(row for row in self.rows if row.before != row.after)
 
     @property
     def changed(self) -> int:
-        """How many settings will change."""
         return sum(row.changed for row in self.rows)
 
     @property
     def equal(self) -> int:
-        """How many settings match."""
         return len(self.rows) - len(self.differing)
 
     @property
     def missing(self) -> int:
-        """How many settings are given before only and stay as they are."""
         return sum(row.is_missing for row in self.rows)
 
     def summary(self) -> str:
@@ -162,29 +158,20 @@ def _specs(settings: Settings) -> Mapping[str, ParameterSpec]:
 
 def _parameter_row(key: str, before: Settings, after: Settings) -> ComparisonRow:
     old, new = before.parameters.get(key), after.parameters.get(key)
-    old_spec, new_spec = _specs(before)[key], _specs(after)[key]
-    return ComparisonRow(
-        key,
-        old_spec.name,
-        old,
-        new,
-        "" if old is None else old_spec.text(old),
-        "" if new is None else new_spec.text(new),
-    )
+    spec = _specs(before)[key]
+    old_text = "" if old is None else spec.text(old)
+    new_text = "" if new is None else _specs(after)[key].text(new)
+    return ComparisonRow(key, spec.name, old, new, old_text, new_text)
 
 
 def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonRow]:
     for key in CalibrationKey:
         old, new = before.calibrations.get(key), after.calibrations.get(key)
+        old_text = "" if old is None else calibration_text(key.source, old)
+        new_text = "" if new is None else calibration_text(key.source, new)
         if old is not None or new is not None:
-            yield ComparisonRow(
-                key,
-                f"Calibration of {key.label}",
-                old,
-                new,
-                "" if old is None else calibration_text(key.source, old),
-                "" if new is None else calibration_text(key.source, new),
-            )
+            name = f"Calibration of {key.label}"
+            yield ComparisonRow(key, name, old, new, old_text, new_text)
 
 
 def _counts(noun: str, rows: list[ComparisonRow]) -> str:

@@ -9,7 +9,7 @@ import re
 from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from ruamel.yaml.nodes import MappingNode, Node
 
@@ -37,17 +37,12 @@ _COMMA_AFTER = re.compile(r"(?:\s|#[^\r\n]*)*,")
 
 
 def amend(text: str, settings: Settings, name: str = "settings") -> str:
-    """Return the text of a settings file with other settings in it.
+    """Return the text of a settings file with other settings in it; errors call it `name`.
 
     Changed values are replaced where they are, in the same base. A comment beside a value is
     updated if the program wrote it; the user's comments stay. Missing settings are appended;
     removed settings become comments, and so do values that the board would reject. A text that
-    has the settings already does not change.
-
-    Args:
-        text: the content of the file, line ends and byte order mark included.
-        settings: what the result reads back as.
-        name: what errors call the file.
+    has the settings already does not change. Line ends and a byte order mark stay.
 
     Raises:
         SettingsError: the text cannot be read, or cannot be changed in place.
@@ -57,7 +52,7 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
     old, _ = read_settings(text, name)
     wanted = settings.without_invalid()
     mark = BYTE_ORDER_MARK if text.startswith(BYTE_ORDER_MARK) else ""
-    document = _Document.of(text.removeprefix(BYTE_ORDER_MARK), name)
+    document = _Document(text.removeprefix(BYTE_ORDER_MARK), name)
     _change_entries(document, old, wanted)
     document.append(list(_missing_lines(document, settings)))
     amended = mark + document.text()
@@ -86,49 +81,38 @@ class _Entry:
     value: Node
 
 
-@dataclass(slots=True)
 class _Document:
-    """A text, the settings in it, and the changes collected so far.
+    """A text, the settings in it, and the changes collected so far."""
 
-    Attributes:
-        edits: by line: first and last column, and the text that replaces what is between.
-        comments: by line: its new comment.
-        insertion: a line, and the text to insert before it.
-    """
-
-    body: str
-    root: MappingNode
-    entries: dict[str, _Entry]
-    line_starts: list[int]
-    edits: dict[int, list[tuple[int, int, str]]] = field(default_factory=lambda: defaultdict(list))
-    comments: dict[int, str] = field(default_factory=dict)
-    insertion: tuple[int, str] = (0, "")
-
-    @classmethod
-    def of(cls, body: str, name: str) -> "_Document":
-        root = compose(body, name)
-        entries = {}
-        for key, value in root.value:
+    def __init__(self, body: str, name: str) -> None:
+        self.body = body
+        self.root = compose(body, name)
+        self.entries: dict[str, _Entry] = {}
+        for key, value in self.root.value:
             start, end = key.start_mark.index, _end_of(value)
             before = body[:start].rstrip()
             first = len(before) - 1 if before.endswith("?") else start
-            entries[str(key.value)] = _Entry(first, start + len(body[start:end].rstrip()), value)
-        line_starts = [0, *(found.end() for found in LINE_END.finditer(body))]
-        return cls(body, root, entries, line_starts)
+            last = start + len(body[start:end].rstrip())
+            self.entries[str(key.value)] = _Entry(first, last, value)
+        self._line_starts = [0, *(found.end() for found in LINE_END.finditer(body))]
+        # By line: first and last column, and the text that replaces what is between.
+        self._edits: dict[int, list[tuple[int, int, str]]] = defaultdict(list)
+        self._comments: dict[int, str] = {}
+        self._insertion = (0, "")  # a line, and the text to insert before it
 
     def text(self) -> str:
         """Return the changed text; comments keep their columns if there is room."""
         parts = []
-        for number in range(len(self.line_starts)):
+        for number in range(len(self._line_starts)):
             old, gap, comment, end = self._parts(number)
             code = old
-            for first, last, new in sorted(self.edits[number], reverse=True):
+            for first, last, new in sorted(self._edits[number], reverse=True):
                 code = code[:first] + new + code[last:]
             if comment and len(code) != len(old):
                 room = len(gap) + len(old) - len(code)
                 gap = " " * max(min(_SMALLEST_GAP, len(gap)), room)
-            parts.append("".join([code, gap, self.comments.get(number, comment), end]))
-        number, text = self.insertion
+            parts.append("".join([code, gap, self._comments.get(number, comment), end]))
+        number, text = self._insertion
         return "".join([*parts[:number], text, *parts[number:]])
 
     def replace(self, node: Node, old: str, new: str) -> None:
@@ -147,18 +131,18 @@ class _Document:
         """Replace the comments beside a setting that read `old`."""
         for number in self._lines_of(self.entries[key]):
             code, _, comment, _ = self._parts(number)
-            line_end = self.line_starts[number] + len(code)
+            line_end = self._line_starts[number] + len(code)
             is_last = not any(
                 self.entries[key].start < entry.start < line_end for entry in self.entries.values()
             )
             if code and comment == f"# {old}" and is_last:
-                self.comments[number] = f"# {new}"
+                self._comments[number] = f"# {new}"
 
     def remove(self, key: str) -> None:
         """Make a comment of a setting's lines; in a file in braces, delete it and its comma."""
         entry = self.entries[key]
         for number in self._lines_of(entry):
-            code, start = self._parts(number)[0], self.line_starts[number]
+            code, start = self._parts(number)[0], self._line_starts[number]
             if self.root.flow_style:
                 first = max(entry.start, start)
                 self._edit(first, max(first, min(entry.end, start + len(code))), "")
@@ -181,25 +165,25 @@ class _Document:
         line_end = found[0] if found and found[0] in {"\r\n", "\n", "\r"} else "\n"
         margin = " " * self.root.start_mark.column
         text = line_end.join(margin + line for line in lines)
-        ends = [n for n, at in enumerate(self.line_starts) if self.body.startswith("...", at)]
-        number = ends[-1] if ends else len(self.line_starts)
-        has_line_end = bool(ends) or self.line_starts[-1] == len(self.body)
-        self.insertion = number, text + line_end if has_line_end else line_end + text
+        ends = [n for n, at in enumerate(self._line_starts) if self.body.startswith("...", at)]
+        number = ends[-1] if ends else len(self._line_starts)
+        has_line_end = bool(ends) or self._line_starts[-1] == len(self.body)
+        self._insertion = number, text + line_end if has_line_end else line_end + text
 
     def _edit(self, start: int, end: int, new: str) -> None:
         number = self._line_at(start)
-        offset = self.line_starts[number]
-        self.edits[number].append((start - offset, end - offset, new))
+        offset = self._line_starts[number]
+        self._edits[number].append((start - offset, end - offset, new))
 
     def _line_at(self, position: int) -> int:
-        return bisect_right(self.line_starts, position) - 1
+        return bisect_right(self._line_starts, position) - 1
 
     def _lines_of(self, entry: _Entry) -> range:
         return range(self._line_at(entry.start), self._line_at(entry.end - 1) + 1)
 
     def _parts(self, number: int) -> tuple[str, str, str, str]:
         """Return the code, gap, comment and end of a line."""
-        line = self.body[slice(*[*self.line_starts, len(self.body)][number : number + 2])]
+        line = self.body[slice(*[*self._line_starts, len(self.body)][number : number + 2])]
         found = _LINE.fullmatch(line)
         code, gap, comment, end = found.groups("") if found else (line, "", "", "")
         return code, gap, comment, end

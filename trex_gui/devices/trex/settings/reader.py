@@ -2,8 +2,9 @@
 
 import difflib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
@@ -75,9 +76,7 @@ def read_settings(
     return settings, findings
 
 
-@dataclass(frozen=True, slots=True)
-class _Entry:
-    key: str
+class _Entry(NamedTuple):
     line: int
     value: Node
 
@@ -113,16 +112,16 @@ class _Reader:
         product = self._product(entries)
         if product is None:
             return None
-        firmware = self._firmware(entries, product)
-        for entry in entries:
-            if entry.key in CALIBRATION_KEYS:
-                self._read_calibration(entry)
-            elif entry.key not in {"product", "firmware"}:
-                self._read_parameter(entry, product, firmware)
-        self._warn_of_missing({entry.key for entry in entries}, product, firmware)
+        firmware = self._firmware(entries.get("firmware"), product)
+        for key, entry in entries.items():
+            if key in CALIBRATION_KEYS:
+                self._read_calibration(key, entry)
+            elif key not in {"product", "firmware"}:
+                self._read_parameter(key, entry, product, firmware)
+        self._warn_of_missing(entries.keys(), product, firmware)
         return Settings(product, firmware, self.parameters, self.calibrations)
 
-    def _entries(self, node: MappingNode, owner: str | None) -> list[_Entry]:
+    def _entries(self, node: MappingNode, owner: str | None) -> dict[str, _Entry]:
         """Return the entries of a mapping, the first of each key."""
         entries: dict[str, _Entry] = {}
         for key_node, value in node.value:
@@ -135,17 +134,17 @@ class _Reader:
                 code, name = "repeated_in_group" if owner else "repeated", shortened(key)
                 self.error(line, owner or name, code, name=name, first=entries[key].line)
             else:
-                entries[key] = _Entry(key, line, value)
-        return list(entries.values())
+                entries[key] = _Entry(line, value)
+        return entries
 
-    def _product(self, entries: list[_Entry]) -> Model | None:
+    def _product(self, entries: Mapping[str, _Entry]) -> Model | None:
         models = device_table().models
         wanted = " or ".join(f"'product: {model.name}'" for model in models)
-        found = next((entry for entry in entries if entry.key == "product"), None)
+        found = entries.get("product")
         if found is None:
             self.error(1, None, "product_missing", wanted=wanted)
             return None
-        if found is not entries[0]:
+        if next(iter(entries)) != "product":
             self.error(found.line, "product", "product_not_first")
         given = _words(found.value)
         names = " or ".join(model.name for model in models)
@@ -159,8 +158,7 @@ class _Reader:
         self.error(found.line, "product", "product_unknown", **fields)
         return None
 
-    def _firmware(self, entries: list[_Entry], product: Model) -> str | None:
-        found = next((entry for entry in entries if entry.key == "firmware"), None)
+    def _firmware(self, found: _Entry | None, product: Model) -> str | None:
         if found is None:
             return None
         given = _words(found.value)
@@ -174,11 +172,13 @@ class _Reader:
             self.warn(found.line, "firmware", "firmware_unknown", **fields)
         return given
 
-    def _read_parameter(self, entry: _Entry, product: Model, firmware: str | None) -> None:
-        key, wire = entry.key, _integer(entry.value)
+    def _read_parameter(
+        self, key: str, entry: _Entry, product: Model, firmware: str | None
+    ) -> None:
+        wire = _integer(entry.value)
         spec = next((s for s in specs_for(product, firmware) if s.key == key), None)
         if spec is None:
-            self._report_unknown(entry, product, firmware)
+            self._report_unknown(key, entry.line, product, firmware)
         elif not spec.readable:
             self.error(entry.line, key, "not_a_setting")
         elif wire is not None and spec.problem(wire) is None:
@@ -188,26 +188,24 @@ class _Reader:
             fields = {"allowed": _range(spec), "given": given, "hint": hint}
             self.error(entry.line, key, "value_invalid", **fields)
 
-    def _report_unknown(self, entry: _Entry, product: Model, firmware: str | None) -> None:
-        key = entry.key
+    def _report_unknown(self, key: str, line: int, product: Model, firmware: str | None) -> None:
         since = next((row["since"] for row in device_table().rows if row["key"] == key), None)
         if firmware is not None and since is not None:
             fields = {"product": product.name, "since": since, "firmware": firmware}
-            self.error(entry.line, shortened(key), "needs_firmware", **fields)
+            self.error(line, shortened(key), "needs_firmware", **fields)
             return
         specs = specs_for(product, firmware).readable
         keys = ["product", "firmware", *(s.key for s in specs), *CALIBRATION_KEYS]
         guess = _guess(key, keys) if len(self.findings) < MOST_FINDINGS else ""  # it takes long
-        self.error(entry.line, shortened(key), "key_unknown", guess=guess)
+        self.error(line, shortened(key), "key_unknown", guess=guess)
 
-    def _read_calibration(self, entry: _Entry) -> None:
-        key = entry.key
+    def _read_calibration(self, key: str, entry: _Entry) -> None:
         if not isinstance(entry.value, MappingNode):
             wanted = "{" + ", ".join(f"{name}: …" for name in CALIBRATION_FIELDS) + "}"
             given = _shown(entry.value)
             self.error(entry.line, key, "calibration_layout", layout=wanted, given=given)
             return
-        inner = {part.key: part for part in self._entries(entry.value, key)}
+        inner = self._entries(entry.value, key)
         values: dict[str, int] = {}
         for name, part in inner.items():
             wire = _integer(part.value)
@@ -230,7 +228,9 @@ class _Reader:
         else:
             self.calibrations[CALIBRATION_KEYS[key]] = calibration
 
-    def _warn_of_missing(self, given: set[str], product: Model, firmware: str | None) -> None:
+    def _warn_of_missing(
+        self, given: Collection[str], product: Model, firmware: str | None
+    ) -> None:
         expected = parameters_of(product.key, firmware or product.firmware[0]).readable
         missing = [spec.key for spec in expected if spec.key not in given]
         if missing:

@@ -123,14 +123,9 @@ class ComparisonView(QWidget):
         with_ticks: bool = True,
         summary: str = "",
     ) -> None:
-        """Show a comparison with every change ticked.
+        """Show a comparison with every change ticked; `summary` replaces the counts.
 
-        Args:
-            comparison: the settings to show.
-            before: the title of the left side.
-            after: the title of the right side.
-            with_ticks: whether the user chooses among the changes.
-            summary: a sentence in place of the counts.
+        `before` and `after` head the two sides; `with_ticks`: the user chooses among the changes.
         """
         self.table.show_comparison(comparison, before, after, with_ticks=with_ticks)
         self._all.setVisible(with_ticks)
@@ -183,8 +178,6 @@ class ComparisonView(QWidget):
     def _on_equal_toggled(self, with_equal: bool) -> None:
         self.table.set_with_equal(with_equal)
         self._view.resizeRowsToContents()
-
-    # --- Widths -------------------------------------------------------------------------
 
     @Slot()
     def _on_resized(self) -> None:

@@ -165,8 +165,6 @@ class HistoryDialog(QDialog):
         self._save.setEnabled(len(chosen) == 1 and not self._table.problem_of(chosen[0]))
         self._delete.setEnabled(bool(chosen))
 
-    # --- User actions -----------------------------------------------------------------
-
     @Slot()
     def _on_present_chosen(self) -> None:
         """Compare the older of two selected snapshots with the user's choice."""

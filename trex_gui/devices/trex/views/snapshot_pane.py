@@ -191,8 +191,6 @@ class SnapshotPane(QWidget):
         text = self.tr("%n setting(s) differ, {0} match.", "", differing)
         return text.format(comparison.equal)
 
-    # --- Restoring ----------------------------------------------------------------------
-
     @Slot()
     def _update_restore(self) -> None:
         blocker = self._restore_blocker()

@@ -137,8 +137,6 @@ class ComparisonTable(QAbstractTableModel):
         self._outcomes = dict(outcomes)
         self._announce_rows()
 
-    # --- Qt -----------------------------------------------------------------------------
-
     def rowCount(self, parent: Index | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else len(self._rows)
 

@@ -110,8 +110,6 @@ class SnapshotTable(QAbstractTableModel):
         _, content = self._contents.get(snapshot.path, (None, snapshot.problem))
         return content if isinstance(content, str) else snapshot.problem
 
-    # --- Qt -----------------------------------------------------------------------------
-
     def rowCount(self, parent: Index | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else len(self.snapshots)
 
