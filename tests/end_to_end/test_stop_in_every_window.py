@@ -27,9 +27,9 @@ def open_editor(window: WindowDriver, folder: Path) -> QWidget:
     shown = window.device.draft.shown
     assert shown is not None
     save(folder / "a.txt", write_settings(shown))
-    editor = trex(window.program).workspace.files.edit_file(folder / "a.txt")
-    assert editor is not None
-    return editor
+    files = trex(window.program).workspace.files
+    files.edit_file(folder / "a.txt")
+    return files.editors[-1]
 
 
 def open_history(window: WindowDriver, folder: Path) -> QWidget:

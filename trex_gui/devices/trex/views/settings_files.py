@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QSettings, Qt, Signal, Slot
 from PySide6.QtWidgets import QDialog, QFileDialog, QInputDialog, QListView, QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import Finding, SettingsError, load, save
+from trex_gui.core.files import SettingsError, load, save
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument, text_of
@@ -20,7 +20,7 @@ from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
-from trex_gui.devices.trex.views.settings_editor.compare_dialogs import LoadDialog, ReadFile
+from trex_gui.devices.trex.views.settings_editor.compare_dialogs import LoadDialog
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.widgets import file_questions
@@ -132,41 +132,33 @@ class SettingsFiles(QObject):
         """
         if self._device.state is None:
             self.edit_file(path, remember=remember)
-            return
-        try:
-            data = load(path)
-            text, _ = text_of(data, path.name)
-        except SettingsError as error:
-            self._report_unreadable(path, error)
-            return
-        settings: Settings | None = None
-        findings: tuple[Finding, ...]
-        try:
-            settings, findings = read_settings(data, path.name)
-        except SettingsError as error:
-            findings = error.findings
-        if remember:
-            file_questions.remember_folder(self._store, path)
-        dialog = self._offer(ReadFile(path.name, text, settings, findings))
-        dialog.edit_wanted.connect(partial(self.edit_file, path, remember=remember))
+        elif document := self._opened(path, remember):
+            dialog = self._offer(document)
+            dialog.edit_wanted.connect(partial(self.edit_file, path, remember=remember))
 
-    def edit_file(self, path: Path, *, remember: bool = True) -> SettingsEditor | None:
+    def edit_file(self, path: Path, *, remember: bool = True) -> None:
         """Open a file in a window of its own, or the window that has it already."""
         for editor in self.editors:
             if editor.document.path == path:
                 _raise(editor)
-                return editor
+                return
+        if document := self._opened(path, remember):
+            self.open_editor(document)
+
+    def _opened(self, path: Path, remember: bool) -> SettingsDocument | None:
         try:
             document = SettingsDocument.open(path)
         except SettingsError as error:
-            self._report_unreadable(path, error)
+            reasons = "; ".join(str(finding) for finding in error.findings)
+            text = self.tr("{0} was not opened: {1}.")
+            self._notifier.error.emit(text.format(path.name, reasons))
             return None
         if remember:
             file_questions.remember_folder(self._store, path)
-        return self.open_editor(document)
+        return document
 
     @Slot(object)
-    def open_editor(self, document: SettingsDocument) -> SettingsEditor:
+    def open_editor(self, document: SettingsDocument) -> None:
         editor = SettingsEditor(document, self._device)
         self.editors.append(editor)
         editor.send_requested.connect(partial(self._send, editor))
@@ -175,7 +167,6 @@ class SettingsFiles(QObject):
         editor.saved.connect(partial(file_questions.remember_folder, self._store))
         editor.closed.connect(partial(self._on_editor_closed, editor))
         _raise(editor)
-        return editor
 
     def _on_editor_closed(self, editor: SettingsEditor) -> None:
         if editor in self.editors:
@@ -183,17 +174,13 @@ class SettingsFiles(QObject):
 
     def _send(self, editor: SettingsEditor) -> None:
         """Offer to load the settings of an editor into the board."""
-        document = editor.document
-        if document.settings is not None and self._device.state is not None:
-            dialog = self._offer(
-                ReadFile(document.name, document.text, document.settings, document.findings)
-            )
-            dialog.offer_editing(False)
+        if editor.document.settings is not None and self._device.state is not None:
+            self._offer(editor.document).offer_editing(False)
 
-    def _offer(self, file: ReadFile) -> LoadDialog:
+    def _offer(self, document: SettingsDocument) -> LoadDialog:
         if self._loading is not None:
             self._loading.close()
-        dialog = LoadDialog(self._device, file, self._window)
+        dialog = LoadDialog(self._device, document, self._window)
         dialog.staged.connect(self._on_staged)
         dialog.ended.connect(self._notifier.error)
         dialog.finished.connect(partial(self._on_offer_finished, dialog))
@@ -211,10 +198,6 @@ class SettingsFiles(QObject):
         self._notifier.info.emit(text)
         self._window.activateWindow()
         self.staged.emit()
-
-    def _report_unreadable(self, path: Path, error: SettingsError) -> None:
-        reasons = "; ".join(str(finding) for finding in error.findings)
-        self._notifier.error.emit(self.tr("{0} was not opened: {1}.").format(path.name, reasons))
 
     def may_close(self) -> bool:
         """Ask in each window with unsaved changes; return whether all may close."""

@@ -1,7 +1,7 @@
 """Compare a settings file with the board or another file, and take values from one to the other."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtWidgets import QDialog, QWidget
@@ -25,16 +25,6 @@ _NAMED = 3
 _NO_LIMIT = (1 << 24) - 1
 
 
-@dataclass(frozen=True, slots=True)
-class ReadFile:
-    """A settings file and what was read from it: `settings` is `None` if it cannot be used."""
-
-    name: str
-    text: str
-    settings: Settings | None
-    findings: tuple[Finding, ...]
-
-
 class LoadDialog(QDialog):
     """Shows what a file would change of the board; follows edits and is not modal.
 
@@ -48,14 +38,16 @@ class LoadDialog(QDialog):
     edit_wanted = Signal()
     ended = Signal(str)
 
-    def __init__(self, device: Device, file: ReadFile, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, document: SettingsDocument, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("loadSettingsDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(self.tr("Load settings from {0}").format(file.name))
+        self.setWindowTitle(self.tr("Load settings from {0}").format(document.name))
         self.resize(940, 620)
         self._device = device
-        self._file = file
+        # The document itself may be edited or deleted meanwhile.
+        self._name, self._text = document.name, document.text
+        self._settings, self._read_findings = document.settings, document.findings
 
         self._head = label(self, "loadHead", wrap=True, plain=True)
         self._trouble = named(Note(1, self), "loadTrouble")
@@ -99,12 +91,12 @@ class LoadDialog(QDialog):
         if not rows:
             return
         try:
-            self._device.draft.stage(rows, self.tr("Load {0}").format(self._file.name))
+            self._device.draft.stage(rows, self.tr("Load {0}").format(self._name))
         except BadRequest as error:
             _show_trouble(self._trouble, sentence(error))
             return
         text = self.tr("{0}: %n change(s) pending; Apply settings writes them.", "", len(rows))
-        self.staged.emit(text.format(self._file.name))
+        self.staged.emit(text.format(self._name))
         self.close()
 
     @Slot()
@@ -118,21 +110,20 @@ class LoadDialog(QDialog):
             self._update_take()
         elif self.isVisible():
             text = self.tr("{0} was not loaded: no board is connected any more.")
-            self.ended.emit(text.format(self._file.name))
+            self.ended.emit(text.format(self._name))
             self.close()
 
     @Slot()
     def _on_draft_changed(self) -> None:
         """Compare again; cleared check boxes stay cleared."""
-        settings = self._file.settings
         trouble, mismatch = "", ""
         comparison: Comparison | None = None
-        if settings is None:
+        if self._settings is None:
             trouble = self.tr("This file cannot be used: it has errors. Nothing was changed.")
         else:
             try:
                 # Settings that only the board's firmware has are not missed.
-                given = replace(settings, firmware=None)
+                given = replace(self._settings, firmware=None)
                 comparison = diff_against_draft(self._device.draft, given)
             except BadRequest as error:
                 trouble = self.tr("This file is for another board. Nothing was changed.")
@@ -158,24 +149,24 @@ class LoadDialog(QDialog):
         self._view.update_comparison(given, self.tr("Board, as shown"), self.tr("File"))
 
     def _show_findings(self, mismatch: str) -> None:
-        found, summary = self._file.findings, ""
+        found, summary = self._read_findings, ""
         if mismatch:
-            line = line_of_key(self._file.text, "product")
+            line = line_of_key(self._text, "product")
             found = (Finding(line, "product", mismatch), *found)
             summary = self.tr("The board accepts no settings of this file.")
         self._findings.show_findings(found, summary=summary)
         self._findings.setVisible(bool(found))
-        is_short = self._file.settings is not None and not mismatch
+        is_short = self._settings is not None and not mismatch
         lines = min(len(found), _NAMED) + 4
         height = lines * (self.fontMetrics().height() + 12)
         self._findings.setMaximumHeight(height if is_short else _NO_LIMIT)
 
     def _head_text(self) -> str:
-        settings, state = self._file.settings, self._device.state
+        settings, state = self._settings, self._device.state
         if settings is None:
-            return self._file.name
+            return self._name
         product, firmware = settings.product, settings.firmware
-        text = self.tr("{0}: settings for a {1}").format(self._file.name, product.name)
+        text = self.tr("{0}: settings for a {1}").format(self._name, product.name)
         if firmware is not None:
             text += " " + self.tr("with firmware {0}").format(firmware)
             board = None if state is None else state.signature
