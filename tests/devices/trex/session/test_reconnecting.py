@@ -215,7 +215,7 @@ def test_reconnect_clears_candidates() -> None:
     marks: list[int] = []
     place.script.at(7.0, lambda: marks.append(len(place.transport.sent)))
     place.end(9.0)
-    packet = place.client(new)._framing.encode(GetMode())
+    packet = new.framing.encode(GetMode())
     sent = bytes(place.transport.sent[marks[0] :])
     assert sent.replace(packet, b"") == b""
 

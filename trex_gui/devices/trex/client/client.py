@@ -86,7 +86,6 @@ class TrexClient:
         self.counters = Counters()
         self.transport = transport
         self.settings = settings
-        self._framing = settings.framing
         self._free_at = transport.clock()
         self._is_unanswered = False
         self._unanswered = 0  # missing replies since one was matched to its request
@@ -111,13 +110,13 @@ class TrexClient:
                 self._look_for(number)
             raise
         if reply is ResultCode.OK and number is not None:
-            self._address(number)
+            self.settings = replace(self.settings, device_number=number)
         return reply
 
     def _transact(self, command: Command[ReplyT_co]) -> ReplyT_co:
-        packet = self._framing.encode(command)
-        line = self.settings.line
-        parser = ReplyParser(command, self._framing, self.echo)
+        framing, line = self.settings.framing, self.settings.line
+        packet = framing.encode(command)
+        parser = ReplyParser(command, framing, self.echo)
         self.drain()
         stale = self._drain_late_reply() + self.transport.discard()
         self.counters.requests += 1
@@ -166,7 +165,7 @@ class TrexClient:
         Raises:
             PortUnavailable: the line is gone.
         """
-        packet = self._framing.encode(command)
+        packet = self.settings.framing.encode(command)
         self.drain()
         self.counters.requests += 1
         self.transport.write(packet)
@@ -256,19 +255,14 @@ class TrexClient:
             return command.value
         return None
 
-    def _address(self, number: int) -> None:
-        self.settings = replace(self.settings, device_number=number)
-        self._framing = self.settings.framing
-
     def _look_for(self, number: int) -> None:
         """Use the new number if the board replies to it, although the first reply was lost."""
-        before = self.settings.device_number
-        self._address(number)
+        before = self.settings
+        self.settings = replace(before, device_number=number)
         try:
             self._transact(GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER)))
         except (NoReply, BadReply):
-            if before is not None:
-                self._address(before)
+            self.settings = before
 
 
 def _hex(data: bytes) -> str:

@@ -82,10 +82,6 @@ class DeviceState:
         return active
 
 
-def no_progress(done: int, total: int, what: str) -> None:
-    """Ignore the progress."""
-
-
 def query(request: Requester, command: Command[ReplyT_co]) -> ReplyT_co:
     """Run a transaction that changes nothing, up to three times on a line that corrupts bytes.
 
@@ -101,7 +97,9 @@ def query(request: Requester, command: Command[ReplyT_co]) -> ReplyT_co:
     return request(command)
 
 
-def read_everything(request: Requester, progress: Progress = no_progress) -> DeviceState:
+def read_everything(
+    request: Requester, progress: Progress = lambda _done, _total, _what: None
+) -> DeviceState:
     """Read signature, mode, every parameter and the calibrations that the mode shows.
 
     Raises:

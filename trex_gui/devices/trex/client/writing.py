@@ -14,7 +14,6 @@ from trex_gui.devices.trex.client.reading import (
     ATTEMPTS,
     DeviceState,
     Progress,
-    no_progress,
     query,
 )
 from trex_gui.devices.trex.protocol.calibration import (
@@ -172,7 +171,7 @@ def write_all(
     specs: ParameterSet,
     parameters: Sequence[tuple[str, int]],
     calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
-    progress: Progress = no_progress,
+    progress: Progress = lambda _done, _total, _what: None,
     *,
     cancelled: Callable[[], bool] = lambda: False,
     stored: Callable[[WriteResult], None] = lambda _result: None,

@@ -1,10 +1,10 @@
-"""Spin boxes that show and take their number in physical units, such as µs or V."""
+"""Spin boxes that show and take their number in physical units, and a delegate for tables."""
 
 import re
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QValidator, QWheelEvent
-from PySide6.QtWidgets import QSpinBox, QWidget
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QValidator, QWheelEvent
+from PySide6.QtWidgets import QSpinBox, QStyledItemDelegate, QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED
@@ -65,6 +65,22 @@ class UnitSpinBox(QSpinBox):
             self.parse(self.text())
         except BadRequest as error:
             self.rejected.emit(sentence(error))
+
+
+class UnitDelegate(QStyledItemDelegate):
+    """Keeps the spin box of a cell open while its input is not a value."""
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if (
+            isinstance(watched, UnitSpinBox)
+            and isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.KeyPress
+            and event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab}
+            and not watched.hasAcceptableInput()
+        ):
+            watched.report_problem()
+            return True
+        return super().eventFilter(watched, event)
 
 
 class CountEditor(UnitSpinBox):

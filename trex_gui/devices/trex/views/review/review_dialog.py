@@ -4,8 +4,7 @@ from collections.abc import Iterator
 from enum import Enum, auto
 
 from PySide6.QtCore import Slot
-from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -17,7 +16,7 @@ from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.review.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.widgets.builders import button, column, label, named, row
+from trex_gui.ui.widgets.builders import button, column, label, named, progress_bar, row
 from trex_gui.ui.widgets.labels import Note
 
 
@@ -44,9 +43,8 @@ class ReviewDialog(QDialog):
         self._head = named(Note(1, self), "reviewHead")
         self._rows = ComparisonView(self)
         self._foot = label(self, "reviewFoot", wrap=True)
-        self._progress = named(
-            QProgressBar(self), "reviewProgress", accessible=self.tr("Progress of writing")
-        )
+        self._progress = progress_bar(self, "reviewProgress", self.tr("Progress of writing"))
+        self._progress.setTextVisible(True)
         self._power = PowerCyclePanel(self._cycle, self)
         self._write = button(self, "writeButton", icon="apply", on_click=self._on_write_clicked)
         self._close = button(self, "reviewCloseButton", on_click=self.close)
@@ -60,6 +58,7 @@ class ReviewDialog(QDialog):
         )
         column(self._head, (self._rows, 1), self._foot, self._power, buttons, into=self)
 
+        self.finished.connect(self._on_finished)
         self._rows.ticked_changed.connect(self._describe)
         device.draft.pending_changed.connect(self._on_draft_changed)
         device.draft.loaded.connect(self._on_draft_changed)
@@ -118,17 +117,9 @@ class ReviewDialog(QDialog):
         self._written = wanted
         self._device.apply(wanted)
 
-    def reject(self) -> None:
-        """Hide the dialog; writing continues."""
-        self._leave()
-        super().reject()
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        self._leave()
-        super().closeEvent(event)
-
-    def _leave(self) -> None:
-        if self._phase is _Phase.DONE:
+    @Slot()
+    def _on_finished(self) -> None:
+        if self._phase is _Phase.DONE:  # writing continues while the dialog is hidden
             self._cycle.end()
 
     # --- Reports of the device ----------------------------------------------------------
@@ -217,40 +208,39 @@ class ReviewDialog(QDialog):
         self._write.setDefault(reviewing)
         self._close.setText(self.tr("Cancel") if reviewing else self.tr("Close"))
         self._close.setDefault(not reviewing)
-        self._head.show_note(self._head_text(), alarming=self._is_alarming())
+        text, alarming = self._head_text()
+        self._head.show_note(text, alarming=alarming)
         self._foot.setVisible(reviewing)
         self._foot.setText(self._foot_text())
 
-    def _is_alarming(self) -> bool:
-        state = self._device.state
-        rejects = self._device.reset_ordered or (state is not None and not state.mode.is_serial)
-        return bool(self._problem) or (self._phase is _Phase.REVIEW and rejects)
-
-    def _head_text(self) -> str:
+    def _head_text(self) -> tuple[str, bool]:
+        """Return the state of the review, and whether it is alarming."""
         count = len(self._rows.table.comparison.rows)
         state = self._device.state
         match self._phase:
             case _Phase.WRITING:
-                return self.tr("Writing. Each value is read back; leave the power on.")
+                return self.tr("Writing. Each value is read back; leave the power on."), False
+            case _Phase.DONE if self._problem:
+                return self._problem, True
             case _Phase.DONE:
-                written = self.tr("%n setting(s) written and verified.", "", count)
-                return self._problem or written
+                return self.tr("%n setting(s) written and verified.", "", count), False
         if count == 0:
-            return self.tr("There is nothing to write: no setting was changed.")
+            return self.tr("There is nothing to write: no setting was changed."), False
         if self._device.link is not ConnectionState.CONNECTED:
-            return self.tr("No board is responding. The edits are kept.")
+            return self.tr("No board is responding. The edits are kept."), False
         if self._device.reset_ordered:
             return self.tr(
                 "The board will reset itself at its next start and would lose what is "
                 "written now. Switch it off and on first (Device, Make stored settings active)."
-            )
+            ), True
         if state is not None and not state.mode.is_serial:
-            return self.tr(
+            text = self.tr(
                 "The board is in {0} mode and does not accept settings. Set its mode jumper to "
                 "serial, then switch it off and on."
-            ).format(state.mode.source.value)
+            )
+            return text.format(state.mode.source.value), True
         text = self.tr("%n setting(s) of the {0} will change.", "", count)
-        return text.format(self._board_text())
+        return text.format(self._board_text()), False
 
     def _board_text(self) -> str:
         """Return the kind, number and port of the board."""

@@ -4,18 +4,14 @@ from typing import cast
 
 from PySide6.QtCore import (
     QAbstractItemModel,
-    QEvent,
     QModelIndex,
-    QObject,
     QPersistentModelIndex,
     Qt,
     Slot,
 )
-from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
-    QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
     QWidget,
@@ -24,7 +20,7 @@ from PySide6.QtWidgets import (
 from trex_gui.devices.trex.model.calibration.table import CalibrationRole, CalibrationTable
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
-from trex_gui.devices.trex.views.count_editor import CountEditor
+from trex_gui.devices.trex.views.count_editor import CountEditor, UnitDelegate
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets.builders import button, column, flat_table, label, named, row
 from trex_gui.ui.widgets.labels import Note
@@ -32,7 +28,7 @@ from trex_gui.ui.widgets.labels import Note
 Index = QModelIndex | QPersistentModelIndex
 
 
-class _Delegate(QStyledItemDelegate):
+class _Delegate(UnitDelegate):
     """Edits counts in physical units; edits are bold, calibrations that are not given italic."""
 
     def __init__(self, page: "CalibrationEditor") -> None:
@@ -46,19 +42,6 @@ class _Delegate(QStyledItemDelegate):
         editor.setObjectName("countEditor")
         editor.rejected.connect(self._page.show_problem)
         return editor
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep an editor open while its input is not a value."""
-        if (
-            isinstance(watched, CountEditor)
-            and isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.KeyPress
-            and event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab}
-            and not watched.hasAcceptableInput()
-        ):
-            watched.report_problem()
-            return True
-        return super().eventFilter(watched, event)
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:
         cast("CountEditor", editor).setValue(index.data(Qt.ItemDataRole.EditRole))

@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 from trex_gui.devices.trex.model.parameters.parameters import Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.devices.trex.views.count_editor import UnitDelegate
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, NumberEditor, editor_for
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
@@ -33,11 +34,11 @@ Index = QModelIndex | QPersistentModelIndex
 
 _ICON = 16
 _ROOM = 12
-_ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab}
+_ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter}
 _UNTOUCHED = "untouched"
 
 
-class ParameterDelegate(QStyledItemDelegate):
+class ParameterDelegate(UnitDelegate):
     """Paints and edits the rows of a `ParameterModel`.
 
     Where no value is given, the editor shows the default, which becomes the value only when
@@ -70,17 +71,10 @@ class ParameterDelegate(QStyledItemDelegate):
         return editor
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep an editor open while its input is not a value."""
-        if (
-            isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.KeyPress
-            and event.key() in _ENTER
-        ):
-            if isinstance(watched, NumberEditor) and not watched.hasAcceptableInput():
-                watched.report_problem()
-                return True
-            if event.key() != Qt.Key.Key_Tab:
-                watched.setProperty(_UNTOUCHED, False)
+        """Let Enter take the value shown."""
+        is_press = event.type() == QEvent.Type.KeyPress
+        if is_press and isinstance(event, QKeyEvent) and event.key() in _ENTER:
+            watched.setProperty(_UNTOUCHED, False)
         return super().eventFilter(watched, event)
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:

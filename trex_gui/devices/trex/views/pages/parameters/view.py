@@ -138,22 +138,22 @@ class ParameterView(QTreeView):
         spec = self.currentIndex().data(Role.SPEC)
         return "" if spec is None else str(spec.key)
 
-    def _begin_edit(self) -> None:
-        value = self.currentIndex().siblingAtColumn(ParameterColumn.VALUE)
+    def _begin_edit(self, key: str) -> None:
+        value = self._rows.index_of(key)
         self.setCurrentIndex(value)
         self.edit(value)
 
     def _on_clicked(self, index: QModelIndex) -> None:
         if index.column() == ParameterColumn.RESET:
-            self._press_reset(index)
+            self._press_reset()
 
     def _on_double_clicked(self, index: QModelIndex) -> None:
         is_other = index.column() not in {ParameterColumn.VALUE, ParameterColumn.RESET}
         if is_other and index.data(Role.SPEC) is not None:
-            self._begin_edit()
+            self._begin_edit(self.current_key)
 
-    def _press_reset(self, index: QModelIndex) -> None:
-        if index.data(Role.RESET) and self.isEnabled():
+    def _press_reset(self) -> None:
+        if self.currentIndex().data(Role.RESET):
             self._model.reset(self.current_key)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -176,9 +176,9 @@ class ParameterView(QTreeView):
         at_reset = current.column() == ParameterColumn.RESET
         match event.key():
             case key if key in _PRESS and at_reset:
-                self._press_reset(current)
+                self._press_reset()
             case key if key in _PRESS:
-                self._begin_edit()
+                self._begin_edit(self.current_key)
             case Qt.Key.Key_Right if not at_reset and current.data(Role.RESET):
                 self.setCurrentIndex(current.siblingAtColumn(ParameterColumn.RESET))
             case Qt.Key.Key_Left if at_reset:
@@ -190,32 +190,17 @@ class ParameterView(QTreeView):
     # --- Context menu -------------------------------------------------------------------
 
     def _set_up_menu(self) -> None:
-        self._edit = self._action("editParameter", self.tr("Edit"), self._begin_edit)
+        model, copy = self._model, QKeySequence.StandardKey.Copy
+        self._edit = self._action("editParameter", self._begin_edit, self.tr("Edit"))
         self._reset = self._action(
-            "resetParameter",
-            "",
-            lambda: self._model.reset(self.current_key),
-            icon="default",
-            shortcut="Ctrl+Backspace",
+            "resetParameter", model.reset, icon="default", shortcut="Ctrl+Backspace"
         )
-        self._restore = self._action(
-            "restoreParameter", "", lambda: self._model.restore(self.current_key)
-        )
+        self._restore = self._action("restoreParameter", model.restore)
         self._leave_out = self._action(
-            "leaveOutParameter",
-            self.tr("Leave out of the file"),
-            lambda: self._model.leave_out(self.current_key),
+            "leaveOutParameter", model.leave_out, self.tr("Leave out of the file")
         )
-        self._to_other_motor = self._action(
-            "copyToTwin", "", lambda: self._model.copy_to_other_motor(self.current_key)
-        )
-        self._copy = self._action(
-            "copyParameter",
-            "",
-            self._copy_line,
-            icon="copy",
-            shortcut=QKeySequence.StandardKey.Copy,
-        )
+        self._to_other_motor = self._action("copyToTwin", model.copy_to_other_motor)
+        self._copy = self._action("copyParameter", self._copy_line, icon="copy", shortcut=copy)
         self._menu = QMenu(self)
         self._menu.setObjectName("parameterMenu")
         self._menu.addAction(self._edit)
@@ -228,14 +213,17 @@ class ParameterView(QTreeView):
     def _action(
         self,
         name: str,
-        text: str,
-        act: Callable[[], None],
+        act: Callable[[str], None],
+        text: str = "",
+        *,
         icon: str = "",
         shortcut: QKeySequence.StandardKey | str = "",
     ) -> QAction:
+        """Create an action that calls `act` with the key of the current row."""
+
         def on_trigger() -> None:
             if self.current_key and self.isEnabled():
-                act()
+                act(self.current_key)
 
         context = Qt.ShortcutContext.WidgetShortcut
         return action(
@@ -275,11 +263,11 @@ class ParameterView(QTreeView):
         self._copy.setText(self.tr("Copy as “{0}”").format(f"{key}: {value}"))
         self._copy.setEnabled(value is not None)
 
-    def _copy_line(self) -> None:
+    def _copy_line(self, key: str) -> None:
         """Copy the parameter as a line of a settings file."""
-        value = self._model.value_of(self.current_key)
+        value = self._model.value_of(key)
         if value is not None:
-            QGuiApplication.clipboard().setText(f"{self.current_key}: {value}")
+            QGuiApplication.clipboard().setText(f"{key}: {value}")
 
     # --- Painting -----------------------------------------------------------------------
 
