@@ -75,10 +75,10 @@ class PressSlider(PaintedSlider):
         super().__init__(lowest, highest, parent)
         self.held = False
         self._monitor = PressMonitor(self)
-        self._monitor.lost.connect(self.let_go)
+        self._monitor.lost.connect(self.release)
 
     @Slot()
-    def let_go(self) -> None:
+    def release(self) -> None:
         """End a hold; the user has to press again."""
         if self.held:
             self.held = False
@@ -112,7 +112,7 @@ class PressSlider(PaintedSlider):
             event.ignore()
             return
         super().mouseReleaseEvent(event)
-        self.let_go()
+        self.release()
 
 
 class StickSlider(PaintedSlider):

@@ -319,7 +319,7 @@ def test_byte_can_be_corrupted(board: DemoBoard, qtbot: QtBot, error: str) -> No
 def test_refused_command_emits_a_sentence(board: DemoBoard, qtbot: QtBot) -> None:
     with qtbot.waitSignal(board.changed), qtbot.waitSignal(board.rejected) as refused:
         board.set_mode_jumper("boat")
-    assert refused.args[0].startswith("Jumper mode serial|rc|analog")
+    assert refused.args[0].startswith("Usage: jumper mode serial|rc|analog")
     assert refused.args[0].endswith(".")
 
 

@@ -104,7 +104,7 @@ def cancel_touch(pad: DrivePad) -> None:
         lambda controls: controls.pad.hide(),
         lambda controls: controls.window.hide(),
         lambda controls: controls.pad.set_can_turn(False),
-        lambda controls: controls.pad.let_go(),
+        lambda controls: controls.pad.release(),
         lambda controls: cancel_touch(controls.pad),
         lambda controls: QApplication.sendEvent(controls.pad, QEvent(QEvent.Type.UngrabMouse)),
         lambda controls: QApplication.sendEvent(controls.pad, QEvent(QEvent.Type.WindowDeactivate)),
@@ -129,7 +129,7 @@ def test_pad_is_released_once_and_then_ignores_the_mouse(
         lambda controls: controls.other_button.setFocus(),
         lambda controls: controls.slider.setEnabled(False),
         lambda controls: controls.window.hide(),
-        lambda controls: controls.slider.let_go(),
+        lambda controls: controls.slider.release(),
         lambda controls: QApplication.sendEvent(controls.slider, QEvent(QEvent.Type.UngrabMouse)),
     ],
 )
@@ -204,7 +204,7 @@ def test_slider_is_released_when_its_key_code_changes(
 def test_repeated_key_does_not_grab_the_slider_again(controls: DriveControlsDriver) -> None:
     controls.slider.setFocus()
     QTest.keyPress(controls.slider, Qt.Key.Key_PageUp)
-    controls.slider.let_go()
+    controls.slider.release()
     value = controls.slider.value()
     key, none = Qt.Key.Key_PageUp, Qt.KeyboardModifier.NoModifier
     QTest.simulateEvent(controls.slider, True, key, none, "", True)

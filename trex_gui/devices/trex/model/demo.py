@@ -121,14 +121,12 @@ class DemoSnapshot:
 
 def read_snapshot(text: str) -> DemoSnapshot:
     shown: dict[str, Any] = json.loads(text)
+    copied = ("power", "safe_start", "override", "serial_controls", "battery", "supply")
     return DemoSnapshot(
-        power=shown["power"],
+        **{name: shown[name] for name in copied},
         mode=Mode(shown["mode"]),
         jumpers=DemoJumpers(**shown["jumpers"]),
         leds=DemoLeds(**shown["leds"]),
-        safe_start=shown["safe_start"],
-        override=shown["override"],
-        serial_controls=shown["serial_controls"],
         required=shown["parameters"]["required_channels"],
         boot_mode=BootStep(shown["boot_mode"]) if shown["boot_mode"] else None,
         channels=tuple(DemoChannel(row["signal"], row["raw"]) for row in shown["channels"]),
@@ -137,8 +135,6 @@ def read_snapshot(text: str) -> DemoSnapshot:
             for row in shown["motors"]
         ),
         line=DemoLine(**shown["line"]),
-        battery=float(shown["battery"]),
-        supply=float(shown["supply"]),
     )
 
 

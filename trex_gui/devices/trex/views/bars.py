@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.ui.plotting.axes import spread, ticks
+from trex_gui.ui.plotting.axes import Labels, spread, ticks, value_labels
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import Bar, BarState, with_sign
 
@@ -16,10 +16,11 @@ from trex_gui.ui.widgets.bar import Bar, BarState, with_sign
 USUAL_AXIS = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
 _WIDEST = {InputSource.RC: (1250, 6250), InputSource.ANALOG: (0, 1023)}
 _GROWS_BY = 250  # 100 us
-_TICK_STEPS = {
-    InputSource.RC: (100.0, 200.0, 500.0, 1000.0),
-    InputSource.ANALOG: (0.5, 1.0, 2.5, 5.0),
+_STEPS = {
+    InputSource.RC: (100.0, 200.0, 500.0, 1000.0, 2000.0),
+    InputSource.ANALOG: (0.5, 1.0, 2.5, 5.0, 10.0),
 }
+"""Between two labels of an axis, in µs and V."""
 
 _MARK_OVERSHOOT = 3
 _ZERO_OVERSHOOT = 2
@@ -35,6 +36,17 @@ def widened(axis: tuple[int, int], counts: Iterable[int]) -> tuple[int, int]:
         if count > high:
             high = -(-count // _GROWS_BY) * _GROWS_BY
     return low, high
+
+
+def input_labels(source: InputSource, axis: tuple[int, int], most: int) -> Labels:
+    """Return at most that many labels, in counts; the last has the unit."""
+    low, high = (source.physical(count) for count in axis)
+    for step in _STEPS[source]:
+        values = ticks(low, high, step)
+        if len(values) <= most:
+            break
+    labels = value_labels(values, source.unit)
+    return [(value * source.counts_per_unit, text) for value, text in labels]
 
 
 class ChannelBar(Bar):
@@ -168,31 +180,23 @@ class ChannelBar(Bar):
         painter.setFont(self.font())
 
     def _paint_ticks(self, painter: QPainter, track: QRect) -> None:
-        """Paint the smallest step whose labels have room."""
-        source, metrics = self._source, self._small_metrics
-        low, high = (source.physical(count) for count in self.axis)
+        metrics = self._small_metrics
         gap = metrics.averageCharWidth() * 1.2
-        unit = f" {source.unit}"
+        widest = metrics.horizontalAdvance("0000") + gap
+        labels = input_labels(self._source, self.axis, max(2, int(track.width() / widest)))
+        xs, texts = [self.x_of(count) for count, _ in labels], [text for _, text in labels]
+        widths = [float(metrics.horizontalAdvance(text)) for text in texts]
+        # The digits are under the tick, the unit beside them.
+        unit = metrics.horizontalAdvance(f" {self._source.unit}")
+        wanted = [*xs[:-1], xs[-1] + unit / 2]
         # The unit may reach under the number, but not out of the widget.
         end = float(self.width() - self._value_column() / 2)
-        for step in _TICK_STEPS[source]:
-            values = ticks(low, high, step)
-            texts = [f"{value:g}" for value in values]
-            texts[-1] += unit
-            xs = [self.x_of(value * source.counts_per_unit) for value in values]
-            widths = [float(metrics.horizontalAdvance(text)) for text in texts]
-            if sum(widths) + gap * len(widths) > track.width():
-                continue
-            # The digits are under the tick, the unit beside them.
-            wanted = [*xs[:-1], xs[-1] + metrics.horizontalAdvance(unit) / 2]
-            centres = spread(wanted, widths, 0.0, end, gap)
-            if centres is None:
-                continue
+        centres = spread(wanted, widths, 0.0, end, gap)
+        if centres is not None:
             bottom = track.top() + track.height()
             for x in xs:
                 painter.fillRect(QRectF(self._snap(x), bottom + 1, 1, 3), self._marks.muted)
             self._paint_labels(painter, bottom + _POINTER_HEAD, centres, widths, texts)
-            return
 
     def _paint_labels(
         self,

@@ -289,7 +289,7 @@ class JointTable(QWidget):
     @Slot()
     def _on_halted(self) -> None:
         for row in self._rows:
-            row.slider.let_go()
+            row.slider.release()
 
     @Slot()
     def _on_targets_changed(self) -> None:

@@ -14,9 +14,9 @@ from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration.moves import Handle, moved, within_input
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.views.bars import USUAL_AXIS, widened
+from trex_gui.devices.trex.views.bars import USUAL_AXIS, input_labels, widened
 from trex_gui.devices.trex.views.pages.calibration.curve_handles import GRIP, HandleLayer, Threshold
-from trex_gui.ui.plotting.axes import Labels, count_labels, ticks, value_labels
+from trex_gui.ui.plotting.axes import Labels, count_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.theme.theme import theme
@@ -34,21 +34,6 @@ _MIN_TRACE_LINES = 5
 
 _ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}
 """Counts beyond a handle that the axis shows, to drag it on."""
-
-_STEPS = {
-    InputSource.RC: (100.0, 200.0, 500.0, 1000.0, 2000.0),
-    InputSource.ANALOG: (0.5, 1.0, 2.5, 5.0, 10.0),
-}
-
-
-def _input_labels(source: InputSource, axis: tuple[int, int], most: int) -> Labels:
-    """Return at most that many labels, in counts; the last has the unit."""
-    low, high = (source.physical(count) for count in axis)
-    steps = (ticks(low, high, step) for step in _STEPS[source])
-    values = next((values for values in steps if len(values) <= most), [])
-    values = values or ticks(low, high, _STEPS[source][-1])
-    labels = value_labels(values, source.unit)
-    return [(value * source.counts_per_unit, text) for value, text in labels]
 
 
 class CurvePlot(QWidget):
@@ -195,7 +180,7 @@ class CurvePlot(QWidget):
         margin = (high - low) * 0.02
         x = low - margin, high + margin
         widest = self._canvas.fontMetrics().horizontalAdvance(_WIDEST_X_LABEL) * 1.3
-        labels = _input_labels(self._source, self.axis, max(2, int(self.width() / widest)))
+        labels = input_labels(self._source, self.axis, max(2, int(self.width() / widest)))
         self._canvas.set_axes(x, (-_OUTPUT_REACH, _OUTPUT_REACH), labels, count_labels())
         self.trace.set_input_axis(x, [(at, "") for at, _ in labels])
 

@@ -55,7 +55,7 @@ class SpeedSlider(PressSlider):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """End the hold if the release of the button was not reported."""
         if self.isSliderDown() and not event.buttons() & Qt.MouseButton.LeftButton:
-            self.let_go()
+            self.release()
         super().mouseMoveEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -75,7 +75,7 @@ class SpeedSlider(PressSlider):
         """End the hold with any key: a pressed arrow may be released as a digit (Num Lock)."""
         super().keyReleaseEvent(event)
         if not event.isAutoRepeat() and not self.isSliderDown():
-            self.let_go()
+            self.release()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
@@ -208,6 +208,7 @@ class DriveControl(QWidget):
 
     Attributes:
         slider: its signals report whether the user holds it.
+        reported: what the board reports of this motor.
     """
 
     speed_wanted = Signal(int)
@@ -237,17 +238,17 @@ class DriveControl(QWidget):
         self._bar = ui.named(OutputBar(self, bipolar=two_way), f"{name}Channel")
         self._bar.hide()
         self._setpoint_label = ui.label(self, f"{name}Setpoint")
-        self._reported = ui.named(
+        self.reported = ui.named(
             ElidedLabel(self.tr("Board: serial in control, 10.00 A…"), self), f"{name}Reported"
         )
-        self._reported.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.reported.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for button in (self._zero, self._brake):
             button.setMinimumWidth(button.fontMetrics().horizontalAdvance(button.text()) + 20)
         if not two_way:
             self._brake.hide()
 
         layout = ui.grid(self, margins=0, spacing=(8, 2), stretch=[(0, 1)])
-        words = ui.row(self._title, self._setpoint_label, 1, self._reported, spacing=10)
+        words = ui.row(self._title, self._setpoint_label, 1, self.reported, spacing=10)
         layout.addLayout(words, 0, 0, 1, 4)
         for place, widget in enumerate((self.slider, self._entry, self._zero, self._brake)):
             layout.addWidget(widget, 1, place, Qt.AlignmentFlag.AlignTop)
@@ -293,12 +294,9 @@ class DriveControl(QWidget):
         self._entry.show_setpoint(speed)
         self._setpoint_label.setText(text)
 
-    def show_report(self, text: str) -> None:
-        self._reported.show_text(text)
-
-    def let_go(self) -> None:
+    def release(self) -> None:
         """End a drag, so that the slider can be set."""
-        self.slider.let_go()
+        self.slider.release()
         self.slider.setSliderDown(False)
 
     @Slot(int)

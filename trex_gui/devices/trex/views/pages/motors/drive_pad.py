@@ -41,13 +41,13 @@ class DrivePad(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
         self._describe()
 
-        self._watch.lost.connect(self.let_go)
+        self._watch.lost.connect(self.release)
         theme().changed.connect(self.update)
 
     def set_can_turn(self, can_turn: bool) -> None:
         if can_turn != self._can_turn:
             self._can_turn = can_turn
-            self.let_go()
+            self.release()
             self._describe()
             self.update()
 
@@ -58,7 +58,7 @@ class DrivePad(QWidget):
             self._put(forward, turn)
 
     @Slot()
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Return to the centre; the user has to press again."""
         if self.held:
             self.held = False
@@ -72,16 +72,16 @@ class DrivePad(QWidget):
         if event.button() is Qt.MouseButton.LeftButton:
             self._grab(event.position())
         elif self.held:
-            self.let_go()
+            self.release()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not event.buttons() & Qt.MouseButton.LeftButton:
-            self.let_go()
+            self.release()
         self._follow(event.position())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton:
-            self.let_go()
+            self.release()
 
     def event(self, event: QEvent) -> bool:
         return self._on_touch(event) if isinstance(event, QTouchEvent) else super().event(event)
@@ -102,7 +102,7 @@ class DrivePad(QWidget):
                 case QEventPoint.State.Updated:
                     self._follow(point.position())
             return True
-        self.let_go()
+        self.release()
         return True
 
     def _grab(self, place: QPointF) -> None:

@@ -75,7 +75,7 @@ class KeyDriver(QObject):
         self._modifiers = Qt.KeyboardModifier.NoModifier
         self._watch = PressMonitor(page)
 
-        self._watch.lost.connect(self.let_go)
+        self._watch.lost.connect(self.release)
         motors.holder_changed.connect(self._on_holder_changed)
         app = QGuiApplication.instance()
         if isinstance(app, QGuiApplication):
@@ -88,10 +88,10 @@ class KeyDriver(QObject):
     def set_enabled(self, enabled: bool) -> None:
         self.enabled = enabled
         if not enabled:
-            self.let_go()
+            self.release()
 
     @Slot()
-    def let_go(self) -> None:
+    def release(self) -> None:
         self._forget()
         self._drive.release()
 
@@ -106,7 +106,7 @@ class KeyDriver(QObject):
 
     def _on_pressed(self, event: QKeyEvent) -> bool:
         if self._keys and (_modifiers(event) != self._modifiers or event.key() in _CHANGING_KEYS):
-            self.let_go()
+            self.release()
         heading = _HEADINGS.get(event.key())
         if heading is None or event.modifiers() & _OTHER_KEYS or not self._listens():
             return False
@@ -125,7 +125,7 @@ class KeyDriver(QObject):
         if is_known and self._keys and _modifiers(event) == self._modifiers:
             self._steer()
         else:
-            self.let_go()
+            self.release()
         return is_known
 
     def _listens(self) -> bool:
@@ -165,12 +165,12 @@ class KeyDriver(QObject):
             window.removeEventFilter(self)
             window.installEventFilter(self)
         elif self._keys:
-            self.let_go()
+            self.release()
 
     @Slot(QWidget, QWidget)
     def _on_focus_changed(self, _old: QWidget | None, new: QWidget | None) -> None:
         if self._keys and not self._is_at(new):
-            self.let_go()
+            self.release()
 
 
 def _place(event: QKeyEvent) -> int:

@@ -139,15 +139,15 @@ class MotorsPage(QWidget):
     @Slot(float, float)
     def _on_pad_steered(self, forward: float, turn: float) -> None:
         if not self._pad_drive.steer(forward, turn):
-            self._pad.let_go()
+            self._pad.release()
 
     # --- What has changed ---------------------------------------------------------------
 
     @Slot()
     def _on_stop_requested(self) -> None:
         for control in self._controls.values():
-            control.let_go()
-        self._pad.let_go()
+            control.release()
+        self._pad.release()
 
     @Slot()
     def _on_state_changed(self) -> None:
@@ -164,7 +164,7 @@ class MotorsPage(QWidget):
     def _on_holder_changed(self) -> None:
         self._note_holder()
         if self._pad.held and not self._pad_drive.held:
-            self._pad.let_go()
+            self._pad.release()
 
     @Slot()
     def _show_options(self) -> None:
@@ -205,7 +205,8 @@ class MotorsPage(QWidget):
             control.set_channel_driven(driven)
             if driven:
                 self._show_channel(number, control)
-            control.show_report("" if self._is_unused(number) else report_text(device, number))
+            report = "" if self._is_unused(number) else report_text(device, number)
+            control.reported.show_text(report)
 
     def _show_status(self) -> None:
         status = drive_status(drive_inputs(self._device, perhaps_held=self._safe_start.may_hold))
