@@ -145,7 +145,7 @@ class Library(QObject):
         """Append a pose (0-1023, one position for each motor), and return its name."""
         taken = self.project.pose_names
         name = checked_name(name.strip() or free_name(self.tr("pose"), taken), taken)
-        poses = (*self.project.poses, _pose(name, positions))
+        poses = (*self.project.poses, Pose(name, tuple(positions)))
         self._edit(self.tr("Add pose {0}").format(name), replace(self.project, poses=poses))
         return name
 
@@ -161,7 +161,7 @@ class Library(QObject):
     def set_positions(self, name: str, positions: Many[int], *, run: object = None) -> None:
         """Change a pose; successive edits with the same `run` are one undo step."""
         _, place = self._find(ItemKind.POSE, name)
-        after = self._with(ItemKind.POSE, place, [_pose(name, positions)])
+        after = self._with(ItemKind.POSE, place, [Pose(name, tuple(positions))])
         self._edit(self.tr("Change pose {0}").format(name), after, run)
 
     def add_sequence(self, name: str = "", steps: Many[SequenceStep] = ()) -> str:
@@ -221,13 +221,6 @@ class Library(QObject):
     def _put(self, _key: None, project: Project) -> None:
         self.project = project
         self.changed.emit()
-
-
-def _pose(name: str, positions: Many[int]) -> Pose:
-    try:
-        return Pose(name, tuple(positions))
-    except ValueError as error:
-        raise BadRequest(str(error)) from None
 
 
 def _renamed(sequence: Sequence, name: str, new_name: str) -> Sequence:

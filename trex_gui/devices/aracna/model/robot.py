@@ -178,8 +178,7 @@ class Robot(DeviceConnection[PortSettings]):
     @Slot()
     def _send_limits(self) -> None:
         """Let the session enforce the newest limits, also on the playing sequence."""
-        pairs = tuple((each.low, each.high) for each in self.limits.first(self.state.motors))
-        self.submit(SetLimits(pairs))
+        self.submit(SetLimits(self.limits.first(self.state.motors)))
 
     # --- Commands -----------------------------------------------------------------------
 
@@ -189,7 +188,9 @@ class Robot(DeviceConnection[PortSettings]):
             return False
         cropped = self.limits.crop(goals)
         if cropped != tuple(goals):
-            self._inform(cropped_goals_text(goals, cropped))
+            text = cropped_goals_text(goals, cropped)
+            self.events.add(EventKind.NOTE, text)
+            self.notifier.info.emit(text)
         self.targets.set_all(cropped)
         self._is_holding = False
         speeds = self.speeds.values
@@ -236,7 +237,7 @@ class Robot(DeviceConnection[PortSettings]):
             self._pending_speeds += 1
 
     def play(self, play: Play) -> bool:
-        """Play steps, cropped to the limits; return whether they are sent.
+        """Play steps, which the session crops to the limits; return whether they are sent.
 
         From unknown positions the robot first goes slowly to the start.
         """
@@ -245,10 +246,6 @@ class Robot(DeviceConnection[PortSettings]):
         if not play.steps:
             self.rejected.emit(self.tr("There is nothing to play: the sequence has no steps."))
             return False
-        play, cropped = self._cropped(play)
-        if cropped:
-            text = self.tr("Cropped to the limits of the joints: {0} steps of the sequence.")
-            self._inform(text.format(cropped))
         if None in self.state.present:
             play = self._with_slow_start(play)
         self._is_holding = False
@@ -260,21 +257,6 @@ class Robot(DeviceConnection[PortSettings]):
         self.events.add(EventKind.NOTE, self.tr("Playing {0} steps, {1}.").format(steps, often))
         self.changed.emit()
         return True
-
-    def _cropped(self, play: Play) -> tuple[Play, int]:
-        """Return a sequence within the limits, and the number of changed steps."""
-        parts = (play.blend_in, play.steps, play.blend_out)
-        kept = [
-            tuple(replace(step, goals=self.limits.crop(step.goals)) for step in part)
-            for part in parts
-        ]
-        changed = sum(
-            old.goals != new.goals
-            for part, kept_part in zip(parts, kept, strict=True)
-            for old, new in zip(part, kept_part, strict=True)
-        )
-        blend_in, steps, blend_out = kept
-        return replace(play, blend_in=blend_in, steps=steps, blend_out=blend_out), changed
 
     def _with_slow_start(self, play: Play) -> Play:
         """Prepend a step to the start: the whole travel at the first speed, at any time scale."""
@@ -366,10 +348,6 @@ class Robot(DeviceConnection[PortSettings]):
         if blocker := self.move_blocker:
             self.rejected.emit(blocker)
         return not blocker
-
-    def _inform(self, text: str) -> None:
-        self.events.add(EventKind.NOTE, text)
-        self.notifier.info.emit(text)
 
     def _reject_because(self, text: str, error: StudioError) -> None:
         self.rejected.emit(text.format(f"{error_text(error).rstrip('. ')}."))

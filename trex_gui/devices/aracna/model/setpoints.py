@@ -41,7 +41,7 @@ class JointLimits(QObject):
         return self._all == factory_limits(len(self._all))
 
     def set(self, motor: int, low: int, high: int) -> None:
-        """Set the limits of a joint; ValueError if they are not in order, or outside 0-1023."""
+        """Set the limits of a joint; BadRequest if they are not in order, or outside 0-1023."""
         limits = Limits(low, high)
         if motor >= len(self._all):
             self._all += factory_limits(motor + 1)[len(self._all) :]

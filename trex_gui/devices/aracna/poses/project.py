@@ -27,7 +27,7 @@ class Pose:
         _check_name("pose", self.name)
         for motor, position in enumerate(self.positions):
             if not 0 <= position <= HIGHEST:
-                raise ValueError(
+                raise BadRequest(
                     f"positions are 0 to {HIGHEST}, not {position} (motor {motor} of {self.name})"
                 )
 
@@ -47,9 +47,9 @@ class SequenceStep:
     def __post_init__(self) -> None:
         if not is_usable_in_step(self.pose_name):
             name = self.pose_name
-            raise ValueError(f"a step names a pose without comma, bar or line end, unlike {name!r}")
+            raise BadRequest(f"a step names a pose without comma, bar or line end, unlike {name!r}")
         if not SHORTEST_MS <= self.milliseconds <= LONGEST_MS:
-            raise ValueError(
+            raise BadRequest(
                 f"a step takes {SHORTEST_MS} to {LONGEST_MS} ms, not {self.milliseconds}"
             )
 
@@ -114,7 +114,7 @@ def is_usable_in_step(pose_name: str) -> bool:
 
 def _check_name(kind: str, name: str) -> None:
     if any(sign in name for sign in ":\r\n"):
-        raise ValueError(f"a {kind}'s name has no colon and no line end, unlike {name!r}")
+        raise BadRequest(f"a {kind}'s name has no colon and no line end, unlike {name!r}")
 
 
 def free_name(name: str, taken: Iterable[str]) -> str:

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
+from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
 
 
@@ -46,14 +47,14 @@ JOINTS = tuple(
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Lowest and highest position of a joint, 0-1023; ValueError if they are not in order."""
+    """Lowest and highest position of a joint, 0-1023; BadRequest if they are not in order."""
 
     low: int = 0
     high: int = HIGHEST
 
     def __post_init__(self) -> None:
         if not 0 <= self.low <= self.high <= HIGHEST:
-            raise ValueError(f"limits are 0 to {HIGHEST} in order, not {self.low} to {self.high}")
+            raise BadRequest(f"limits are 0 to {HIGHEST} in order, not {self.low} to {self.high}")
 
     def crop(self, position: float) -> int:
         return min(max(round(position), self.low), self.high)

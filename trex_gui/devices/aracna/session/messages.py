@@ -10,6 +10,7 @@ from enum import Enum, auto
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.core.transport.settings import PortSettings
+from trex_gui.devices.aracna.protocol.joints import Limits
 
 # --- Requests -------------------------------------------------------------------------------
 
@@ -51,9 +52,9 @@ class Drag:
 
 @dataclass(frozen=True, slots=True)
 class SetLimits:
-    """Crop all goals sent from now on to a lowest and a highest position for each motor."""
+    """Crop all goals sent from now on to the limits of each motor."""
 
-    limits: tuple[tuple[int, int], ...]
+    limits: tuple[Limits, ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,6 @@ Neither can be queried: they are known only from the replies to `.c` and `.v`.
 
 from collections.abc import Sequence
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.protocol.joints import Limits, crop
 from trex_gui.devices.aracna.protocol.units import HIGHEST, speed_for, travel_seconds
 
@@ -45,13 +44,6 @@ class ServoEstimates:
         self.present: tuple[int | None, ...] = (None,) * motors
         self.speeds: tuple[int | None, ...] = (None,) * motors
         self._speeds_reported_at = 0.0
-
-    def set_limits(self, limits: Sequence[tuple[int, int]]) -> None:
-        """Take new limits, lowest and highest position; BadRequest leaves the old ones in force."""
-        try:
-            self.limits = tuple(Limits(low, high) for low, high in limits)
-        except ValueError as error:
-            raise BadRequest(str(error)) from error
 
     def crop(self, goals: Sequence[int]) -> tuple[int, ...]:
         return crop(goals, self.limits)

@@ -178,7 +178,7 @@ class AracnaSession:
             case Drag():
                 self._take_drag(request)
             case SetLimits(limits=limits):
-                self._servos.set_limits(limits)
+                self._servos.limits = limits
             case EndPlay():
                 self._player.end()
             case SetTimeScale(time_scale=scale):
