@@ -1,7 +1,7 @@
 """A serial port over TCP (RFC 2217): the only endpoint that sees the host's parity."""
 
 import struct
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 
 import serial
 from serial.rfc2217 import PortManager
@@ -12,11 +12,15 @@ from trex_gui.core.transport.settings import Parity
 _PARITIES = {parity.value: parity for parity in Parity}
 
 
-class _Port:
-    """The serial port that pyserial's server configures.
+_SUPPORTED: dict[str, Container[object]] = {
+    "bytesize": {serial.EIGHTBITS},
+    "parity": _PARITIES,
+    "stopbits": {serial.STOPBITS_ONE, serial.STOPBITS_TWO},
+}
 
-    It supports 8 data bits, no, even or odd parity, 1 or 2 stop bits; modem lines are always on.
-    """
+
+class _Port:
+    """The serial port that pyserial's server configures; its modem lines are always on."""
 
     cts = dsr = cd = True
     ri = False
@@ -24,37 +28,14 @@ class _Port:
 
     def __init__(self, baud: int) -> None:
         self.baudrate = baud
-        self._parity = serial.PARITY_NONE
-        self._stopbits = serial.STOPBITS_ONE
+        self.bytesize = serial.EIGHTBITS
+        self.parity = serial.PARITY_NONE
+        self.stopbits = serial.STOPBITS_ONE
 
-    @property
-    def bytesize(self) -> int:
-        return serial.EIGHTBITS
-
-    @bytesize.setter
-    def bytesize(self, bits: int) -> None:
-        if bits != serial.EIGHTBITS:
-            raise ValueError("eight data bits")
-
-    @property
-    def parity(self) -> str:
-        return self._parity
-
-    @parity.setter
-    def parity(self, parity: str) -> None:
-        if parity not in _PARITIES:
-            raise ValueError("parity is none, even or odd")
-        self._parity = parity
-
-    @property
-    def stopbits(self) -> float:
-        return self._stopbits
-
-    @stopbits.setter
-    def stopbits(self, stopbits: float) -> None:
-        if stopbits not in {serial.STOPBITS_ONE, serial.STOPBITS_TWO}:
-            raise ValueError("one or two stop bits")
-        self._stopbits = int(stopbits)
+    def __setattr__(self, name: str, value: object) -> None:
+        if name in _SUPPORTED and value not in _SUPPORTED[name]:
+            raise ValueError(f"{name} cannot be {value}")
+        super().__setattr__(name, value)
 
     def reset_input_buffer(self) -> None:
         """Do nothing: there is no buffer."""
@@ -63,7 +44,7 @@ class _Port:
         """Do nothing: there is no buffer."""
 
     def settings(self) -> HostSettings:
-        return HostSettings(self.baudrate, int(self._stopbits), _PARITIES[self._parity])
+        return HostSettings(self.baudrate, int(self.stopbits), _PARITIES[self.parity])
 
 
 class _Connection:

@@ -3,7 +3,8 @@
 import time
 from abc import ABC, abstractmethod
 from collections import deque
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import Enum, auto
 
@@ -24,11 +25,10 @@ class TrafficDirection(Enum):
 
 @dataclass(frozen=True, slots=True)
 class TrafficEvent:
-    """What passed at one moment.
+    """Bytes on the line, or something that happened to it.
 
     Attributes:
         time: seconds on the line's clock; received bytes may have waited in the port before.
-        data: the bytes; none if something happened to the line itself.
         text: what happened to the line, for the user.
         settings: settings of the line from here on, if they changed.
     """
@@ -94,27 +94,16 @@ class LoggingTransport:
     def write(self, data: bytes) -> None:
         # Logged first: before its reply, and also if it fails.
         self._log.note(TrafficEvent(self._below.clock(), TrafficDirection.SENT, data))
-        try:
+        with self._logged_errors():
             self._below.write(data)
-        except StudioError as error:
-            self._note_line(sentence(error))
-            raise
 
     def read(self, size: int, seconds: float) -> bytes:
-        try:
-            data = self._below.read(size, seconds)
-        except StudioError as error:
-            self._note_line(sentence(error))
-            raise
-        return self._received(data)
+        with self._logged_errors():
+            return self._received(self._below.read(size, seconds))
 
     def discard(self) -> bytes:
-        try:
-            data = self._below.discard()
-        except StudioError as error:
-            self._note_line(sentence(error))
-            raise
-        return self._received(data)
+        with self._logged_errors():
+            return self._received(self._below.discard())
 
     def wait(self, seconds: float) -> None:
         self._below.wait(seconds)
@@ -122,6 +111,14 @@ class LoggingTransport:
     def close(self) -> None:
         self._note_line("Closed.")
         self._below.close()
+
+    @contextmanager
+    def _logged_errors(self) -> Iterator[None]:
+        try:
+            yield
+        except StudioError as error:
+            self._note_line(sentence(error))
+            raise
 
     def _received(self, data: bytes) -> bytes:
         if data:
@@ -171,14 +168,11 @@ class Transaction:
 
     Attributes:
         number: counts the rows from 1.
-        time: when it was sent, or when the first byte was received if nothing was sent. Seconds
-            on the line's clock.
-        sent, received: the bytes; neither has any if `note` says what happened to the line.
+        time: when it was sent, else when the first byte was received; seconds on the line's clock.
+        note: what happened to the line; then no bytes were sent or received.
         ended: when the last byte was received, on the same clock; `None` if none was.
-        settings: settings of the line.
         echo: whether everything sent comes back; `None`: not known yet.
         is_routine: whether it is one of the polls that the program repeats all the time.
-        is_over: whether it is complete.
         words: its meaning, once it was decoded; see `Decoder.decoded`.
     """
 
@@ -300,12 +294,11 @@ class TransactionAssembler:
 
     def _row(self, time: float, sent: bytes = b"") -> Transaction:
         self._count += 1
-        is_routine = bool(sent) and self._decoder.is_routine(sent)
         return Transaction(
             self._count,
             time,
             sent,
             settings=self._settings,
             echo=self._echo,
-            is_routine=is_routine,
+            is_routine=bool(sent) and self._decoder.is_routine(sent),
         )

@@ -5,7 +5,6 @@ import csv
 import json
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -32,12 +31,9 @@ from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.recording import measured_columns, sample_kinds
 from trex_gui.devices.trex.session.polling import Schedule, poll, rates
 
-_FLUSH = 0.25
-"""Seconds after which what was written can be read by others."""
-
+_FLUSH = 0.25  # seconds after which other programs can read what was written
 _SLICE = 0.02
-_FAILURES = 10
-"""Failures one after the other after which the board counts as gone."""
+_FAILURES = 10  # in a row, after which the board counts as gone
 
 Row = dict[str, float | int | str | None]
 
@@ -49,20 +45,20 @@ Row = dict[str, float | int | str | None]
     "file",
     type=click.Path(dir_okay=False, allow_dash=True),
     metavar="FILE|-",
-    help="Where the CSV goes; - is standard output, which it is anyway.",
+    help="File for the CSV; - is standard output, the default.",
 )
 @click.option(
     "--seconds",
     type=click.FloatRange(0, min_open=True),
     metavar="S",
-    help="End after so long; without it, at Ctrl-C.",
+    help="Duration; without it, until Ctrl-C.",
 )
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line instead of CSV.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object per line instead of CSV.")
 def stream(file: str | None, seconds: float | None, as_json: bool, **options: Any) -> None:
-    """Write what the board measures as CSV: a row for each new pair of motor currents.
+    """Write the measurements of the board as CSV: a row for each new pair of motor currents.
 
-    The head names the units. Everything else in a row is the newest that is known; error bits
-    stand in the first row after they were read, which clears them in the board.
+    The header has the units. The other columns of a row hold the newest values; error bits are in
+    the first row after they were read, which clears them in the board.
     """
     if as_json and file is not None:
         raise UsageError("--json and --csv exclude each other; --json writes to standard output.")
@@ -71,19 +67,28 @@ def stream(file: str | None, seconds: float | None, as_json: bool, **options: An
         unit = identify(client).model.current_unit
         mode = query(client.request, GetMode())
         table = _Table(mode, unit)
-        writer = _Writer(target, table, as_json=as_json)
-        reason = ""
+        rows = csv.DictWriter(target, list(table.row), lineterminator="\n")
+        if not as_json:
+            rows.writeheader()
+        count, flushed_at, reason = 0, 0.0, ""
         try:
             for row in _rows(client, table, seconds, interrupted):
-                writer.write(row, client.transport.clock())
+                if as_json:
+                    target.write(json.dumps(row) + "\n")
+                else:
+                    rows.writerow(row)
+                count += 1
+                if (now := client.transport.clock()) - flushed_at >= _FLUSH:
+                    flushed_at = now
+                    target.flush()
         except (NoReply, BadReply) as error:
             reason = f"The board has stopped responding: {error}"
         except _ModeChanged:
-            reason = "The board's mode has changed; its inputs are something else now."
+            reason = "The board's mode has changed, and with it the meaning of its inputs."
         finally:
-            writer.flush()
-            if writer.count:
-                say(f"{writer.count} rows.")
+            target.flush()
+            if count:
+                say(f"{count} rows.")
         if reason:
             raise CommandFailed(reason)
 
@@ -95,10 +100,9 @@ class _ModeChanged(Exception):  # noqa: N818 - no error, an event
 @contextlib.contextmanager
 def _target(file: str | None) -> Iterator[TextIO]:
     """Open the file that is written to."""
-    if file in {None, "-"}:
+    if file is None or file == "-":
         yield sys.stdout
         return
-    assert file is not None  # noqa: S101 - for the type checker
     try:
         with Path(file).open("w", encoding="utf-8", newline="") as opened:
             yield opened
@@ -106,20 +110,15 @@ def _target(file: str | None) -> Iterator[TextIO]:
         raise CommandFailed(f"{file} cannot be written: {error.strerror or error}.") from error
 
 
-@dataclass(slots=True)
 class _Table:
-    """The newest that is known, as one row."""
+    """The newest values, as one row."""
 
-    mode: Mode
-    unit: float
-    row: Row = field(init=False)
-    _kinds: dict[type[Any], SampleKind] = field(init=False)
-    _missing: set[type[Any]] = field(default_factory=lambda: {Raw, Remapped, Control})
-
-    def __post_init__(self) -> None:
-        kinds = sample_kinds(self.mode.source, self.unit)
-        self._kinds = {kind.type: kind for kind in kinds}
-        self.row = dict.fromkeys(["time_s", *measured_columns(kinds)])
+    def __init__(self, mode: Mode, unit: float) -> None:
+        self.mode = mode
+        kinds = sample_kinds(mode.source, unit)
+        self._kinds: dict[type[Any], SampleKind] = {kind.type: kind for kind in kinds}
+        self._missing: set[type[Any]] = {Raw, Remapped, Control}
+        self.row: Row = dict.fromkeys(["time_s", *measured_columns(kinds)])
         self._clear_status()
 
     def _clear_status(self) -> None:
@@ -164,7 +163,7 @@ def _rows(
             if (
                 isinstance(sample, ModeSample)
                 and sample.mode is not table.mode
-                and client.request(GetMode()) is sample.mode  # one reading may be damage
+                and client.request(GetMode()) is sample.mode  # one reply may be corrupted
             ):
                 raise _ModeChanged
             failures = 0
@@ -175,29 +174,3 @@ def _rows(
             continue
         if sample is not None and table.take(sample):
             yield table.finish(sample.time - begun)
-
-
-class _Writer:
-    """Writes rows, and lets others see them a few times a second."""
-
-    def __init__(self, target: TextIO, table: _Table, *, as_json: bool) -> None:
-        self.count = 0
-        self._target = target
-        self._as_json = as_json
-        self._flushed_at = 0.0
-        self._csv = csv.DictWriter(target, list(table.row), lineterminator="\n")
-        if not as_json:
-            self._csv.writeheader()
-
-    def write(self, row: Row, now: float) -> None:
-        if self._as_json:
-            self._target.write(json.dumps(row) + "\n")
-        else:
-            self._csv.writerow(row)
-        self.count += 1
-        if now - self._flushed_at >= _FLUSH:
-            self._flushed_at = now
-            self._target.flush()
-
-    def flush(self) -> None:
-        self._target.flush()
