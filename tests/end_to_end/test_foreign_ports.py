@@ -65,7 +65,7 @@ def test_port_without_a_board_is_reported(window: WindowDriver, simulator: Simul
     simulator.do("power off")
     window.device.connect_to(ConnectionSettings(simulator.url))
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
-    assert "No TReX answers" in window.text("bannerText")
+    assert "No TReX responds" in window.text("bannerText")
     assert "power" in window.text("bannerText")
 
 

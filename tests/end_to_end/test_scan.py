@@ -140,7 +140,7 @@ def test_search_without_board_reports_why_none_was_found(
 
     dialog.search(window, url)
     dialog.wait_for_end()
-    assert dialog.text("findText0").startswith(f"No TReX answers on {url} at any")
+    assert dialog.text("findText0").startswith(f"No TReX responds on {url} at any")
     assert not dialog.has("connectFound0")
     assert dialog.text("findProgressText") == "No board was found."
 

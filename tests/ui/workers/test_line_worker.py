@@ -301,7 +301,7 @@ def test_silent_device_is_reported_within_half_a_second(
     watched.wait(Closed)
     assert now() - begun < 0.5
     assert isinstance(watched.end.error, NoReply)
-    assert "No TReX answers" in str(watched.end.error)
+    assert "No TReX responds" in str(watched.end.error)
 
 
 @pytest.mark.realtime

@@ -317,17 +317,17 @@ class TrexProber:
             return self._strange_evidence(url)
         if self._echo:
             return Evidence.ECHO, (
-                f"No TReX answers on {url}: everything sent comes back, and nothing else, at "
+                f"No TReX responds on {url}: everything sent comes back, and nothing else, at "
                 "every rate. Either this is the RS-232 side of a board that is off, or the "
                 "adapter's TX and RX are joined."
             )
         if self._is_fixed:
             return Evidence.SILENCE, (
-                f"No TReX answers on {url}. Its baud rate is set at the other end of the "
+                f"No TReX responds on {url}. Its baud rate is set at the other end of the "
                 "network, so only that one could be tried, without parity and without CRC."
             )
         return Evidence.SILENCE, (
-            f"No TReX answers on {url} at any baud rate, with any parity or with CRC. Check "
+            f"No TReX responds on {url} at any baud rate, with any parity or with CRC. Check "
             "that the board has power (an LED is lit), that the adapter's TX goes to SI and its "
             "RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board "
             "with a CRC polynomial of its own is only found by the full scan."

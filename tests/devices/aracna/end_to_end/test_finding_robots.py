@@ -69,7 +69,7 @@ def test_search_reports_failed_attempts(window: RobotWindow, robot: SimulatedDev
     robot.do("power off")
     assert kinds(search(window, robot.url)) == ["TReX", "Aracna", "TReX"]
     trex, aracna = window.text("findText0").split("\n\n")
-    assert trex.startswith(f"No TReX answers on {robot.url} at any baud rate")
+    assert trex.startswith(f"No TReX responds on {robot.url} at any baud rate")
     assert aracna.startswith(f"No Aracna answers on {robot.url} at 38400 baud")
     label = window.find(QLabel, "findText0")
     window.wait(lambda: label.height() >= label.heightForWidth(label.width()) > 0)

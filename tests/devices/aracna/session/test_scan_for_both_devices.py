@@ -107,7 +107,7 @@ def test_silent_port_is_reported_for_both_devices() -> None:
     stage = AracnaStage()
     stage.do("power off")
     trex, aracna = search(stage.transport).lines
-    assert trex.startswith("No TReX answers on virtual at any baud rate")
+    assert trex.startswith("No TReX responds on virtual at any baud rate")
     assert aracna.startswith("No Aracna answers on virtual at 38400 baud")
     assert "may still be moving" in aracna
 
@@ -116,7 +116,7 @@ def test_echo_is_reported_for_both_devices() -> None:
     board = a_board()
     board.power_off()
     trex, aracna = search(Wire(TrexLine([board], echo=True))).lines
-    assert trex.startswith("No TReX answers on virtual: everything sent comes back")
+    assert trex.startswith("No TReX responds on virtual: everything sent comes back")
     assert "RS-232 side" in trex
     assert aracna.startswith("No Aracna answers on virtual at 38400 baud")
     assert "everything sent comes back" in aracna
@@ -153,7 +153,7 @@ def test_reply_to_aracna_probe_is_reported_first() -> None:
     aracna, trex = scan_port(VIRTUAL, PROBERS, open_wire=hear_something).lines
     assert sent == 5
     assert "not as an Aracna does" in aracna
-    assert trex.startswith("No TReX answers")
+    assert trex.startswith("No TReX responds")
 
 
 def test_fixed_rate_port_is_probed_for_aracna_only_if_known() -> None:

@@ -108,7 +108,7 @@ def test_stop_without_a_reply_fails(trexcmd: RunCommand, quick_simulator: Simula
     quick_simulator.do("power off")
     result = trexcmd("stop", "--timeout=0")
     assert result.exit_code == 1
-    assert "No TReX answers" in result.stderr
+    assert "No TReX responds" in result.stderr
 
 
 def test_raw_prints_the_reply(trexcmd: RunCommand) -> None:

@@ -106,7 +106,7 @@ def test_timeout_is_wire_time_plus_allowance(
     stage.board.power_off()
     client = stage.client(settings)
     begun = stage.line.now
-    with pytest.raises(NoReply, match="No answer to"):
+    with pytest.raises(NoReply, match="No reply to"):
         client.request(command)
     took = stage.line.now - begun
     wire = settings.line.seconds(size)
@@ -228,7 +228,7 @@ def test_motor_command_does_not_wait_for_late_reply(stage: Stage) -> None:
 
 def test_incomplete_reply_is_reported_with_its_bytes(stage: Stage) -> None:
     stage.line.faults.to_drop = 3
-    with pytest.raises(NoReply, match=r"Only 58 31 2E 32 came in answer to 81\."):
+    with pytest.raises(NoReply, match=r"Incomplete reply to 81: only 58 31 2E 32 arrived\."):
         stage.client().request(GetSignature())
 
 

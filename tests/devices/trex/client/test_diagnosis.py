@@ -11,7 +11,7 @@ SETTINGS = ConnectionSettings("/dev/ttyUSB0")
 
 
 def test_missing_reply_message_lists_checks() -> None:
-    error = diagnose(SETTINGS, echo=False, error=NoReply("No answer to 81."))
+    error = diagnose(SETTINGS, echo=False, error=NoReply("No reply to 81."))
     assert isinstance(error, NoReply)
     assert "/dev/ttyUSB0 at 19200 baud, no error detection, 1 stop bit" in str(error)
     assert "power" in str(error)
@@ -32,9 +32,9 @@ def test_echo_without_board_is_explained() -> None:
 
 @pytest.mark.parametrize("echo", [False, True])
 def test_bad_reply_message_contains_its_error(*, echo: bool) -> None:
-    error = diagnose(SETTINGS, echo=echo, error=BadReply("The reply 41 is damaged."))
+    error = diagnose(SETTINGS, echo=echo, error=BadReply("The reply 41 is corrupted."))
     assert isinstance(error, BadReply)
-    assert "The reply 41 is damaged." in str(error)
+    assert "The reply 41 is corrupted." in str(error)
 
 
 def test_port_error_is_returned_unchanged() -> None:

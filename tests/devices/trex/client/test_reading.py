@@ -86,7 +86,7 @@ def test_unreadable_parameter_does_not_block_remaining_ones(stage: Stage) -> Non
 
     state = read_everything(deaf_to_one)
     assert set(state.unread) == {"serial_timeout"}
-    assert "No answer to 9F 07" in state.unread["serial_timeout"]
+    assert "No reply to 9F 07" in state.unread["serial_timeout"]
     assert "serial_timeout" not in state.parameters
     assert len(state.parameters) == len(state.specs.readable) - 1
 

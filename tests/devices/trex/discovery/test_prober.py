@@ -457,7 +457,7 @@ def test_missing_reply_diagnosis_suggests_checking_power() -> None:
     board = a_board()
     board.power_off()
     diagnosis = diagnosis_of(wire_of(board))
-    assert "No TReX answers on virtual" in diagnosis
+    assert "No TReX responds on virtual" in diagnosis
     assert "power" in diagnosis
 
 

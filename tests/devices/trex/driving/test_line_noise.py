@@ -196,7 +196,7 @@ def test_unconfirmed_stop_on_bad_line_is_reported() -> None:
     run_for(stage, 7.5)
     error = outcomes(stage.reports)[1].error
     assert isinstance(error, NoReply)
-    assert "damages bytes" in str(error)
+    assert "corrupts bytes" in str(error)
 
 
 def test_unconfirmed_stop_is_reported_when_driving_again() -> None:

@@ -144,7 +144,7 @@ def test_unpowered_board_is_reported(
     quick_simulator.do("power off")
     recorder.device.connect_to(ConnectionSettings(quick_simulator.url))
     recorder.until_link(ConnectionState.DISCONNECTED)
-    assert "No TReX answers" in recorder.failures[0]
+    assert "No TReX responds" in recorder.failures[0]
 
 
 def test_board_errors_are_counted(

@@ -136,7 +136,7 @@ def test_missing_board_is_reported_with_checks(stage: Stage) -> None:
     stage.board.power_off()
     error = end(stage).error
     assert isinstance(error, NoReply)
-    for word in ("No TReX answers", "19200 baud", "power", "SI", "RX", "ground"):
+    for word in ("No TReX responds", "19200 baud", "power", "SI", "RX", "ground"):
         assert word in str(error)
 
 

@@ -289,5 +289,5 @@ def test_invalid_request_gets_an_outcome(stage: Stage) -> None:
 def test_unanswered_request_gets_an_outcome(stage: Stage) -> None:
     stage.script.at(1.0, RunCommand(1, GetParameter(0x60))).at(1.2, RunCommand(2, GetMode()))
     found = outcomes(run_for(stage, 2.0))
-    assert "No answer to 9F 60" in str(found[1].error)
+    assert "No reply to 9F 60" in str(found[1].error)
     assert found[2].error is None

@@ -29,7 +29,7 @@ class ErrorCode(Enum):
     )
     OTHER_DEVICE = QT_TRANSLATE_NOOP(
         "AracnaErrors",
-        "Something answers on {0}, but not as an Aracna does: {1}. Another device, perhaps a TReX "
+        "Something responds on {0}, but not as an Aracna does: {1}. Another device, perhaps a TReX "
         "at another baud rate, or interference on the line.",
     )
     NOT_READY = QT_TRANSLATE_NOOP(

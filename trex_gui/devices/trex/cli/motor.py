@@ -61,14 +61,14 @@ _FAULTS = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
 @link_options
 @click.argument("which", metavar="1|2|aux", type=click.Choice(["1", "2", "aux"]))
 @click.argument("speed", type=int)
-@click.option("--accelerate", is_flag=True, help="Go there at the acceleration that is set.")
+@click.option("--accelerate", is_flag=True, help="Use the acceleration set in the board.")
 @click.option(
     "--seconds",
     type=click.FloatRange(0, min_open=True),
     metavar="S",
-    help="Run so long; without it, until Ctrl-C.",
+    help="Duration; without it, until Ctrl-C.",
 )
-@click.option("--brake", is_flag=True, help="Brake; SPEED is the strength of it, 0 to 127.")
+@click.option("--brake", is_flag=True, help="Brake; SPEED is the braking duty, 0 to 127.")
 def motor(
     which: str,
     speed: int,
@@ -80,8 +80,8 @@ def motor(
 ) -> None:
     """Run a motor at SPEED, -127 to 127 (auxiliary motor 0 to 127), then stop every motor.
 
-    Runs until Ctrl-C, or for --seconds. However it ends (a signal and an error too), all motors
-    are stopped, again and again until the board confirms it.
+    Runs until Ctrl-C, or for --seconds. At the end, also after a signal or an error, the stop is
+    repeated until the board confirms it.
     """
     setpoint = _setpoint(which, speed, accelerate=accelerate, brake=brake)
     settings = link_settings(options)
@@ -97,7 +97,7 @@ _UNCONFIRMED = "The stop is not confirmed. If a motor still turns, cut its power
 @click.command()
 @link_options
 def stop(**options: Any) -> None:
-    """Brake both motors and switch the auxiliary motor off, until the board confirms it."""
+    """Brake both motors and switch the auxiliary motor off; repeat until confirmed."""
     settings = link_settings(options)
     try:
         _stop_at(settings)
@@ -107,7 +107,7 @@ def stop(**options: Any) -> None:
             raise
         raise CommandFailed(
             f"{refusal} If that is TReX Studio: Esc in its window stops the motors, and so does "
-            "ending it."
+            "closing it."
         ) from refusal
     say("Stopped.")
 
@@ -146,7 +146,7 @@ def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpo
 
 
 class _Run:
-    """Drives one motor through a session on the same thread: its inbox, and what hears it.
+    """Drives one motor through a session on the same thread, as its inbox and its listener.
 
     The motor is armed when the first round of polling is over: by then it is known who controls
     the motors, and old error bits are read.
@@ -242,7 +242,7 @@ class _Run:
             say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
         if not state.serial_timeout:
             say(
-                "Warning: Serial Timeout is off, so the motor goes on when the cable or this "
+                "Warning: Serial Timeout is off, so the motor keeps running if the cable or this "
                 'computer fails. `trexcmd set serial_timeout "0.5 s"` switches it on.'
             )
 
@@ -261,8 +261,8 @@ class _Run:
         self._lost_control = 0 if by_serial else self._lost_control + 1
         if by_serial and not self._is_running and not self._is_ending:
             self._start()
-        elif self._lost_control > 1:  # one reply may be damaged
-            self._finish("Channel 5 has taken the motors away from the serial port.")
+        elif self._lost_control > 1:  # one reply may be corrupted
+            self._finish("Channel 5 has returned control to the channels.")
 
     # --- The end ------------------------------------------------------------------------
 
@@ -271,14 +271,11 @@ class _Run:
         error = self._line_error or self._stop_error
         if error is not None:
             timeout = 0.0 if self._state is None else self._state.serial_timeout
-            if not self._is_running:
-                text = str(error)
-            elif timeout:
-                text = f"{error} The board stops its motors {timeout:g} s after the last byte."
-            elif isinstance(error, PortUnavailable):
-                text = f"{error} If a motor still turns, cut its power."
-            else:
-                text = str(error)
+            text = str(error)
+            if self._is_running and timeout:
+                text += f" The board stops its motors {timeout:g} s after the last byte."
+            elif self._is_running and isinstance(error, PortUnavailable):
+                text += " If a motor still turns, cut its power."
             raise CommandFailed(text) from error
         if self._is_running:
             say("Stopped.")

@@ -21,13 +21,13 @@ class ErrorCode(Enum):
     # Connecting
     NO_BOARD = QT_TRANSLATE_NOOP(
         "TrexErrors",
-        "No TReX answers on {0}. Check that the board has power (an LED is lit), that the "
+        "No TReX responds on {0}. Check that the board has power (an LED is lit), that the "
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
         "ground is connected, and that the board's serial settings are these.",
     )
     NO_BOARD_AT_NUMBER = QT_TRANSLATE_NOOP(
         "TrexErrors",
-        "No TReX answers on {0}. Check that the board has power (an LED is lit), that the "
+        "No TReX responds on {0}. Check that the board has power (an LED is lit), that the "
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
         "ground is connected, and that the board's serial settings are these, its device number "
         "is {1}.",
@@ -39,13 +39,13 @@ class ErrorCode(Enum):
     )
     OTHER_DEVICE = QT_TRANSLATE_NOOP(
         "TrexErrors",
-        "Something answers on {0}, but not as a TReX does. {1} Most often the baud rate, parity "
+        "Something responds on {0}, but not as a TReX does. {1} Most often the baud rate, parity "
         "or CRC is not the one set in the board; or another device is connected.",
     )
     # Transactions
-    NO_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "No answer to {0}.")
-    INCOMPLETE_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "Only {1} came in answer to {0}.")
-    CORRUPTED_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "The reply {0} is damaged: {1}.")
+    NO_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "No reply to {0}.")
+    INCOMPLETE_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "Incomplete reply to {0}: only {1} arrived.")
+    CORRUPTED_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "The reply {0} is corrupted: {1}.")
     LATE_REPLIES = QT_TRANSLATE_NOOP(
         "TrexErrors", "Late replies arrived and cannot be matched to requests."
     )
@@ -57,7 +57,7 @@ class ErrorCode(Enum):
     )
     STOP_ON_NOISY_LINE = QT_TRANSLATE_NOOP(
         "TrexErrors",
-        "The stop was sent and the board answers, but the line damages bytes. It is sent again "
+        "The stop was sent and the board responds, but the line corrupts bytes. It is sent again "
         "until the line is quiet. If a motor still turns, cut its power.",
     )
     NO_HEARTBEAT = QT_TRANSLATE_NOOP("TrexErrors", "The window did not respond for a second.")

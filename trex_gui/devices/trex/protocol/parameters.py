@@ -71,9 +71,7 @@ def motor_name(key: str) -> str:
 
 
 _NUMBER = re.compile(r"\s*([-+]?\d+(?:[.,]\d*)?|[-+]?[.,]\d+)\s*(.*?)\s*")
-_ROUNDING = 0.01
-"""Part of a step by which a number may lie outside the limits: rounding, not intent."""
-
+_ROUNDING = 0.01  # part of a step by which a number may be outside the limits
 _PREFIXES = {"m": 1e-3, "k": 1e3, "": 1.0}
 
 
@@ -132,9 +130,7 @@ class ParameterSpec:
 
     def problem(self, wire: int) -> str | None:
         """Return why this wire value is not allowed; `None` if it is."""
-        if wire in self.valid:
-            return None
-        return f"{self.name} is {self.range_text()}, not {wire}"
+        return None if wire in self.valid else f"{self.name} is {self.range_text()}, not {wire}"
 
     def check(self, wire: int) -> int:
         """Return `wire` if it is allowed, else raise BadRequest naming the limits."""

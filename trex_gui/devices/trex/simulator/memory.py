@@ -176,18 +176,12 @@ class Eeprom:
     def _load(self, text: str) -> None:
         try:
             self._take(json.loads(text))
-        except json.JSONDecodeError as error:
-            raise self._damaged(f"line {error.lineno}: {error.msg}") from error
-        except RecursionError as error:
-            raise self._damaged("it is nested too deep") from error
-        except (TypeError, ValueError) as error:
-            raise self._damaged(str(error)) from error
-
-    def _damaged(self, why: str) -> EepromError:
-        return EepromError(
-            f"the EEPROM file {self._path} is damaged ({why}); "
-            "repair it, or delete it to start with a new board"
-        )
+        except (TypeError, ValueError, RecursionError) as error:
+            why = "it is nested too deep" if isinstance(error, RecursionError) else error
+            raise EepromError(
+                f"the EEPROM file {self._path} is damaged ({why}); "
+                "repair it, or delete it to start with a new board"
+            ) from error
 
     def _take(self, document: object) -> None:
         if not isinstance(document, dict) or document.get("what") != _WHAT:
@@ -198,7 +192,11 @@ class Eeprom:
         if not isinstance(parameters, dict):
             raise TypeError("parameters is not a table")
         for key, value in parameters.items():
-            self._take_parameter(key, value)
+            if key not in self._values:
+                raise ValueError(f"there is no parameter {key}")
+            if type(value) is not int:
+                raise TypeError(f"{key} is not a whole number")
+            self._values[key] = self._specs[key].check(value)
         for source, name in _CALIBRATION_KEYS.items():
             rows = document.get(name)
             if rows is None:
@@ -210,15 +208,6 @@ class Eeprom:
                     f"{name}, channel {channel}", row
                 )
         self.reset_pending = document.get("reset_at_power_up") is True
-
-    def _take_parameter(self, key: str, value: object) -> None:
-        try:
-            spec = self._spec(key)
-        except KeyError:
-            raise ValueError(f"there is no parameter {key}") from None
-        if type(value) is not int:
-            raise TypeError(f"{key} is not a whole number")
-        self._values[key] = spec.check(value)
 
 
 def _read_calibration(name: str, row: object) -> Calibration:
@@ -267,7 +256,6 @@ class Memory:
     Parameters 0x7B-0x7F take effect after a power cycle, the others when their write ends.
 
     Attributes:
-        eeprom: what is stored, of all firmware versions.
         active: active parameters by key.
         line_settings, baud: active settings of the serial line, and its real bit rate.
         writes: number of finished writes.

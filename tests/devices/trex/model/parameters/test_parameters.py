@@ -143,11 +143,11 @@ def test_acceleration_shows_the_time_to_full_speed(model: ParameterModel) -> Non
 def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
     stored = factory()
     del stored["serial_timeout"]
-    load(model, stored, unread={"serial_timeout": "No answer to 9F 07."})
+    load(model, stored, unread={"serial_timeout": "No reply to 9F 07."})
     assert text(model, "serial_timeout") == "not read"
     assert text(model, "serial_timeout", ParameterColumn.WIRE) == ""
-    assert of(model, "serial_timeout", Role.PROBLEM) == "No answer to 9F 07."
-    assert "No answer to 9F 07." in str(
+    assert of(model, "serial_timeout", Role.PROBLEM) == "No reply to 9F 07."
+    assert "No reply to 9F 07." in str(
         model.index_of("serial_timeout").data(Qt.ItemDataRole.ToolTipRole)
     )
     assert not edit(model, "serial_timeout", 9)
