@@ -10,9 +10,8 @@ from collections.abc import Iterator
 import pytest
 
 from tests.gamepad.virtual_pad import VirtualPad
-from trex_gui.gamepad.pads import GamepadUnavailable
+from trex_gui.gamepad.pads import HOW_TO_INSTALL, GamepadUnavailable, SdlPads
 from trex_gui.gamepad.profile import Axis, default_profile
-from trex_gui.gamepad.sdl import HOW_TO_INSTALL, SdlPads
 
 pytestmark = pytest.mark.realtime
 
@@ -77,7 +76,7 @@ def test_gamepad_known_to_sdl_has_named_parts(source: SdlPads) -> None:
     virtual = VirtualPad()
     (pad,) = source.pads()
     assert pad.parts["lefty"] == "a1"
-    shoulder = pad.button_of("leftshoulder")
+    shoulder = pad.part_number("b", "leftshoulder")
     assert shoulder is not None
     assert default_profile(pad).hold == shoulder
     assert default_profile(pad).first == Axis(1, inverted=True)
@@ -132,7 +131,7 @@ def test_open_leaves_environment_and_signals_alone() -> None:
 
 def test_sigterm_ends_program_that_reads_gamepads() -> None:
     script = (
-        "import os, signal; from trex_gui.gamepad.sdl import SdlPads; "
+        "import os, signal; from trex_gui.gamepad.pads import SdlPads; "
         "source = SdlPads(); source.open(); source.pads(); "
         "os.kill(os.getpid(), signal.SIGTERM); source.pads(); print('goes on')"
     )
@@ -152,7 +151,7 @@ def test_missing_pygame_is_reported_with_install_hint(monkeypatch: pytest.Monkey
 
 def test_pygame_is_not_imported_before_open() -> None:
     script = (
-        "import sys; from trex_gui.gamepad.sdl import SdlPads; SdlPads(); "
+        "import sys; from trex_gui.gamepad.pads import SdlPads; SdlPads(); "
         "sys.exit('pygame' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", script], timeout=30, check=False).returncode == 0

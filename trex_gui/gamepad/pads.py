@@ -1,8 +1,26 @@
-"""Gamepads and their states, whatever library reads them."""
+"""Gamepads, read through SDL of `pygame-ce`, which is imported only when they are opened."""
 
-from collections.abc import Mapping
+import contextlib
+import importlib
+import os
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Protocol
+from types import ModuleType
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from pygame.joystick import JoystickType
+
+HOW_TO_INSTALL = 'pip install "trex-gui[gamepad]"'
+
+_HINTS = {
+    "PYGAME_HIDE_SUPPORT_PROMPT": "1",
+    "SDL_VIDEODRIVER": "dummy",  # events need SDL's video part; it must not touch the display
+    "SDL_AUDIODRIVER": "dummy",
+    "SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS": "1",  # no window of SDL's ever has the focus
+    "SDL_NO_SIGNAL_HANDLERS": "1",  # else SDL swallows SIGTERM
+    "SDL_VIDEO_ALLOW_SCREENSAVER": "1",
+}
 
 
 class GamepadUnavailable(Exception):  # noqa: N818 - reads as what is wrong, as PortUnavailable
@@ -28,19 +46,15 @@ class Pad:
     buttons: int
     parts: Mapping[str, str] = field(default_factory=dict, compare=False)
 
-    def axis_of(self, part: str) -> int | None:
-        return self._number_of(part, "a", self.axes)
-
-    def button_of(self, part: str) -> int | None:
-        return self._number_of(part, "b", self.buttons)
-
     def part_name(self, kind: str, number: int) -> str:
         """SDL's name of an axis (`a`) or a button (`b`); empty if it has none."""
         wanted = f"{kind}{number}"
         return next((part for part, where in self.parts.items() if where == wanted), "")
 
-    def _number_of(self, part: str, kind: str, count: int) -> int | None:
+    def part_number(self, kind: str, part: str) -> int | None:
+        """The number of the axis (`a`) or button (`b`) with a name of SDL's."""
         digits = self.parts.get(part, "").removeprefix(kind)
+        count = self.axes if kind == "a" else self.buttons
         return int(digits) if digits.isdecimal() and int(digits) < count else None
 
 
@@ -78,3 +92,119 @@ class PadSource(Protocol):
 
     def close(self) -> None:
         """Close all of them; may be called twice."""
+
+
+class SdlPads:
+    """The gamepads of this computer; one instance at a time, as SDL has one state per process."""
+
+    def __init__(self) -> None:
+        self._pygame: ModuleType | None = None
+        self._open: dict[int, tuple[Pad, JoystickType]] = {}
+
+    def open(self) -> None:
+        if self._pygame is not None:
+            return
+        with _environment(_HINTS):
+            pygame = _load()
+            try:
+                pygame.display.init()
+                pygame.joystick.init()
+            except pygame.error as error:
+                raise GamepadUnavailable(f"Gamepads cannot be read here: {error}.") from error
+        self._pygame = pygame
+
+    def pads(self) -> tuple[Pad, ...]:
+        pygame = self._pygame
+        if pygame is None:
+            return ()
+        try:
+            events = pygame.event.get()
+        except pygame.error:  # SDL was ended elsewhere in this process
+            self._open.clear()
+            return ()
+        for event in events:
+            if event.type == pygame.JOYDEVICEREMOVED:
+                self._open.pop(event.instance_id, None)
+            elif event.type == pygame.JOYDEVICEADDED:
+                self._take(pygame, event.device_index)
+        return tuple(pad for pad, _ in self._open.values())
+
+    def read(self, pad: Pad) -> PadState | None:
+        found = self._open.get(pad.ident)
+        if found is None or self._pygame is None:
+            return None
+        joystick = found[1]
+        try:
+            return PadState(
+                tuple(joystick.get_axis(number) for number in range(pad.axes)),
+                tuple(bool(joystick.get_button(number)) for number in range(pad.buttons)),
+            )
+        except self._pygame.error:  # it is gone
+            del self._open[pad.ident]
+            return None
+
+    def close(self) -> None:
+        if self._pygame is not None:
+            self._open.clear()
+            self._pygame.joystick.quit()
+            self._pygame.display.quit()
+            self._pygame = None
+
+    def _take(self, pygame: ModuleType, index: int) -> None:
+        """Open a gamepad, unless it is gone again or may not be read."""
+        with contextlib.suppress(pygame.error):
+            joystick = pygame.joystick.Joystick(index)
+            pad = Pad(
+                joystick.get_instance_id(),
+                joystick.get_guid(),
+                joystick.get_name(),
+                joystick.get_numaxes(),
+                joystick.get_numbuttons(),
+                _parts(joystick),
+            )
+            self._open[pad.ident] = (pad, joystick)
+
+
+def _load() -> ModuleType:
+    """Import pygame; the error says how to install it."""
+    try:
+        pygame = importlib.import_module("pygame")
+        for part in ("display", "event", "joystick"):
+            importlib.import_module(f"pygame.{part}")
+    except ImportError as error:
+        raise GamepadUnavailable(
+            f"Gamepads need one more package. Install it with {HOW_TO_INSTALL}, "
+            "then switch this on again."
+        ) from error
+    return pygame
+
+
+def _parts(joystick: "JoystickType") -> Mapping[str, str]:
+    """SDL's names of the axes and buttons; empty if it does not know the kind."""
+    try:
+        controllers = importlib.import_module("pygame._sdl2.controller")
+    except ImportError:  # "experimental" in pygame-ce 2.5
+        return {}
+    pygame = importlib.import_module("pygame")
+    try:
+        controllers.init()
+        controller = controllers.Controller.from_joystick(joystick)
+        mapping = controller.get_mapping()
+    except (pygame.error, AttributeError):
+        return {}
+    return {part: where for part, where in mapping.items() if where[:1] in {"a", "b"}}
+
+
+@contextlib.contextmanager
+def _environment(hints: Mapping[str, str]) -> Iterator[None]:
+    """Set variables for SDL to read, but not for programs that are started later."""
+    before = {name: os.environ.get(name) for name in hints}
+    os.environ.update(hints)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                os.environ.pop(name, None)
+            else:
+                os.environ[name] = value

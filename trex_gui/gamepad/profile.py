@@ -94,8 +94,8 @@ def default_profile(pad: Pad) -> GamepadProfile:
     with too few buttons the last one is held.
     """
     usual = GamepadProfile()
-    forward, turn = pad.axis_of("lefty"), pad.axis_of("leftx")
-    hold, stop = pad.button_of("leftshoulder"), pad.button_of("b")
+    forward, turn = (pad.part_number("a", part) for part in ("lefty", "leftx"))
+    hold, stop = (pad.part_number("b", part) for part in ("leftshoulder", "b"))
     if hold is None and pad.buttons:
         hold = min(4, pad.buttons - 1)
     if stop is None and pad.buttons > 1 and hold != 1:

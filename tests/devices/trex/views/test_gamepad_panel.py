@@ -19,8 +19,8 @@ from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import PartBar
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
+from trex_gui.gamepad.pads import HOW_TO_INSTALL, SdlPads
 from trex_gui.gamepad.profile import Axis, Style
-from trex_gui.gamepad.sdl import HOW_TO_INSTALL, SdlPads
 from trex_gui.ui.widgets.leds import Lamp
 
 HOLD, STOP = 4, 1

@@ -142,10 +142,9 @@ class Device(QObject):
     @property
     def control_text(self) -> str:
         """Who controls the motors, as a sentence; empty while no board is connected."""
-        if self.state is None or self.link is not ConnectionState.CONNECTED:
+        by_serial = self.telemetry.serial_controls
+        if self.state is None or by_serial is None or self.link is not ConnectionState.CONNECTED:
             return ""
-        seen = self.telemetry.serial_controls
-        by_serial = self.state.serial_controls if seen is None else seen
         return who_controls(self.state.mode, by_serial, joint=self.is_joint)
 
     @property

@@ -3,7 +3,9 @@
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from enum import Enum, auto
+from functools import reduce
 from math import ceil
+from operator import or_
 
 from PySide6.QtCore import QCoreApplication, QObject, Slot
 
@@ -240,22 +242,16 @@ def drive_inputs(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
     """Gather the inputs from the models, and what was seen of safe-start."""
     state, motors = device.state, device.motors
     recent = [entry.bit for motor in (1, 2) for entry in device.errors.recent(motor)]
-    uart = _NO_ERROR
-    for bit in recent:
-        if isinstance(bit, UartError):
-            uart |= bit
+    uart = reduce(or_, (bit for bit in recent if isinstance(bit, UartError)), _NO_ERROR)
     status = [bit for bit in recent if isinstance(bit, Status)]
     faults = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
     over_limit = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
     stored = device.parameters.stored_of
     wire = stored(ParameterKey.SERIAL_TIMEOUT)
-    by_serial = device.telemetry.serial_controls
-    if by_serial is None and state is not None:
-        by_serial = state.serial_controls
     return DriveInputs(
         link=device.link,
         mode=None if state is None else state.mode,
-        by_serial=by_serial,
+        by_serial=device.telemetry.serial_controls,
         joint=device.is_joint,
         missing=_missing_channels(device),
         perhaps_held=perhaps_held,

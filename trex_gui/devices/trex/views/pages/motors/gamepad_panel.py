@@ -7,8 +7,7 @@ from PySide6.QtWidgets import QGroupBox, QWidget
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import Gamepad
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog, PartBar
-from trex_gui.gamepad.pads import PadSource
-from trex_gui.gamepad.sdl import SdlPads
+from trex_gui.gamepad.pads import PadSource, SdlPads
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.builders import NoWheelComboBox
 from trex_gui.ui.widgets.labels import Note
