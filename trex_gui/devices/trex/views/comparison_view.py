@@ -37,11 +37,9 @@ class _Delegate(QStyledItemDelegate):
             font = option.font
             font.setBold(True)
             option.font = font
-        if index.column() == ComparisonColumn.OUTCOME:
-            failed, stored = index.data(ComparisonRole.FAILED), index.data(ComparisonRole.STORED)
-            if failed or stored:
-                option.icon = icon("warning" if failed else "ok")
-                option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
+        if index.column() == ComparisonColumn.OUTCOME and (sign := index.data(ComparisonRole.SIGN)):
+            option.icon = icon(sign)
+            option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
 
 
 class _Table(QTableView):

@@ -142,10 +142,10 @@ def test_outcomes_add_a_column(table: ComparisonTable) -> None:
     assert table.columnCount() == 5
     outcome = index(table, "serial_timeout", ComparisonColumn.OUTCOME)
     assert outcome.data().startswith("stored")
-    assert outcome.data(ComparisonRole.STORED)
+    assert outcome.data(ComparisonRole.SIGN) == "ok"
     refused = index(table, "motor1_acceleration", ComparisonColumn.OUTCOME)
     assert refused.data() == "the board refused it"
-    assert refused.data(ComparisonRole.FAILED)
+    assert refused.data(ComparisonRole.SIGN) == "warning"
     table.renew(comparison(serial_timeout=5))
     assert table.columnCount() == 4
 

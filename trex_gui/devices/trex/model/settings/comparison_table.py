@@ -35,8 +35,8 @@ class ComparisonColumn(IntEnum):
 class ComparisonRole(IntEnum):
     CHANGED = Qt.ItemDataRole.UserRole
     KEY = Qt.ItemDataRole.UserRole + 1
-    FAILED = Qt.ItemDataRole.UserRole + 2
-    STORED = Qt.ItemDataRole.UserRole + 3
+    SIGN = Qt.ItemDataRole.UserRole + 2
+    """The icon of an outcome, `ok` or `warning`."""
 
 
 class ComparisonTable(QAbstractTableModel):
@@ -174,10 +174,8 @@ class ComparisonTable(QAbstractTableModel):
                 return row.before != row.after
             case ComparisonRole.KEY:
                 return row.key
-            case ComparisonRole.FAILED:
-                return bool(self._outcomes.get(row.key))
-            case ComparisonRole.STORED:
-                return self._outcomes.get(row.key) == ""
+            case ComparisonRole.SIGN if row.key in self._outcomes:
+                return "warning" if self._outcomes[row.key] else "ok"
         return None
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:

@@ -138,7 +138,9 @@ class LoadDialog(QDialog):
         self._update_take()
 
     def _show_rows(self, comparison: Comparison) -> None:
-        text = self.tr("Ticked changes become edits. Nothing is written to the board before Apply.")
+        text = self.tr(
+            "Checked changes become edits. Nothing is written to the board before Apply."
+        )
         if missing := [row for row in comparison.rows if row.is_missing]:
             names = ", ".join(row.name for row in missing[:_NAMED])
             if len(missing) > _NAMED:
