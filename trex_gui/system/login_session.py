@@ -17,7 +17,7 @@ from PySide6.QtDBus import (
     QDBusUnixFileDescriptor,
 )
 
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 
 log = logging.getLogger(__name__)
 
@@ -107,9 +107,7 @@ class SleepDelay(QObject):
         self._descriptor: int | None = None
         self._request: QDBusPendingCallWatcher | None = None
         self._polls = 0
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_POLL_MS)
-        self._timer.timeout.connect(self._on_poll)
+        self._timer = new_timer(self, _POLL_MS, self._on_poll)
         self.take()
 
     @property

@@ -71,6 +71,17 @@ def use_runtime(runtime: Runtime) -> Runtime:
     return before
 
 
+def new_timer(
+    parent: QObject, milliseconds: int, then: Callable[[], object], *, single_shot: bool = False
+) -> QTimer:
+    """Return a timer of the runtime that is not started yet."""
+    timer = _runtime.timer(parent)
+    timer.setInterval(milliseconds)
+    timer.setSingleShot(single_shot)
+    timer.timeout.connect(then)
+    return timer
+
+
 def now() -> float:
     """Return seconds on the clock of the runtime."""
     return _runtime.now()

@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.program import Program
-from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import Scheme, theme
 
 _SIZE = (1440, 800)  # room for a page as it is, and for the panel of the simulated device
@@ -45,15 +45,11 @@ class Tour(QObject):
         self._folder = folder
         self._steps = self._make_steps()
         self._waiting: tuple[Do, float] | None = None
-        self._timer = self._single_shot(self._step)
         self._has_all = False
-        self._end = self._single_shot(lambda: self.finished.emit(self._has_all))
-
-    def _single_shot(self, act: Callable[[], object]) -> QTimer:
-        timer = runtime().timer(self)
-        timer.setSingleShot(True)
-        timer.timeout.connect(act)
-        return timer
+        self._timer = new_timer(self, _STEP_MS, self._step, single_shot=True)
+        self._end = new_timer(
+            self, _STOP_MS, lambda: self.finished.emit(self._has_all), single_shot=True
+        )
 
     def start(self) -> None:
         self._folder.mkdir(parents=True, exist_ok=True)
@@ -67,11 +63,11 @@ class Tour(QObject):
         if step is None or (not is_done and now() > begun + _TIMEOUT_MS / 1000):
             self._has_all = is_done
             self._program.device_manager.press_stop()
-            self._end.start(_STOP_MS)
+            self._end.start()
             return
         if not is_done:
             self._waiting = step, begun
-        self._timer.start(_STEP_MS)
+        self._timer.start()
 
     def _make_steps(self) -> Iterator[Do]:
         manager = self._program.device_manager

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, QSettings, Signal, Slot
 from serial.tools import list_ports
 
 from trex_gui.core.plugin import DevicePlugin
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 
 _INTERVAL_MS = 1500
 _MANY = 20
@@ -58,9 +58,7 @@ class Ports(QObject):
         self._settings = QSettings(self)
         self._typed = self._read_typed()
         self.entries: tuple[Port, ...] = ()
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_INTERVAL_MS)
-        self._timer.timeout.connect(self.refresh)
+        self._timer = new_timer(self, _INTERVAL_MS, self.refresh)
         self.refresh()
         self._timer.start()
 

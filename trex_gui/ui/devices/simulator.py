@@ -9,7 +9,7 @@ from typing import Generic, Protocol, TypeVar
 from PySide6.QtCore import QObject, QProcess, Signal, Slot
 
 from trex_gui.core.plugin import DevicePlugin
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer, runtime
 
 SIMULATOR_ARGUMENT = "--simulator"
 """First argument with which the program itself runs the simulator instead of the window."""
@@ -175,9 +175,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self._under_way: set[str] = set()
         self._sent = 0
         self._polling = False
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_POLL_INTERVAL_MS)
-        self._timer.timeout.connect(self._poll)
+        self._timer = new_timer(self, _POLL_INTERVAL_MS, self._poll)
         simulator.ended.connect(self._on_simulator_ended)
 
     def watch(self, watched: bool) -> None:

@@ -14,7 +14,7 @@ from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import SUFFIX
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.transport import size_text, time_text
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.file_drop import FileDrop
@@ -55,11 +55,9 @@ class RecordIndicator(QWidget):
             tip=self.tr("End the recording; motors and connection are not affected"),
             on_click=recorder.stop,
         )
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_UPDATE_INTERVAL_MS)
+        self._timer = new_timer(self, _UPDATE_INTERVAL_MS, self._update_text)
         builders.row(dot, self._text, (self._file, 1), stop, into=self, margins=0)
 
-        self._timer.timeout.connect(self._update_text)
         recorder.changed.connect(self._on_changed)
         self._on_changed()
 

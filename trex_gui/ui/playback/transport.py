@@ -3,7 +3,7 @@
 from PySide6.QtCore import QLocale, QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QSlider, QWidget
 
-from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets import builders
 
@@ -36,11 +36,8 @@ class PlaybackCursor(QObject):
         self.start = self.end = self.position = start
         self.speed = 1.0
         self.is_loaded = False
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_FRAME_MS)
+        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
         self._last_frame = 0.0
-
-        self._timer.timeout.connect(self._on_frame)
 
     @property
     def playing(self) -> bool:

@@ -16,7 +16,7 @@ from trex_gui.ui.playback.transport import TransportBar, time_text
 from trex_gui.ui.plotting.export import ExportButton
 from trex_gui.ui.plotting.figures import EventList
 from trex_gui.ui.plotting.plot import TracePlot
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders
@@ -60,9 +60,6 @@ class RecordingWindow(QMainWindow):
         self._name = name
         self._store = QSettings(self)
         self._marked: float | None = None
-        self._redraw = runtime().timer(self)
-        self._redraw.setSingleShot(True)
-        self._redraw.setInterval(_REDRAW_DELAY_MS)
 
         self.notifier = Notifier(self)
         self.banner = Banner(self, self.notifier)
@@ -94,6 +91,7 @@ class RecordingWindow(QMainWindow):
         )
         self.plot = TracePlot(parent=self, name=plot_name)
         self.plot.set_source(playback.traces)
+        self._redraw = new_timer(self, _REDRAW_DELAY_MS, self.plot.draw, single_shot=True)
         self._picture = ExportButton(
             self.plot, self.notifier, self, name=playback.path.stem, tables=False
         )
@@ -102,7 +100,6 @@ class RecordingWindow(QMainWindow):
         self._transport = TransportBar(playback, self)
 
         QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
-        self._redraw.timeout.connect(self.plot.draw)
         self.plot.view_changed.connect(self.update_figures)
         self.plot.cursor_changed.connect(self._on_cursor_changed)
         self.plot.event_chosen.connect(self._on_event_chosen)

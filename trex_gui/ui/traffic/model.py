@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui import __version__
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction, TransactionAssembler
-from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
 
@@ -82,9 +82,7 @@ class TrafficModel(QObject):
         self._assembler = TransactionAssembler(decoder)
         self._newest = 0
         self._epoch = time.time() - now()
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_INTERVAL_MS)
-        self._timer.timeout.connect(self.pull)
+        self._timer = new_timer(self, _INTERVAL_MS, self.pull)
         line.started.connect(self._on_started)
         line.closed.connect(self._on_closed)
 

@@ -8,7 +8,7 @@ from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFileDialog, QLineEdit, QWidget
 
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.traffic.table import RowDetails, TrafficTable, TrafficView
 from trex_gui.ui.widgets import builders as ui
@@ -94,9 +94,7 @@ class TrafficPage(QWidget):
         self._view = ui.named(TrafficView(self._table, self), f"{key}View")
         self._details = ui.named(RowDetails(traffic, self._table, self), f"{key}Details")
         self._summary = ui.label(self, f"{key}Summary")
-        self._typing = runtime().timer(self)
-        self._typing.setSingleShot(True)
-        self._typing.setInterval(_TYPING_MS)
+        self._typing = new_timer(self, _TYPING_MS, self._apply_filter, single_shot=True)
 
         above = ui.row((self._search, 1), self._polling, self._faults, self._paused)
         above.addSpacing(above.spacing())
@@ -116,7 +114,6 @@ class TrafficPage(QWidget):
         self._view.addAction(copying)
         self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._search.textChanged.connect(self._typing.start)
-        self._typing.timeout.connect(self._apply_filter)
         self._polling.toggled.connect(self._apply_filter)
         self._faults.toggled.connect(self._apply_filter)
         self._paused.toggled.connect(self._on_paused)

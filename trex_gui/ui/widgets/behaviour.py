@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
 
 _POLL_MS = 50
@@ -84,9 +84,7 @@ class PressMonitor(QObject):
         super().__init__(widget)
         self._widget = widget
         self._was_active = False
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_POLL_MS)
-        self._timer.timeout.connect(self._on_poll)
+        self._timer = new_timer(self, _POLL_MS, self._on_poll)
         widget.installEventFilter(self)
 
     def begin(self) -> None:

@@ -6,7 +6,7 @@ from PySide6.QtCore import QPointF, QSize, Qt, Slot
 from PySide6.QtGui import QHideEvent, QPainter, QPaintEvent, QPen, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
-from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
 
 _FRAME_MS = 40
@@ -74,8 +74,7 @@ class Leds(QWidget):
         super().__init__(parent)
         self._shown = ("", "")
         self._since = now()
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_FRAME_MS)
+        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
         self.lamps = (Lamp("led_red", self), Lamp("led_green", self))
         self._names = (self.tr("Red"), self.tr("Green"))
         self._words = (QLabel(self), QLabel(self))
@@ -87,7 +86,6 @@ class Leds(QWidget):
             layout.addWidget(words, 0, 2 * index + 1)
             layout.setColumnStretch(2 * index + 1, 1)
 
-        self._timer.timeout.connect(self._on_frame)
         self.show_patterns(("off", "off"), ("off", "off"), ("", ""))
 
     def show_patterns(

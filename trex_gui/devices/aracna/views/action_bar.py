@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Play, StepBegun
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.builders import RedButton
 from trex_gui.ui.widgets.labels import Note
@@ -39,8 +39,7 @@ class ActionBar(QWidget):
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._robot = robot
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_REFRESH_MS)
+        self._timer = new_timer(self, _REFRESH_MS, self._update)
 
         stop = StopSequenceButton(robot, "aracnaStopButton", self)
         height = 2 * self.fontMetrics().height() + 4
@@ -67,7 +66,6 @@ class ActionBar(QWidget):
         layout.addWidget(ui.label(self, "aracnaHonestLabel", hint, wrap=True), 1, 1)
         layout.addWidget(self._end, 0, 2, 2, 1)
 
-        self._timer.timeout.connect(self._update)
         robot.changed.connect(self._update)
         self._update()
 

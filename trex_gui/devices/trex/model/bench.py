@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.event_log import EventKind
-from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.runtime import new_timer, now
 
 _HOLDER = "bench"
 """The name by which the bench acquires the motors."""
@@ -87,11 +87,9 @@ class Bench(QObject):
         self._start = self._last_reading = 0.0
         self._setpoints: list[tuple[float, int]] = []
         self._readings: list[tuple[float, float]] = []
-        self._timer = runtime().timer(self)
+        self._timer = new_timer(self, _STEP_MS, self._on_step)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.setInterval(_STEP_MS)
 
-        self._timer.timeout.connect(self._on_step)
         device.sampled.connect(self._on_sampled)
         motors = self._motors
         for signal in (

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, switch
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 
 STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}
 """Ends of the sticks' travel: in µs, or in V."""
@@ -156,10 +156,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         super().__init__(simulator, read_snapshot, parent)
         self._held: dict[int, float] = {}  # position of each held stick, 0-1
         self._after_off: tuple[str, ...] = ()
-        self._off = runtime().timer(self)
-        self._off.setSingleShot(True)
-        self._off.setInterval(_OFF_MS)
-        self._off.timeout.connect(self._on_off_long_enough)
+        self._off = new_timer(self, _OFF_MS, self._on_off_long_enough, single_shot=True)
 
     @property
     def automatic(self) -> frozenset[int]:

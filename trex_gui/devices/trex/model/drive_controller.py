@@ -24,7 +24,7 @@ from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.runtime import new_timer, now
 
 AfterStop = Callable[[StudioError | None], None]
 """Gets `None` if a stop is confirmed, else why it is not."""
@@ -58,10 +58,8 @@ class DriveController(QObject):
         self._connection = connection
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
         self._after_stop: list[AfterStop] = []
-        self._heartbeat = runtime().timer(self)
-        self._heartbeat.setInterval(round(HEARTBEAT_INTERVAL * 1000))
+        self._heartbeat = new_timer(self, round(HEARTBEAT_INTERVAL * 1000), self._on_heartbeat_due)
 
-        self._heartbeat.timeout.connect(self._on_heartbeat_due)
         motors.arming_changed.connect(self._on_arming_changed)
         motors.requested.connect(self._on_drive_requested)
         motors.stop_requested.connect(self._on_stop_requested)

@@ -13,7 +13,7 @@ from trex_gui.gamepad.profile import (
     default_profile,
     read_profile,
 )
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 
 HOLDER = "gamepad"
 """The name under which a gamepad holds the motors."""
@@ -67,9 +67,7 @@ class Gamepad(QObject):
         self._pilot = Pilot(self.profile)
         self._has_read = False  # since the pilot began
         self._unattended = ""
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(STEP_MS)
-        self._timer.timeout.connect(self._on_step)
+        self._timer = new_timer(self, STEP_MS, self._on_step)
         self._motors.arming_changed.connect(self._on_arming_changed)
         self.destroyed.connect(source.close)
 

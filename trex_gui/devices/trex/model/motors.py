@@ -10,7 +10,7 @@ from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, SetMo
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import seven_bits
-from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.runtime import new_timer, now
 
 _STEP_MS = 100
 _KEY = "motors/lockout"
@@ -98,9 +98,7 @@ class Motors(QObject):
         self._clock = clock
         self._locked_until = -math.inf
         self._announced = 0
-        self._lockout_timer = runtime().timer(self)
-        self._lockout_timer.setInterval(_STEP_MS)
-        self._lockout_timer.timeout.connect(self._on_lockout_step)
+        self._lockout_timer = new_timer(self, _STEP_MS, self._on_lockout_step)
 
     @property
     def can_arm(self) -> bool:

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.session.reconnecting import after_power_cycle
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 
 _LONG_MS = 10_000
 
@@ -44,11 +44,8 @@ class PowerCycle(QObject):
         self.stage = PowerCycleStage.NONE
         self.takes_long = False
         self.expected: ConnectionSettings | None = None
-        self._timeout = runtime().timer(self)
-        self._timeout.setSingleShot(True)
-        self._timeout.setInterval(_LONG_MS)
+        self._timeout = new_timer(self, _LONG_MS, self._on_timeout, single_shot=True)
 
-        self._timeout.timeout.connect(self._on_timeout)
         device.link_changed.connect(self._on_link_changed)
 
     @property

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.runtime import new_timer, now
 
 Counts = tuple[int | None, ...]
 """Raw counts of channels 1-5; `None` without a valid signal."""
@@ -52,10 +52,8 @@ class MeasuredInputs(QObject):
         self._last_time = -math.inf
         self._heard_at = 0.0
         self._ticked_at = 0.0
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_TICK_MS)
+        self._timer = new_timer(self, _TICK_MS, self._on_tick)
 
-        self._timer.timeout.connect(self._on_tick)
         telemetry.updated.connect(self._on_updated)
 
     def begin(self) -> None:

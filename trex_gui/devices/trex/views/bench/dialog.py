@@ -15,7 +15,7 @@ from trex_gui.devices.trex.views.bench.forms import PlanForm, TuningForm
 from trex_gui.devices.trex.views.bench.hold_button import HoldButton
 from trex_gui.devices.trex.views.bench.results import BenchFiles, FiguresTable
 from trex_gui.devices.trex.views.pages.currents import current_limit
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders as ui
@@ -51,9 +51,7 @@ class BenchDialog(QDialog):
         self._message = ""
         self._plot: BenchPlot | None = None
         self.files = BenchFiles(bench, self, self._picture)
-        self._timer = runtime().timer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(_FRAME_MS)
+        self._timer = new_timer(self, _FRAME_MS, self._draw, single_shot=True)
 
         self._note = ui.named(Note(2, self), "benchNote")
         self._hold = ui.named(
@@ -141,7 +139,6 @@ class BenchDialog(QDialog):
         bench.finished.connect(self._on_finished)
         device.telemetry.updated.connect(self._on_telemetry_updated)
         device.link_changed.connect(self._on_changed)
-        self._timer.timeout.connect(self._draw)
         self._fill_compare()
         self._on_changed()
 

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.model.telemetry import board_traces
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.plotting.traces import Traces
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets.builders import column
 
 if TYPE_CHECKING:
@@ -41,10 +41,8 @@ class CurrentsPage(QWidget):
         self._note = ""
         self._drawn = 0, 0
         self._idle = 0
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_FRAME_MS)
+        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
 
-        self._timer.timeout.connect(self._on_frame)
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
 

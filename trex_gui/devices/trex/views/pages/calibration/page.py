@@ -23,7 +23,7 @@ from trex_gui.devices.trex.views.pages.calibration.heading import (
     OtherSource,
 )
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import button, column, label, named, row
@@ -71,8 +71,7 @@ class CalibrationPage(QWidget):
         self._mix = MixWatch()
         self._mixed_shown: bool | None = None
         self._samples_shown = -1
-        self._timer = runtime().timer(self)
-        self._timer.setInterval(_FRAME_MS)
+        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
 
         self._empty = label(
             self,
@@ -127,7 +126,6 @@ class CalibrationPage(QWidget):
         self._fields.edited.connect(self._on_edited)
         self._fields.rejected.connect(self._on_rejected)
         self._other.power_cycle_requested.connect(self.power_cycle_requested)
-        self._timer.timeout.connect(self._on_frame)
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_state_changed)
         device.applied.connect(self._on_applied)

@@ -25,7 +25,7 @@ from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
 from trex_gui.devices.trex.views.pages.motors.options import Options
 from trex_gui.ui.devices.connection_state import ConnectionState
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
@@ -55,9 +55,7 @@ class MotorsPage(QWidget):
 
         self._holder = ""
         self._dragged: int | None = None
-        self._forget_holder = runtime().timer(self)
-        self._forget_holder.setSingleShot(True)
-        self._forget_holder.setInterval(0)
+        self._forget_holder = new_timer(self, 0, self._on_event_over, single_shot=True)
 
         self._sign = Sign(self)
         self._reason = ui.named(Note(2, self), "motorsReason")
@@ -84,7 +82,6 @@ class MotorsPage(QWidget):
         gamepad = GamepadPanel(device, self)
         ui.column(head, drive_box, self._options, self._facts, gamepad, 1, into=self)
 
-        self._forget_holder.timeout.connect(self._on_event_over)
         for number, control in self._controls.items():
             control.speed_wanted.connect(partial(self._on_speed_wanted, number))
             control.brake_wanted.connect(partial(self._on_brake_wanted, number))
