@@ -1,4 +1,4 @@
-"""What a gamepad asks for, step by step."""
+"""Setpoints of a gamepad, step by step."""
 
 from dataclasses import replace
 

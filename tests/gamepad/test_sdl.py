@@ -1,4 +1,4 @@
-"""SDL itself, with a gamepad that exists only in it."""
+"""SDL with a virtual gamepad."""
 
 import importlib
 import os

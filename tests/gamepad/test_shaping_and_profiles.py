@@ -1,4 +1,4 @@
-"""What a stick's place means, and what is remembered of a kind of gamepad."""
+"""Commands of stick positions, and profiles of gamepads."""
 
 import pytest
 from hypothesis import given

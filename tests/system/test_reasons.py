@@ -1,4 +1,4 @@
-"""Why everything is stopped, as it is handed on: what it means is for each device to say."""
+"""Reasons of stops, as each device receives them."""
 
 import sys
 

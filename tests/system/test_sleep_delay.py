@@ -1,4 +1,4 @@
-"""Sleep waits for the motors, for a second at most, where somebody hands out such delays."""
+"""Sleep waits for the motors, for a second at most, if logind grants a delay."""
 
 import shutil
 import time

@@ -1,4 +1,4 @@
-"""What the system tells, turned into stops."""
+"""Events of the operating system stop the motors."""
 
 import os
 import signal
@@ -167,7 +167,9 @@ def test_second_ctrl_c_stops_again_and_ends_closing_window(
 ) -> None:
     ending = Ending(grace=60)
 
-    def pass_one_on(_: int) -> None:  # in the watching thread: what comes at once is the same wish
+    def pass_one_on(
+        _: int,
+    ) -> None:  # in the watching thread: a second one at once counts as the first
         os.kill(os.getpid(), signal.SIGINT)
 
     ending.watch.caught.connect(pass_one_on, Qt.ConnectionType.DirectConnection)
@@ -176,7 +178,7 @@ def test_second_ctrl_c_stops_again_and_ends_closing_window(
             os.kill(os.getpid(), signal.SIGTERM)
         assert not ending.ended.wait(0.4)
         assert ending.acts == 1
-        os.kill(os.getpid(), signal.SIGTERM)  # and this is none of a person's who waits
+        os.kill(os.getpid(), signal.SIGTERM)  # not from a key
         assert not ending.ended.wait(0.4)
         os.kill(os.getpid(), signal.SIGINT)
         assert ending.ended.wait(15)

@@ -1,4 +1,4 @@
-"""When a board counts as silent, and when it is looked for again."""
+"""When a board counts as not responding, and when it is probed again."""
 
 from tests.devices.trex.session.helpers import staged
 from trex_gui.core.timing import Timeouts

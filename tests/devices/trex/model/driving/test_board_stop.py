@@ -1,4 +1,4 @@
-"""When the board stops its motors by itself, the program follows."""
+"""The program drops setpoints when the board stops its motors by itself."""
 
 import pytest
 from pytestqt.qtbot import QtBot

@@ -1,4 +1,4 @@
-"""Which way held keys mean."""
+"""Setpoints of held keys."""
 
 import pytest
 

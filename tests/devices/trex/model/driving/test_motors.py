@@ -1,4 +1,4 @@
-"""What a person wants the motors to do, and when it may be sent."""
+"""Setpoints of the motors, and when they are sent."""
 
 from collections.abc import Callable
 from functools import partial

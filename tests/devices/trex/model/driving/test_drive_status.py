@@ -1,4 +1,4 @@
-"""The one line that says why motors do not do what is asked."""
+"""Why the motors do not follow the setpoints, in one line."""
 
 import itertools
 from collections.abc import Sequence

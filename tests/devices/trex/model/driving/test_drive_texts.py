@@ -1,4 +1,4 @@
-"""What the Motors page says of a motor and of the channel that drives it."""
+"""Texts of the Motors page for a motor and the channel that drives it."""
 
 import pytest
 from pytestqt.qtbot import QtBot

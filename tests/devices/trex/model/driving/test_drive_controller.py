@@ -1,4 +1,4 @@
-"""Wishes and stops between the window and a board that runs in a process of its own."""
+"""Setpoints and stops between the window and a board in a separate process."""
 
 import threading
 from itertools import pairwise
@@ -80,7 +80,7 @@ def test_stop_from_another_thread_drops_later_setpoints(
     thread = threading.Thread(target=driven.connection.stop_now)
     thread.start()
     thread.join()
-    # The window has not heard of it yet, and goes on wishing.
+    # The window does not know of it yet, and continues to send setpoints.
     driven.motors.set_speed(1, 70)
     qtbot.waitUntil(lambda: is_braked(simulator), timeout=20_000)
     driven.motors.set_speed(1, 80)
@@ -111,7 +111,7 @@ def test_frozen_window_reports_the_confirmed_stop(
     driven.notifier.error.connect(said.append)
     deadline = now() + 15
     while not is_braked(simulator):  # and no event of the window is served meanwhile
-        assert now() < deadline, "nobody stopped the motor"
+        assert now() < deadline, "the motor was not stopped"
         runtime().sleep(0.05)
     qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
     assert said == [f"{STOOD_STILL} The motors were stopped. Press Run motor to continue."]

@@ -1,4 +1,4 @@
-"""How the parts of a gamepad are named."""
+"""Names of the parts of a gamepad."""
 
 from dataclasses import replace
 
