@@ -647,7 +647,7 @@ def test_fault_is_shown_and_stored_value_links_to_parameter(armed: MotorsPage) -
     armed.simulator.do("fault 1 off")
     armed.wait_for_text("motorsReason", "armed")
 
-    facts = armed.find(QLabel, "motorsFacts")
+    facts = armed.find(QLabel, "motorsStored")
     assert "no ramp" in facts.text()
     facts.linkActivated.emit("motor2_current_limit")
     view = armed.find(QTreeView, "parametersView")

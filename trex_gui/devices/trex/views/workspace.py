@@ -251,28 +251,25 @@ class TrexWorkspace(Workspace):
         self._on_link_changed()
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        device, recorder = self._device, self.recordings.recorder
+        device, draft = self._device, self._device.draft
+        recorder = self.recordings.recorder
         connected = device.link is ConnectionState.CONNECTED
         writable = connected and not device.applying
-        shown = device.draft.shown is not None and not device.applying
+        shown = draft.shown is not None and not device.applying
         to_activate = bool(device.parameters.waiting_for_power) or device.reset_ordered
         return {
-            "reload": writable,
+            **dict.fromkeys(
+                ("reload", "defaults", "serial_defaults", "learn", "test_sticks"), writable
+            ),
+            **dict.fromkeys(("save", "print", "export"), shown),
             "open": not device.applying,
-            "save": shown,
-            "print": shown,
-            "export": shown,
             "record": recorder.recording or recorder.can_record,
             "run": device.motors.can_arm,
-            "apply": writable and device.draft.pending > 0,
+            "apply": writable and draft.pending > 0,
             "power": connected and to_activate,
-            "defaults": writable,
-            "serial_defaults": writable,
-            "learn": writable,
-            "test_sticks": writable,
-            "discard": shown and device.draft.pending > 0,
-            "undo": shown and device.draft.undo.canUndo(),
-            "redo": shown and device.draft.undo.canRedo(),
+            "discard": shown and draft.pending > 0,
+            "undo": shown and draft.undo.canUndo(),
+            "redo": shown and draft.undo.canRedo(),
             "demo": self._controller.demo_in_use,
         }
 

@@ -1,6 +1,6 @@
 """Panel of the gamepad: switching it on, choosing one, and its state."""
 
-from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Slot
+from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QGroupBox, QWidget
 
@@ -22,7 +22,6 @@ class GamepadPanel(QGroupBox):
         super().__init__(parent)
         self.setObjectName("gamepadPanel")
         self.setTitle(self.tr("Gamepad"))
-        self._device = device
         self.gamepad = Gamepad(device, source or SdlPads(), self)
         self._dialog: GamepadDialog | None = None
 
@@ -83,7 +82,6 @@ class GamepadPanel(QGroupBox):
             app.focusWindowChanged.connect(self._attend)
             app.applicationStateChanged.connect(self._attend)
         self._on_gamepad_changed()
-        self._attend()
 
     @Slot(bool)
     def _on_toggled(self, on: bool) -> None:
@@ -101,7 +99,7 @@ class GamepadPanel(QGroupBox):
     def _on_set_up_clicked(self) -> None:
         if self._dialog is None:
             self._dialog = GamepadDialog(self.gamepad, self)
-            self._dialog.installEventFilter(self)
+            self._dialog.finished.connect(self._attend)
         self._dialog.show()
         self._dialog.activateWindow()
         self._attend()
@@ -123,7 +121,7 @@ class GamepadPanel(QGroupBox):
         for widget in (self._pads, self._set_up, self._bars, self._unfocused):
             widget.setVisible(gamepad.on)
         self._state.setVisible(bool(gamepad.text))
-        self._state.show_note(gamepad.text, alarming=bool(gamepad.failure) or bool(gamepad.gone))
+        self._state.show_note(gamepad.text, alarming=bool(gamepad.failure or gamepad.gone))
         self._state.setAccessibleName(gamepad.text)
         self._attend()
         self._on_gamepad_moved()
@@ -144,17 +142,12 @@ class GamepadPanel(QGroupBox):
         super().hideEvent(event)
         self._attend()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if watched is self._dialog and event.type() in {QEvent.Type.Show, QEvent.Type.Hide}:
-            self._attend()
-        return super().eventFilter(watched, event)
-
     @Slot()
     def _attend(self) -> None:
         """Let the gamepad drive only while its effect is visible."""
-        self.gamepad.attend(self._reason())
+        self.gamepad.attend(self._blocker())
 
-    def _reason(self) -> str:
+    def _blocker(self) -> str:
         if self._dialog is not None and self._dialog.isVisible():
             return self.tr("The gamepad is being set up and cannot drive.")
         if not self.isVisible():

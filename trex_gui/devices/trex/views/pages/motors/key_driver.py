@@ -1,7 +1,7 @@
 """Arrow keys or WASD drive while they are held."""
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
-from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
+from PySide6.QtGui import QKeyEvent, QWindow
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QAbstractSpinBox,
@@ -77,12 +77,11 @@ class KeyDriver(QObject):
 
         self._watch.lost.connect(self.release)
         motors.holder_changed.connect(self._on_holder_changed)
-        app = QGuiApplication.instance()
-        if isinstance(app, QGuiApplication):
-            app.focusWindowChanged.connect(self._on_focus_window_changed)
-            self._on_focus_window_changed(app.focusWindow())
+        app = QApplication.instance()
         if isinstance(app, QApplication):
+            app.focusWindowChanged.connect(self._on_focus_window_changed)
             app.focusChanged.connect(self._on_focus_changed)
+            self._on_focus_window_changed(app.focusWindow())
 
     @Slot(bool)
     def set_enabled(self, enabled: bool) -> None:

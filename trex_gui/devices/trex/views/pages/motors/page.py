@@ -3,9 +3,9 @@
 from functools import partial
 from html import escape
 
-from PySide6.QtCore import QEvent, Qt, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QGroupBox, QLabel, QWidget
+from PySide6.QtWidgets import QGroupBox, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs, drive_status
@@ -73,14 +73,23 @@ class MotorsPage(QWidget):
             ),
         }
         self._options = Options(device.motors, self)
-        self._facts = Facts(device.parameters, self)
+        self._stored = ui.label(
+            self,
+            "motorsStored",
+            tip=self.tr("Stored settings; click a value to open its parameter"),
+            wrap=True,
+        )
+        self._stored.setTextInteractionFlags(
+            Qt.TextInteractionFlag.LinksAccessibleByMouse
+            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
         self._keys = KeyDriver(self._key_drive, device.motors, self, self._pad)
 
         head = ui.row(self._sign, (self._reason, 1), run, spacing=10)
         controls = ui.column(*self._controls.values(), 1, spacing=8)
         ui.row(self._pad, (controls, 1), into=drive_box, spacing=16)
         gamepad = GamepadPanel(device, self)
-        ui.column(head, drive_box, self._options, self._facts, gamepad, 1, into=self)
+        ui.column(head, drive_box, self._options, self._stored, gamepad, 1, into=self)
 
         for number, control in self._controls.items():
             control.speed_wanted.connect(partial(self._on_speed_wanted, number))
@@ -91,7 +100,7 @@ class MotorsPage(QWidget):
         self._pad.released.connect(self._pad_drive.release)
         self._keys.steered.connect(self._pad.show_position)
         self._options.keys_toggled.connect(self._keys.set_enabled)
-        self._facts.linkActivated.connect(self.parameter_wanted)
+        self._stored.linkActivated.connect(self.parameter_wanted)
         motors = self._motors
         motors.holder_changed.connect(self._on_holder_changed)
         motors.setpoints_changed.connect(self._show_setpoints)
@@ -153,7 +162,9 @@ class MotorsPage(QWidget):
             drive.joint = joint
         self._controls[1].set_title(self.tr("Motor (joint)") if joint else self.tr("Motor 1"))
         self._options.set_joint(joint)
-        self._facts.refresh(joint=joint)
+        text = _stored_text(self._device.parameters, joint=joint)
+        self._stored.setText(text)
+        self._stored.setAccessibleName("" if text else self.tr("Stored motor settings: not known"))
         self._show_setpoints()
         self._show_options()
 
@@ -281,58 +292,37 @@ def _name(number: int) -> str:
     return "auxiliary slider" if number == _AUXILIARY else f"motor {number} slider"
 
 
-class Facts(QLabel):
-    """The stored limits of the motors; each is a link to the key of its parameter."""
+def _stored_text(parameters: ParameterModel, *, joint: bool) -> str:
+    """Return the stored settings of the motors, equal ones of both motors once.
 
-    def __init__(self, parameters: ParameterModel, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("motorsFacts")
-        self._parameters = parameters
-        self.setWordWrap(True)
-        self.setTextFormat(Qt.TextFormat.RichText)
-        self.setTextInteractionFlags(
-            Qt.TextInteractionFlag.LinksAccessibleByMouse
-            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
-        )
-        self.setToolTip(self.tr("Stored settings; click a value to open its parameter"))
-        self._name()
+    Each value that was read is a link to the key of its parameter.
+    """
 
-    def refresh(self, *, joint: bool) -> None:
-        """Show the stored values that were read; equal ones of both motors once."""
-        names = {
-            "acceleration": self.tr("acceleration"),
-            "brake_duration": self.tr("brake duration"),
-            "current_limit": self.tr("current limit"),
-        }
-        stored = self._parameters.stored_of
-        same = all(stored(f"motor1_{key}") == stored(f"motor2_{key}") for key in names)
-        parts = []
-        for motor in (1,) if same or joint else (1, 2):
-            facts = [
-                f"{name}: {value}"
-                for key, name in names.items()
-                if (value := self._link(f"motor{motor}_{key}"))
-            ]
-            name = self.tr("Both motors") if same else self.tr("Motor {0}").format(motor)
-            if joint:
-                name = self.tr("Motor (joint)")
-            if facts:
-                parts.append(f"<b>{name}</b> \u2013 {', '.join(facts)}.")
-        if timeout := self._link(ParameterKey.SERIAL_TIMEOUT):
-            parts.append(f"<b>{self.tr('Serial timeout')}</b> \u2013 {timeout}.")
-        text = " ".join(parts)
-        if text != self.text():
-            self.setText(text)
-            self._name()
+    def tr(text: str) -> str:
+        return QCoreApplication.translate("MotorsPage", text)
 
-    def _name(self) -> None:
-        nothing = self.tr("Stored motor settings: not known")
-        self.setAccessibleName("" if self.text() else nothing)
-
-    def _link(self, key: str) -> str:
-        wire = self._parameters.stored_of(key)
+    def link(key: str) -> str:
+        wire = parameters.stored_of(key)
         if wire is None:
             return ""
-        value = self._parameters.text.physical(self._parameters.spec_of(key), wire)
-        color = theme().color("link").name()
-        return f'<a href="{key}" style="color:{color}">{escape(value)}</a>'
+        value = escape(parameters.text.physical(parameters.spec_of(key), wire))
+        return f'<a href="{key}" style="color:{theme().color("link").name()}">{value}</a>'
+
+    names = {
+        "acceleration": tr("acceleration"),
+        "brake_duration": tr("brake duration"),
+        "current_limit": tr("current limit"),
+    }
+    stored = parameters.stored_of
+    same = all(stored(f"motor1_{key}") == stored(f"motor2_{key}") for key in names)
+    parts = []
+    for motor in (1,) if same or joint else (1, 2):
+        links = {name: link(f"motor{motor}_{key}") for key, name in names.items()}
+        title = tr("Both motors") if same else tr("Motor {0}").format(motor)
+        if joint:
+            title = tr("Motor (joint)")
+        if values := ", ".join(f"{name}: {value}" for name, value in links.items() if value):
+            parts.append(f"<b>{title}</b> \u2013 {values}.")
+    if timeout := link(ParameterKey.SERIAL_TIMEOUT):
+        parts.append(f"<b>{tr('Serial timeout')}</b> \u2013 {timeout}.")
+    return " ".join(parts)
