@@ -1,14 +1,19 @@
 """The calibrations of a settings file."""
 
-from typing import cast
+from collections.abc import Collection
+from dataclasses import replace
+from typing import Any, cast
 
 from PySide6.QtCore import (
     QAbstractItemModel,
+    QAbstractTableModel,
     QModelIndex,
     QPersistentModelIndex,
     Qt,
+    Signal,
     Slot,
 )
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -17,9 +22,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.calibration.table import CalibrationRole, CalibrationTable
+from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.protocol.calibration import CalibrationKey
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_FIELDS,
+    DEFAULT_CALIBRATION,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.views.count_editor import CountEditor, UnitDelegate
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets.builders import button, column, flat_table, label, named, row
@@ -28,8 +38,149 @@ from trex_gui.ui.widgets.labels import Note
 Index = QModelIndex | QPersistentModelIndex
 
 
+_KEYS = tuple(CalibrationKey)
+
+
+class CalibrationTable(QAbstractTableModel):
+    """One row per channel: its name and four counts; edits are bold, missing values italic.
+
+    Signals:
+        rejected: why an edit was rejected, for the user.
+    """
+
+    rejected = Signal(str)
+
+    def __init__(self, draft: SettingsDraft, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._draft = draft
+        self._calibrations = draft.calibrations
+        self._titles = (
+            self.tr("Channel"),
+            self.tr("Minimum"),
+            self.tr("Neutral"),
+            self.tr("Maximum"),
+            self.tr("Deadband"),
+        )
+        self._calibrations.changed.connect(self._on_changed)
+
+    # --- User actions -----------------------------------------------------------------
+
+    def add(self, keys: Collection[CalibrationKey]) -> None:
+        """Add the default calibration of channels that have none, in one undo step."""
+        missing = [key for key in keys if not self.is_given(key)]
+        if missing:
+            with self._draft.one_edit(self.tr("Add calibrations")):
+                for key in missing:
+                    self._calibrations.edit(key, DEFAULT_CALIBRATION[key.source])
+
+    def leave_out(self, keys: Collection[CalibrationKey]) -> None:
+        """Remove the calibrations of these channels, in one undo step."""
+        with self._draft.one_edit(self.tr("Leave out calibrations")):
+            for key in keys:
+                self._calibrations.leave_out(key)
+
+    def is_given(self, key: CalibrationKey) -> bool:
+        return self._calibrations.shown(key) is not None
+
+    # --- Qt -----------------------------------------------------------------------------
+
+    def rowCount(self, parent: Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else len(_KEYS)
+
+    def columnCount(self, parent: Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else 1 + len(CALIBRATION_FIELDS)
+
+    def headerData(
+        self,
+        section: int,
+        orientation: Qt.Orientation,
+        role: int = Qt.ItemDataRole.DisplayRole,
+    ) -> Any:
+        if orientation is not Qt.Orientation.Horizontal or role != Qt.ItemDataRole.DisplayRole:
+            return None
+        return self._titles[section] if section < len(self._titles) else None
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        if not index.isValid():
+            return Qt.ItemFlag.NoItemFlags
+        flags = (
+            Qt.ItemFlag.ItemIsEnabled
+            | Qt.ItemFlag.ItemIsSelectable
+            | Qt.ItemFlag.ItemNeverHasChildren
+        )
+        if index.column() > 0 and self.is_given(_KEYS[index.row()]):
+            flags |= Qt.ItemFlag.ItemIsEditable
+        return flags
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        if not index.isValid():
+            return None
+        key = _KEYS[index.row()]
+        match role:
+            case Qt.ItemDataRole.DisplayRole:
+                return self._text(key, index.column())
+            case Qt.ItemDataRole.EditRole:
+                return _field(self._calibrations.shown(key), index.column())
+            case Qt.ItemDataRole.FontRole:
+                return self._font(key, index.column())
+            case Qt.ItemDataRole.DecorationRole if index.column() == 0 and self._is_dirty(key, 0):
+                return icon("edited")
+        return None
+
+    def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
+        if role != Qt.ItemDataRole.EditRole or not index.isValid() or index.column() == 0:
+            return False
+        key = _KEYS[index.row()]
+        before = self._calibrations.shown(key)
+        if before is None:
+            return False
+        wanted = replace(before, **{CALIBRATION_FIELDS[index.column() - 1]: int(value)})
+        try:
+            self._calibrations.edit(key, wanted)
+        except BadRequest:
+            problem = wanted.problem() or ""
+            words = self.tr("{0} channel {1}: {2}. The order is minimum, neutral, maximum.")
+            self.rejected.emit(words.format(key.source.value, key.channel, problem))
+            return False
+        return True
+
+    @Slot()
+    def _on_changed(self) -> None:
+        last = self.index(self.rowCount() - 1, self.columnCount() - 1)
+        self.dataChanged.emit(self.index(0, 0), last)
+
+    def _text(self, key: CalibrationKey, column: int) -> str:
+        if column == 0:
+            name = key.source.value
+            return self.tr("{0} channel {1}").format(name[0].upper() + name[1:], key.channel)
+        count = _field(self._calibrations.shown(key), column)
+        if count is None:
+            return self.tr("not given")
+        return self.tr("{0} ({1})").format(key.source.text(count), count)
+
+    def _font(self, key: CalibrationKey, column: int) -> QFont:
+        font = QFont()
+        font.setBold(self._is_dirty(key, column))
+        font.setItalic(column > 0 and not font.bold() and not self.is_given(key))
+        return font
+
+    def _is_dirty(self, key: CalibrationKey, column: int) -> bool:
+        shown, stored = self._calibrations.shown(key), self._calibrations.stored(key)
+        if column == 0:
+            return shown != stored
+        return _field(shown, column) != _field(stored, column)
+
+
+def _field(calibration: Calibration | None, column: int) -> int | None:
+    """Return the count in a column; `None` in the first, and without a calibration."""
+    if calibration is None or column == 0:
+        return None
+    count: int = getattr(calibration, CALIBRATION_FIELDS[column - 1])
+    return count
+
+
 class _Delegate(UnitDelegate):
-    """Edits counts in physical units; edits are bold, calibrations that are not given italic."""
+    """Edits counts in physical units."""
 
     def __init__(self, page: "CalibrationEditor") -> None:
         super().__init__(page)
@@ -37,31 +188,14 @@ class _Delegate(UnitDelegate):
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
         del option
-        key = CalibrationKey(index.data(CalibrationRole.KEY))
-        editor = CountEditor(key.source, parent)
+        editor = CountEditor(_KEYS[index.row()].source, parent)
         editor.setObjectName("countEditor")
         editor.rejected.connect(self._page.show_problem)
         return editor
 
-    def setEditorData(self, editor: QWidget, index: Index) -> None:
-        cast("CountEditor", editor).setValue(index.data(Qt.ItemDataRole.EditRole))
-
     def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: Index) -> None:
-        box = cast("CountEditor", editor)
-        box.interpretText()
-        model.setData(index, box.value(), Qt.ItemDataRole.EditRole)
-
-    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
-        super().initStyleOption(option, index)
-        font = option.font
-        if index.data(CalibrationRole.DIRTY):
-            font.setBold(True)
-            if index.column() == 0:
-                option.icon = icon("edited")
-                option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
-        elif index.column() > 0 and index.data(Qt.ItemDataRole.EditRole) is None:
-            font.setItalic(True)
-        option.font = font
+        cast("CountEditor", editor).interpretText()
+        super().setModelData(editor, model, index)
 
 
 class CalibrationEditor(QWidget):
@@ -124,8 +258,8 @@ class CalibrationEditor(QWidget):
         self._note.show_note(text, alarming=True)
 
     def _selected(self) -> tuple[CalibrationKey, ...]:
-        rows = {index.row(): index for index in self._view.selectionModel().selectedIndexes()}
-        return tuple(CalibrationKey(rows[row].data(CalibrationRole.KEY)) for row in sorted(rows))
+        rows = {index.row() for index in self._view.selectionModel().selectedIndexes()}
+        return tuple(_KEYS[row] for row in sorted(rows))
 
     @Slot()
     def _on_changed(self) -> None:
