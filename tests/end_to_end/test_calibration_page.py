@@ -8,7 +8,7 @@ import pytest
 from tests.support.pages.calibration import CalibrationPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.pages.calibration import page as widgets

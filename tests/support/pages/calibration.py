@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QListWidget, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, TIMEOUT_MS, WidgetDriver
-from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings

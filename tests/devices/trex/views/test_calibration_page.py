@@ -20,7 +20,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.pages.calibration import CalibrationPage, calibration_page
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     Calibration,

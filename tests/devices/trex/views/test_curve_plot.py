@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver
-from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.model.calibration_moves import Handle
+from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot, InputTrace

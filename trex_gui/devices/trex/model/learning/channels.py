@@ -9,7 +9,7 @@ from trex_gui.devices.trex.calibration.neutral import Neutral, Sample, measure_n
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import TASKS, Task, Travel
-from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
+from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.checks import Check
 from trex_gui.devices.trex.model.telemetry import Telemetry

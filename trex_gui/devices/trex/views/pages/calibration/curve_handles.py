@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.ui.plotting.axes import spread
 from trex_gui.ui.theme.theme import theme
 

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.calibration.channel_curve import MixWatch
-from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.model.calibration_moves import Handle
+from trex_gui.devices.trex.model.channel_curve import MixWatch
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol import channel_text
 from trex_gui.devices.trex.protocol.calibration import Calibration

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.model.calibration.channel_curve import MixWatch, is_mixed
+from trex_gui.devices.trex.model.channel_curve import MixWatch, is_mixed
 from trex_gui.devices.trex.simulator.channel_control import motor_values
 
 outputs = st.integers(-127, 127)

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.model.calibration.moves import (
+from trex_gui.devices.trex.model.calibration_moves import (
     Handle,
     moved,
     symmetric,

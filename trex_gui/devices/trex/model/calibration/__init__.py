@@ -1,1 +1,0 @@
-"""The channel calibrations with their edits."""
