@@ -269,6 +269,14 @@ def test_edit_that_would_read_back_differently_is_rejected() -> None:
         amended(before, motor_mode=1)
 
 
+def test_product_on_two_lines_is_kept_or_rejected() -> None:
+    before = "product: TReX\n  Jr\nserial_timeout: 5\n"
+    junior = Settings(TREX_JR, None, {"serial_timeout": 7})
+    assert amend(before, junior) == before.replace("5", "7")
+    with pytest.raises(SettingsError, match="cannot be changed in place"):
+        amend(before, replace(junior, product=TREX, parameters={"serial_timeout": 5}))
+
+
 # Any file in any style
 
 

@@ -56,7 +56,7 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
     _change_entries(document, old, wanted)
     document.append(list(_missing_lines(document, settings)))
     amended = mark + document.text()
-    if amended != text and not _reads_as(wanted, amended):
+    if (amended != text or wanted != old) and not _reads_as(wanted, amended):
         raise SettingsError.of(
             name,
             "this file is written in a way that cannot be changed in place; save the settings as "

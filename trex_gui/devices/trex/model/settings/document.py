@@ -9,12 +9,11 @@ from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.files import Finding, SettingsError, decode, load, save
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft, diff_against_draft
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.edit_in_place import amend
+from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK, amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.ui.runtime import runtime
 
-_MARK = "\ufeff"
 _LAYOUT = "\t\n\v\f\r\x1b\xa0"
 
 
@@ -222,7 +221,7 @@ def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
             "are not plain letters; Save writes UTF-8"
         )
         return text, Finding(found.line, found.key, message)
-    return (_MARK + text if data.startswith(_MARK.encode()) else text), None
+    return (BYTE_ORDER_MARK + text if data.startswith(BYTE_ORDER_MARK.encode()) else text), None
 
 
 def take_calibrations(draft: SettingsDraft, path: Path, text: str) -> tuple[int, tuple[str, ...]]:

@@ -18,13 +18,13 @@ from PySide6.QtWidgets import QPlainTextEdit, QSplitter, QTextEdit, QWidget
 
 from trex_gui.core.files import Severity
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 
-_BYTE_ORDER_MARK = "\ufeff"
 _MARGIN = 6
 
 EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")
@@ -123,7 +123,7 @@ class TextPage(QWidget):
         if self.editor.isReadOnly():
             return
         before = self._document.text
-        body = before.removeprefix(_BYTE_ORDER_MARK)
+        body = before.removeprefix(BYTE_ORDER_MARK)
         mark = before[: len(before) - len(body)]
         self._shown = mark + with_line_ends(self.editor.lines, body)
         self._document.set_text(self._shown)
@@ -137,7 +137,7 @@ class TextPage(QWidget):
         if document.text != self._shown:
             self._shown = document.text
             place = self.editor.verticalScrollBar().value()
-            self.editor.setPlainText(document.text.removeprefix(_BYTE_ORDER_MARK))
+            self.editor.setPlainText(document.text.removeprefix(BYTE_ORDER_MARK))
             self.editor.verticalScrollBar().setValue(place)
         signs: dict[int, str] = {}
         for found in document.findings:
