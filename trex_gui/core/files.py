@@ -22,11 +22,10 @@ class Severity(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One error or warning about a settings file.
+    """An error or warning about a settings file; `key` is spelt as in the file.
 
     Attributes:
-        line: counted from 1; `None` when it concerns the file as a whole.
-        key: the setting concerned, as the file spells it.
+        line: counted from 1; `None` for the file as a whole.
         message: what was expected, and what was found instead.
         code: the kind of finding, for programs; empty for errors of the file system.
     """
@@ -73,9 +72,7 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
     permissions are kept. A pipe or a device is written to directly. The caller may close the file.
 
     Raises:
-        FileExistsError: with `overwrite` off, the name is taken. Of several programs that want
-            the same name at once, one gets it.
-        OSError: the file cannot be written.
+        FileExistsError: with `overwrite` off, the name is taken, also by another program just now.
     """
     target = path.resolve()
     if overwrite and target.exists() and not target.is_file():
@@ -128,8 +125,7 @@ def _sync_folder(folder: Path) -> None:
             os.close(handle)
 
 
-LARGEST_FILE = 256 * 1024
-"""Bytes; a complete settings file has about 3000."""
+LARGEST_FILE = 256 * 1024  # bytes; a complete settings file has about 3000
 
 
 def load(path: Path, content: str = "settings") -> bytes:

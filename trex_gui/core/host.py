@@ -21,10 +21,7 @@ def _start_thread(function: Callable[[], None]) -> Callable[[], None]:
 class Host:
     """What commands use of the computer; a caller may pass another one as click's `obj`.
 
-    Attributes:
-        open_transport: opens a port; raises PortUnavailable.
-        condition: makes what threads wait on for each other.
-        start_thread: runs a function in a thread of its own; returns what waits for its end.
+    `start_thread` runs a function in a thread and returns a function that waits for its end.
     """
 
     open_transport: Callable[[PortSettings], Transport] = SerialTransport

@@ -60,15 +60,11 @@ class PortReports:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DevicePlugin:
-    """One kind of device.
+    """One kind of device; `key` identifies it in settings and on the command line.
 
     Attributes:
-        key: identifies the kind in settings and on the command line.
-        name: what users call it.
         prober: how to look for one on a port; its probes move no device of any kind.
-        port_reports: how the command line reports one.
         commands: its commands of trexcmd by name.
-        simulator: how trex-sim simulates one.
         simulator_arguments: arguments of trex-sim that simulate one for the port list.
         controller: makes its controller and model: `DeviceController`, called as
             (plugin, notifier, ports, scanner, timeouts).

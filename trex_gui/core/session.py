@@ -82,8 +82,7 @@ class RequestQueue:
             return self._requests.popleft() if self._requests else None
 
 
-SHORTEST_WAIT = 1e-5
-"""Seconds; keeps rounding errors of times from causing a busy loop."""
+SHORTEST_WAIT = 1e-5  # seconds; keeps rounding errors of times from causing a busy loop
 
 
 class Inbox(Protocol[RequestT_co]):
@@ -103,11 +102,8 @@ def run_until_closed(
 ) -> StudioError | None:
     """Call `begin`, then `step` repeatedly; return the error that ended the loop.
 
-    Never raises, so that the session can then bring the device into a safe state.
-
-    Returns:
-        `None` after `Closing`; the result of `internal_error` for any exception other than
-        `StudioError`.
+    Never raises, so that the session can then bring the device into a safe state. Returns `None`
+    after `Closing`, and the result of `internal_error` for any exception but `StudioError`.
     """
     try:
         begin()

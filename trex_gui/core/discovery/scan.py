@@ -49,8 +49,6 @@ class PortScan:
         device: key of the kind that was found; empty if none was.
         found: the devices, all of that kind.
         diagnoses: what was received if none was found, the strongest evidence first.
-        error: the port could not be opened, went away, or does not support a scan.
-        cancelled: whether it was cancelled.
         is_fault: whether an internal error ended it; `error` says so.
     """
 
@@ -92,7 +90,7 @@ def scan_port(
         first: key of the kind that the port is known to have.
         full: try everything, however long it takes.
         progress: called before each probe.
-        cancelled: called before each probe; whether to end.
+        cancelled: called before each probe.
         open_wire: opens the port.
     """
     result = PortScan()

@@ -8,8 +8,7 @@ from typing import Generic
 from trex_gui.core.recording.kinds import Marker, RecordT
 from trex_gui.core.session import Condition
 
-CAPACITY = 100_000
-"""Pending records: nine minutes at full rate, some 15 MB."""
+CAPACITY = 100_000  # pending records: nine minutes at full rate, some 15 MB
 
 
 class Backlog(Generic[RecordT]):

@@ -32,10 +32,7 @@ def export_span(
     """Write the samples within a span (session's clock), as MCAP or CSV by suffix.
 
     `progress` gets the share done, 0 to 1; an exception from it ends the work. A file of the same
-    name is replaced only by a complete one.
-
-    Raises:
-        RecordingError: the recording cannot be read, or the export cannot be written.
+    name is replaced only by a complete one. Raises RecordingError.
     """
     write = _write_mcap if path.suffix.lower() == MCAP_SUFFIX else _write_csv
     try:

@@ -12,8 +12,7 @@ from trex_gui.core.errors import StudioError
 
 Value = int | float | str | None
 
-LONGEST_TEXT = 60_000
-"""Characters kept of a text; the settings of a board take 4,000."""
+LONGEST_TEXT = 60_000  # characters kept of a text; the settings of a board take 4,000
 
 
 class Timestamped(Protocol):
@@ -135,12 +134,9 @@ MARKERS = SampleKind(
 
 @dataclass(frozen=True, slots=True)
 class RecordingFormat(Generic[HeaderT]):
-    """What the recordings of a device hold.
+    """What the recordings of a device hold; `device` is its key in the header table.
 
-    Attributes:
-        device: key in the header table.
-        read_header: makes the header of its rows; raises ValueError where they are damaged.
-        kinds: sample kinds of a recording with this header.
+    `read_header` makes the header of its rows; it raises ValueError where they are damaged.
     """
 
     device: str

@@ -28,18 +28,12 @@ from trex_gui.core.recording.kinds import (
 )
 
 SUFFIX = ".trexrec"
-APPLICATION_ID = 0x54524543
-"""`TREC`, at offset 68 of the file."""
-
+APPLICATION_ID = 0x54524543  # `TREC`, at offset 68 of the file
 SCHEMA_VERSION = 1
-CHUNK = 1000
-"""Records read at a time."""
-
+CHUNK = 1000  # records read at a time
 _TYPES = {"INTEGER": int, "REAL": float, "TEXT": str}
 _MAGIC = b"SQLite format 3\0"
-_HEAD = struct.Struct(">16xH10xI")
-"""Page size and number of pages of a database."""
-
+_HEAD = struct.Struct(">16xH10xI")  # page size and number of pages of a database
 _LONGEST_VALUE = 1 << 20
 _MOST_PROBLEMS = 20
 _NOT_A_RECORDING = "This is not a TReX Studio recording."

@@ -10,9 +10,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.simulator.line import SimulatedLine
 
 SWITCH = {"on": True, "off": False}
-GOODBYE = "ok bye"
-"""Reply to `quit`; the server ends after it."""
-
+GOODBYE = "ok bye"  # reply to `quit`; the server ends after it
 _MAX_COUNT = 999_999_999
 _MAX_GARBAGE = 10_000
 

@@ -10,8 +10,7 @@ from typing import Protocol
 from trex_gui.core.errors import StudioError
 from trex_gui.core.transport.settings import Parity
 
-CHUNK = 256
-"""Bytes read at a time, so that a changed baud rate of the host is noticed soon."""
+CHUNK = 256  # bytes read at a time, so that a changed baud rate of the host is noticed soon
 
 
 class EndpointError(StudioError):
@@ -32,16 +31,17 @@ Arrival = tuple[HostSettings | None, bytes]
 
 
 class Endpoint(Protocol):
-    """A connection that a host can open and reopen; `hosts_left` counts those that left."""
+    """A connection that a host can open and reopen; `hosts_left` counts those that left.
+
+    `url` is what pyserial opens; `waiting_for` returns the file descriptors to wait for.
+    """
 
     hosts_left: int
 
     @property
-    def url(self) -> str:
-        """URL or path that pyserial opens."""
+    def url(self) -> str: ...
 
-    def waiting_for(self) -> list[int]:
-        """Return the file descriptors to wait for."""
+    def waiting_for(self) -> list[int]: ...
 
     def take(self, ready: Collection[int]) -> Iterable[Arrival]:
         """Serve descriptors that are readable; return what the host has sent."""
@@ -55,8 +55,7 @@ class Endpoint(Protocol):
     def plug(self) -> None:
         """Offer a connection again; EndpointError if that fails."""
 
-    def close(self) -> None:
-        """Release everything."""
+    def close(self) -> None: ...
 
 
 class TcpEndpoint:

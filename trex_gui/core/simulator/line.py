@@ -31,11 +31,9 @@ class WireFaults:
 
     Attributes:
         mute: whether nothing reaches the host.
-        plugged: whether the cable is plugged in.
         noise: probability that a byte is corrupted.
         to_drop, to_drop_sent: number of bytes to lose next, to and from the host.
-        to_cut: number of bytes to the host after which the rest of a text line is lost, its
-            end included; `None` for no cut.
+        to_cut: number of bytes to the host after which the rest of a text line is lost.
         errors: errors with which the next bytes from the host reach the device.
     """
 
@@ -118,18 +116,14 @@ class WireFaults:
 
 
 class Station(Protocol):
-    """The UART of a device on the line."""
+    """The UART of a device on the line; `baud` is its real bit rate."""
 
     @property
-    def line_format(self) -> SerialFormat:
-        """How the UART is set."""
-
+    def line_format(self) -> SerialFormat: ...
     @property
-    def baud(self) -> float:
-        """Bit rate at which the UART really runs."""
+    def baud(self) -> float: ...
 
-    def advance(self, seconds: float) -> None:
-        """Let time pass for the device."""
+    def advance(self, seconds: float) -> None: ...
 
     def receive(
         self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
@@ -142,13 +136,9 @@ class Station(Protocol):
 
 @dataclass(slots=True, eq=False)
 class _Frame:
-    """A byte on its way to the host.
+    """A byte on its way to the host from `start` to `end` (s), sent at the bit rate `baud`.
 
-    Attributes:
-        start, end: in seconds.
-        sender, baud: how its sender is set, and its real bit rate.
-        is_alive: whether the sender still has power.
-        collided: whether it overlaps another byte.
+    It is lost unless `is_alive` at its end: its sender has lost power.
     """
 
     start: float
@@ -180,11 +170,9 @@ class SimulatedLine:
     begin together arrive as their AND; of other overlapping bytes the host samples the levels.
 
     Attributes:
-        stations: the devices; a fitting host is set like the first one.
-        faults: what goes wrong on the wire.
         echo: whether bytes from the host come back, as on an RS-232 connector.
         paced: whether bytes take time.
-        host: how the host's port is set; `None` for a fitting host.
+        host: how the host's port is set; `None` for a host set like the first station.
     """
 
     stations: Sequence[Station]

@@ -21,22 +21,14 @@ from trex_gui.core.simulator.endpoint import Endpoint, EndpointError, HostSettin
 from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.transport.settings import SerialFormat
 
-_IDLE = 0.1
-"""Seconds between two updates without events: devices change without bytes on the wire."""
-
-_SUSPENDED = 2.0
-"""A gap of this many seconds is not made up for: the process was suspended."""
-
+_IDLE = 0.1  # seconds between two updates without events: devices change without bytes on the wire
+_SUSPENDED = 2.0  # a gap of this many seconds is not made up for: the process was suspended
 _MAX_AHEAD = 0.02
 """Seconds of bytes queued on the line; the rest is kept here, where it is discarded when the host
 disconnects or reconfigures its port."""
 
-_MAX_UNSENT = 65_536
-"""Bytes of the host that are kept; more are lost."""
-
-_CHUNK = 16
-"""Bytes queued on the line at a time."""
-
+_MAX_UNSENT = 65_536  # bytes of the host that are kept; more are lost
+_CHUNK = 16  # bytes queued on the line at a time
 _BATCH = 0.001
 """Seconds of a host's stream that are processed together: waking up for each byte takes a whole
 core at 115200 baud."""

@@ -67,8 +67,7 @@ _PROCESSORS = ("x86", "i386", "i486", "i586", "i686", "amd64", "arm", "aarch64",
 _FARTHEST_OFF = 0.03
 """Share by which a rate may be off: with the clock of the board on top, a byte still arrives."""
 
-_LONGEST = 0.1
-"""Seconds after which the question is given up: opening a port must not take longer."""
+_LONGEST = 0.1  # seconds after which the question is given up: opening a port must not take longer
 
 
 class _Port(Protocol):

@@ -25,24 +25,18 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
-_SLICE = 0.02
-"""Seconds that one blocking read may last; a deadline is overrun by no more than this."""
-
+_SLICE = 0.02  # seconds that one blocking read may last; a deadline is overrun by no more than this
 _LONGEST_STALE = 0.05
 """Seconds of unsolicited bytes after which the line counts as sending on its own."""
 
 _MANY_READS = 10
 """Reads with more bytes before that: a computer that was suspended gets all in one or two."""
 
-_NO_ROOM = 1.0
-"""Seconds after which a port that accepts no byte is gone."""
-
+_NO_ROOM = 1.0  # seconds after which a port that accepts no byte is gone
 _LOCAL_LATENCY = 0.06
 """Allowance for a local port: two latency timers of a common adapter (16 ms) and the system."""
 
-_REMOTE_LATENCY = 0.5
-"""Allowance for a port behind a network."""
-
+_REMOTE_LATENCY = 0.5  # allowance for a port behind a network
 _BUSY = frozenset({errno.EBUSY, errno.EAGAIN})
 
 _HANDING_OVER = 1.5
@@ -56,48 +50,40 @@ def latency_of(url: str) -> float:
 
 
 class Transport(Protocol):
-    """One open line. Every method that uses it raises PortUnavailable when it is gone."""
+    """One open line; each method that uses it raises PortUnavailable when it is gone.
+
+    `latency`: seconds that a byte may be late, apart from its time on the wire;
+    `is_configurable`: whether `reconfigure` has an effect; `clock` is monotonic, in seconds.
+    """
 
     @property
-    def latency(self) -> float:
-        """Seconds that a byte may be late, apart from its time on the wire."""
-        ...
-
+    def latency(self) -> float: ...
     @property
-    def is_configurable(self) -> bool:
-        """Whether `reconfigure` has an effect."""
-        ...
+    def is_configurable(self) -> bool: ...
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         """Return those of the wanted baud rates that the port can do; `None`: unknown.
 
         Sends nothing and never raises. Only before anything was sent on the port.
         """
-        ...
 
     def reconfigure(self, line: SerialFormat) -> None:
         """Use these settings from now on; no byte may be on the wire. Raises BadRequest."""
-        ...
 
     def clock(self) -> float: ...
 
-    def write(self, data: bytes) -> None:
-        """Send bytes."""
-        ...
+    def write(self, data: bytes) -> None: ...
 
     def read(self, size: int, seconds: float) -> bytes:
         """Return `size` bytes, or the fewer that came within `seconds`."""
-        ...
 
     def discard(self) -> bytes:
         """Discard and return what was received so far; BadReply if it does not end."""
-        ...
 
     def wait(self, seconds: float) -> None: ...
 
     def close(self) -> None:
         """Close the port; never raises."""
-        ...
 
 
 class SerialTransport:
@@ -151,11 +137,7 @@ class SerialTransport:
             raise self._gone(error) from error
 
     def _write_as_there_is_room(self, data: bytes) -> None:
-        """Write all; a write timeout of pyserial would expire if this thread was late, too.
-
-        Raises:
-            SerialTimeoutException: the port has taken nothing for `_NO_ROOM`.
-        """
+        """Write all; a write timeout of pyserial would also expire if this thread was late."""
         while data:
             _, ready, _ = select.select([], [self._port.fileno()], [], _NO_ROOM)
             if not ready:

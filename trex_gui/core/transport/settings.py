@@ -50,10 +50,8 @@ class SerialFormat:
 class PortSettings:
     """Everything needed to open a port.
 
-    Attributes:
-        url: whatever pyserial opens: `/dev/ttyUSB0`, `COM3`, `socket://host:port`,
-            `rfc2217://host:port`.
-        name: what the user calls the port; the URL if it is empty.
+    `url` is whatever pyserial opens: `/dev/ttyUSB0`, `COM3`, `socket://host:port`,
+    `rfc2217://host:port`; `name` is what the user calls it, if not the URL.
     """
 
     url: str

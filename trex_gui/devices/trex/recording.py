@@ -42,8 +42,7 @@ from trex_gui.devices.trex.protocol.flags import (
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.writer import write_settings
 
-STOP = "stop"
-"""Kind of the marker after which the motors have no setpoint."""
+STOP = "stop"  # kind of the marker after which the motors have no setpoint
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,12 +97,10 @@ class Header:
     """Describes the recording of a board.
 
     Attributes:
-        started: in UTC.
-        clock: the session's clock (s) at that time.
+        clock: the session's clock (s) at the start.
         mode: the mode at the start; the unit of the channels follows from it.
         settings: what the board stored at the start, as the text of a settings file.
         device_number: `None` where the board was addressed without one.
-        program: name and version of the program that recorded it.
     """
 
     started: datetime

@@ -51,18 +51,10 @@ def change_one(
 ) -> None:
     """Store one setting with `write`, if it differs from what the board stores.
 
-    Args:
-        client: the line.
-        state: what the board stores.
-        after: what it is to store.
-        context: for the rules.
-        write: stores it and reads it back.
-        what: the setting, for the user.
-        command: the snapshot's reason.
+    `after` is what the board is to store. Nothing was written after Rejected (the board is not in
+    serial mode) or SettingsError (the snapshot could not be saved).
 
-    Raises:
-        Rejected: the board is not in serial mode, or rejects the setting.
-        SettingsError: the snapshot cannot be saved; nothing was written then.
+    `what` names the setting for the user; `command` is the snapshot's reason.
     """
     before, link = settings_of(state), client.settings
     result = compare(before, after)
@@ -84,11 +76,7 @@ def say_what_follows(
 ) -> None:
     """Report what needs a power cycle and how to reach the board now and after it.
 
-    Args:
-        client: the line after the writing.
-        link: how the board was reached before it.
-        state: what the board stored before it.
-        stored: the parameters that were written, wire values by key.
+    `link` and `state` are as before the writing; `stored` are the parameters that were written.
     """
     specs = state.specs
     if waiting := sorted(specs[key].name for key in stored if specs[key].needs_power_cycle):

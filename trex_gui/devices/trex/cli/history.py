@@ -64,11 +64,10 @@ def _list(as_json: bool) -> None:
         return
     titles = ("", "Time", "Board", "No.", "Adapter", "Before")
     cells = [titles, *(_cells(number, found) for number, found in enumerate(snapshots, 1))]
-    widths = [max(len(row[column]) for row in cells) for column in range(len(titles))]
-    for row in cells:
-        first = row[0].rjust(widths[0])
-        rest = (text.ljust(width) for text, width in zip(row[1:], widths[1:], strict=True))
-        click.echo("  ".join((first, *rest)).rstrip())
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    for first, *rest in cells:
+        texts = (text.ljust(width) for text, width in zip(rest, widths[1:], strict=True))
+        click.echo("  ".join((first.rjust(widths[0]), *texts)).rstrip())
 
 
 @history.command("show")

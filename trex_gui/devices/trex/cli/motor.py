@@ -51,9 +51,7 @@ from trex_gui.devices.trex.session.messages import (
 )
 from trex_gui.devices.trex.session.session import TrexSession
 
-_SLICE = 0.02
-"""Longest wait in seconds without a look at signals."""
-
+_SLICE = 0.02  # longest wait in seconds without a look at signals
 _FAULTS = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
 
 

@@ -17,8 +17,7 @@ from trex_gui.devices.trex.cli.common import (
 from trex_gui.devices.trex.protocol.descriptions import describe
 from trex_gui.devices.trex.protocol.framing import Malformed, Packet, PacketParser
 
-_SILENCE = 0.25
-"""Seconds without a byte after which `raw` takes an answer to be whole."""
+_SILENCE = 0.25  # seconds without a byte after which `raw` takes a reply to be complete
 
 
 def _bytes(words: tuple[str, ...]) -> bytes:

@@ -11,9 +11,7 @@ from enum import StrEnum
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-INVALID_RAW = 0xFFFF
-"""What 0x86 answers for a channel whose last pulse was bad or is missing."""
-
+INVALID_RAW = 0xFFFF  # what 0x86 answers for a channel whose last pulse was bad or is missing
 CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 FULL_SCALE = 127
 NEARLY_NEUTRAL = 8
@@ -106,13 +104,10 @@ class Calibration:
 
 
 def encode_14_bits(value: int) -> bytes:
-    """Code a 16-bit calibration value as two data bytes: low seven bits, the seven above.
+    """Code a calibration value, 0-16383, as two data bytes: low seven bits, the seven above.
 
     Inferred: the documentation says "low byte, high byte", but no data byte may exceed 127;
     this is the only coding that obeys that, and how other controllers of the maker do it.
-
-    Raises:
-        BadRequest: `value` is outside 0-16383.
     """
     if not 0 <= value <= HIGHEST_CODED:
         raise BadRequest(f"a calibration value is 0 to {HIGHEST_CODED}, not {value}")
@@ -141,11 +136,9 @@ def remap(
 ) -> int:
     """Return what a channel's raw count becomes: -127 to 127, before mixing and flip.
 
-    `raw` is in counts; `None` and 0xFFFF (no valid signal) and an ignored channel give 0,
-    the first two being inferred (fail-safe). Full output is reached at minimum and maximum,
-    0 within
-    `deadband` counts of neutral. Between them the output grows with the fraction of the way
-    from the edge of the deadband to the end, or with its square (parabolic), rounded down.
+    `None` and 0xFFFF (no valid signal; inferred) and an ignored channel give 0. Full output is
+    reached at minimum and maximum, 0 within `deadband` counts of neutral. Between them the output
+    grows with the fraction of the way, or with its square (parabolic), rounded down.
     """
     if raw is None or raw == INVALID_RAW or ignored:
         return 0

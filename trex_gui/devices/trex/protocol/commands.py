@@ -333,8 +333,7 @@ class GetParameter(Command[int]):
 
 # --- Writes to EEPROM, 0xA0 to 0xAF, in serial mode only --------------------------------
 
-FORMAT_BYTES = b"\x55\x2a"
-"""What ends every write, so that noise does not become one."""
+FORMAT_BYTES = b"\x55\x2a"  # what ends every write, so that noise does not become one
 
 
 def _result(reply: bytes) -> ResultCode:

@@ -9,11 +9,9 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 @dataclass(frozen=True, slots=True)
 class ConnectionSettings(PortSettings):
-    """A port and the addressing of a board on it; the default line is the factory's.
+    """A port and the addressing of a board on it.
 
-    Attributes:
-        device_number: 0-127 for the Pololu protocol, `None` for the compact one.
-        polynomial: used when the line has CRC-7.
+    `device_number` is 0-127 for the Pololu protocol, `None` for the compact one.
     """
 
     line: LineSettings = field(default_factory=LineSettings)

@@ -121,12 +121,7 @@ class Skipped(TrexError):  # noqa: N818 - nothing went wrong
 
 
 class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
-    """The board understood a write and rejected it.
-
-    Attributes:
-        what: what was written, for messages ("Serial Timeout", "calibration of channel 2").
-        result: the board's reply.
-    """
+    """The board understood a write and rejected it; `what` was written, for messages."""
 
     def __init__(self, what: str, result: ResultCode) -> None:
         super().__init__(_REJECTIONS[result], what)

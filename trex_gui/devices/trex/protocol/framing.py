@@ -49,15 +49,12 @@ DEFAULT_DEVICE_NUMBER = 7
 
 @dataclass(frozen=True, slots=True)
 class Framing:
-    """How packets are wrapped.
+    """How packets are wrapped; BadRequest if a number is outside its range.
 
     Attributes:
         device_number: 0-127 for expanded ("Pololu") packets to one board of several; `None`
             for compact packets, which every board on the line obeys.
-        polynomial: 0x80-0xFF when each packet and each reply ends in a CRC-7; else `None`.
-
-    Raises:
-        BadRequest: a number is outside its range.
+        polynomial: 0x80-0xFF if each packet and each reply ends in a CRC-7; else `None`.
     """
 
     device_number: int | None = None
@@ -120,14 +117,10 @@ class Reply(Generic[ReplyT_co]):
 
 
 class PacketParser:
-    """Cuts what a host sends into packets.
+    """Cuts what a host sends into packets; `polynomial` is `None` without CRC.
 
-    `polynomial` is the CRC-7 polynomial in force, `None` without CRC. A command byte in the
-    middle of a packet ends that packet as malformed and begins another (inferred: the
-    documentation calls it an error and does not say where the board resumes).
-
-    Raises:
-        BadRequest: the polynomial is not 0x80-0xFF.
+    A command byte in the middle of a packet ends that packet as malformed and begins another
+    (inferred: the documentation calls it an error and does not say where the board resumes).
     """
 
     def __init__(self, polynomial: int | None = None) -> None:

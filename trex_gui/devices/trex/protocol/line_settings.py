@@ -14,8 +14,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table, version_ke
 class Detection(IntEnum):
     """Error detection; the value is the field in bits 6:5 of parameter 0x7E.
 
-    CRC-7's code is sourced. Inferred: none and the parities, from the bits of the board's
-    processor.
+    Inferred, except CRC-7: from the bits of the board's processor.
     """
 
     NONE = 0x00
@@ -72,10 +71,9 @@ class LineSettings(SerialFormat):
         return baud_rates().index(self.baud) | self.detection | stop
 
     def real_baud(self, firmware: str) -> int:
-        """Return the rate that the board really runs at with this setting, in bit/s.
+        """Return the rate in bit/s at which the board really runs with this setting.
 
-        Firmware before 1.2 runs at half the chosen rate at two of the rates (forum thread
-        1491).
+        Firmware before 1.2 runs at half of two of the rates (forum thread 1491).
         """
         table = device_table()
         is_old = version_key(firmware) < version_key(table.half_rate_fixed_in)

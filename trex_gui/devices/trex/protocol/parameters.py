@@ -186,12 +186,9 @@ class ParameterSpec:
         return f"{number} {self.unit}".rstrip()
 
     def wire(self, text: str) -> int:
-        """Return the wire value for `text` ("1.5 s", "1.5", "off").
+        """Return the wire value for `text` ("1.5 s", "1.5", "off"); BadRequest names the limits.
 
         A number between two steps goes to the nearer one, but never to a 0 that means off.
-
-        Raises:
-            BadRequest: no value is meant, or one outside the limits; names them.
         """
         wanted = text.strip()
         for wire in sorted(self.valid):

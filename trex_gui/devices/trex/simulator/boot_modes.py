@@ -31,19 +31,18 @@ class BootHost(Protocol):
 
 
 class BootMode(Protocol):
-    """What the board does instead of normal operation."""
+    """What the board does instead of normal operation.
+
+    `leds` are the patterns of the red and the green LED; after `is_over` normal operation begins
+    without a power cycle.
+    """
 
     @property
-    def name(self) -> str:
-        """Name of the current step."""
-
+    def name(self) -> str: ...
     @property
-    def leds(self) -> tuple[str, str]:
-        """Patterns of the red and the green LED."""
-
+    def leds(self) -> tuple[str, str]: ...
     @property
-    def is_over(self) -> bool:
-        """Whether normal operation begins without a power cycle."""
+    def is_over(self) -> bool: ...
 
     def update(self, seconds: float) -> None:
         """Run one update, 100 times a second."""

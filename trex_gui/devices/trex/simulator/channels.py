@@ -12,12 +12,8 @@ from random import Random
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 
 SHORTEST_PULSE = 500.0
-LONGEST_PULSE = 2500.0
-"""Pulses outside these widths, in µs, are errors (User's Guide 4.c)."""
-
-SUPPLY = 5.0
-"""Reference voltage of the analog inputs."""
-
+LONGEST_PULSE = 2500.0  # pulses outside these widths, in µs, are errors (User's Guide 4.c)
+SUPPLY = 5.0  # reference voltage of the analog inputs
 _RECEIVER_PERIOD = 20_000.0  # µs between pulses of a standard receiver (50 Hz)
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
 _SIGNAL = re.compile(
@@ -44,11 +40,10 @@ _WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class Signal:
-    """Signal at one input.
+    """Signal at one input: µs for pulses, V for a voltage.
 
     Attributes:
-        value: in µs for pulses and volts for a voltage.
-        noise: standard deviation of each pulse or conversion, in the unit of `value`.
+        noise: standard deviation of each pulse or conversion.
         lost: share of missing pulses, 0-1.
     """
 
@@ -61,10 +56,7 @@ class Signal:
     def parse(cls, text: str, source: InputSource) -> "Signal":
         """Read `1500us`, `2.5V`, raw counts, `invalid`, `silent` or `rest`.
 
-        `noise 2us` and `lost 0.1` may follow a value.
-
-        Raises:
-            ValueError: it is none of these, or no input can carry it.
+        `noise 2us` and `lost 0.1` may follow a value. ValueError if no input can carry it.
         """
         word = text.strip().lower()
         if word in _WORDS:
@@ -162,9 +154,7 @@ SIGNAL_LOST_AFTER = 0.1
 """Seconds without a pulse until the value is 0xFFFF. The command documentation says 100 ms, the
 User's Guide about 150 ms; the former is taken."""
 
-_PERIOD_TICKS = 8
-"""Ticks of 2.5 ms in which every input is measured once: 50 Hz, RC and analog."""
-
+_PERIOD_TICKS = 8  # ticks of 2.5 ms in which every input is measured once: 50 Hz, RC and analog
 _SAMPLES_A_TICK = 2
 """An analog value is the mean of 16 conversions. Inferred: spread over the period."""
 

@@ -22,8 +22,7 @@ from trex_gui.devices.trex.simulator.memory import Eeprom
 _MODELS = [model.key for model in device_table().models]
 _FIRMWARE = sorted({version for model in device_table().models for version in model.firmware})
 
-_PERIOD = 0.02
-"""Seconds between two pulses of a standard receiver."""
+_PERIOD = 0.02  # seconds between two pulses of a standard receiver
 
 # Channel: seconds for a full swing and its size as a share of the stick's travel. The periods
 # share no small multiple, so that the picture does not repeat. Channel 5 stays in the range

@@ -26,9 +26,7 @@ from trex_gui.devices.trex.simulator.physics import DriverOutput, Machine
 
 MODE_JUMPERS = ("serial", "rc", "analog")
 
-TICK = 0.0025
-"""Seconds of a simulation step; it divides every period below."""
-
+TICK = 0.0025  # seconds of a simulation step; it divides every period below
 _UPDATE_TICKS = 4  # motors and safety, 100 times a second
 _CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # readings, 80 or 50 times a second
 
@@ -49,23 +47,17 @@ _COUNTERS = (
 class Board:
     """One controller with its motors, receiver and jumpers, switched on.
 
-    The board reads the jumper `mix` all the time, the others at power-up.
-
     Attributes:
-        model, firmware, eeprom, memory: kind of board, firmware version, stored settings.
-        mode_jumper: `serial` (no jumper), `rc` or `analog`.
-        mix, so_ground: whether these jumpers are set.
+        mode_jumper: `serial` (no jumper), `rc` or `analog`; read at power-up.
+        mix, so_ground: whether these jumpers are set; `mix` is read all the time.
         now, powered_at: seconds since the start, and the moment of the last power-up.
-        powered: whether it has power and runs.
         is_starved: whether it is switched on, but the battery is too low.
         boots: number of power-ups.
         mode: as read at power-up.
-        machine: battery and motors; `physics` are its two motors.
         serial: serial motor control, and the latched bits.
         sticks: channel motor control, with serial override and safe-start.
         boot_mode: selected by jumpers at power-up; `None` in normal operation.
         receiving: whether a packet is incomplete (it lights a LED).
-        counters: events since the start.
     """
 
     def __init__(

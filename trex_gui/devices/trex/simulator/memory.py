@@ -40,11 +40,8 @@ class EepromError(StudioError):
 class Eeprom:
     """EEPROM of one board in wire values; a file, if there is one, is saved after each write.
 
-    It has a cell for every parameter of any firmware of the model.
-
-    Attributes:
-        reset_pending: whether the next power-up resets the parameters to factory defaults.
-        unsaved: why the last write is not in the file; `None` if it is.
+    It has a cell for every parameter of any firmware of the model. `unsaved`: why the last write
+    is not in the file.
     """
 
     def __init__(self, model: str = "trex", *, path: Path | None = None) -> None:

@@ -178,10 +178,7 @@ _STOP = _Command(MotorDirection.BRAKE, FULL_SPEED, accelerate=False)
 class SerialControl:
     """The latest serial command to each motor, and the bits that are latched until read.
 
-    Attributes:
-        in_control: whether the motors obey serial commands; 0x83 answers it.
-        status, uart_errors: the latched bits.
-        errors: number of UART errors.
+    `in_control`: whether the motors obey serial commands; `errors`: number of UART errors.
     """
 
     def __init__(

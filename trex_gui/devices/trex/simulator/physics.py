@@ -167,13 +167,7 @@ class DriverOutput:
 
 
 class Machine:
-    """A battery and the two motors on it.
-
-    Attributes:
-        battery: V without load.
-        resistance: ohm of the battery and its cables.
-        volts: V at the board in the last step.
-    """
+    """A battery (V without load, ohm with cables) and two motors; `volts` are at the board."""
 
     def __init__(self, model: str, current_unit: float, seed: int) -> None:
         self.constants = CONSTANTS[model]

@@ -23,9 +23,7 @@ reply keeps their promise that a host which waits for replies causes no overrun.
 _COMMAND_BIT = 0x80
 _EXPANDED = 0x80
 _NULL = 0xFF
-_GAP = -1
-"""Placeholder in the receive buffer for bytes that were invalid or did not fit."""
-
+_GAP = -1  # placeholder in the receive buffer for bytes that were invalid or did not fit
 _UART_ERRORS = {
     ReceiveError.FRAMING: UartError.FRAMING,
     ReceiveError.PARITY: UartError.PARITY,
@@ -38,8 +36,7 @@ _FORMAT_BYTES = b"\x55\x2a"
 def remainder(data: bytes, polynomial: int) -> int:
     """Return the CRC-7 of a packet by the guide's long division (5.e).
 
-    The packet, its first bit in front, is divided with seven zero bits behind it by a
-    polynomial of eight bits (0x80-0xFF); what remains is the checksum.
+    Seven zero bits are appended; the polynomial has eight bits (0x80-0xFF).
     """
     dividend = int.from_bytes(data) << 7
     while (excess := dividend.bit_length() - 8) >= 0:
@@ -53,9 +50,7 @@ class SerialPort:
     The parser pauses for a write to the EEPROM and for the response delay. Bytes received
     meanwhile are buffered, and executed while the reply is transmitted.
 
-    Attributes:
-        outgoing: the send buffer; the line takes the bytes.
-        pause: seconds from the last byte until `resume` is due; 0 without a pause.
+    `outgoing` is the send buffer; `pause` lasts from the last byte until `resume` (s).
     """
 
     def __init__(self, board: Board) -> None:
@@ -220,8 +215,7 @@ class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
 class _Command:
     """A command with its number of data bytes.
 
-    `do` takes the board, the command byte (its low bits often select the motor or channel) and
-    the data, and returns the reply, which may be empty.
+    `do` takes board, command byte and data and returns the reply, which may be empty.
     """
 
     size: int
