@@ -67,15 +67,15 @@ def test_goals_stay_within_limits(connected_window: RobotWindow) -> None:
 
 
 def test_different_speeds_are_shown_as_differ(connected_window: RobotWindow) -> None:
-    window, speeds = connected_window, connected_window.robot.speeds
+    window, robot = connected_window, connected_window.robot
     everyone, one = spin_box(window, "aracnaSpeedAll"), spin_box(window, "aracnaSpeed7")
     one.setValue(0)
     assert everyone.text() == "differ"
-    assert set(speeds.values) == {0, 100}, "to show it chooses nothing"
+    assert set(robot.speeds) == {0, 100}, "to show it chooses nothing"
     QTest.keyClick(everyone, Qt.Key.Key_Down)
     assert everyone.text() == "differ"
     QTest.keyClick(everyone, Qt.Key.Key_Up)
-    assert speeds.values == (10,) * 8
+    assert robot.speeds == (10,) * 8
     assert everyone.text() == "10 = 7 °/s"
     one.setValue(20)
     window.window.activateWindow()
@@ -83,7 +83,7 @@ def test_different_speeds_are_shown_as_differ(connected_window: RobotWindow) -> 
     window.wait(lambda: everyone.lineEdit().selectedText() == "differ")
     QTest.keyClicks(everyone, "300")
     QTest.keyClick(everyone, Qt.Key.Key_Return)
-    assert speeds.values == (300,) * 8
+    assert robot.speeds == (300,) * 8
     assert everyone.text() == "300 = 201 °/s"
     everyone.setValue(-1)
     assert everyone.value() == 0, "that they differ cannot be chosen"

@@ -11,8 +11,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.model.setpoints import FIRST_SPEED
+from trex_gui.devices.aracna.model.robot import FIRST_SPEED, Robot
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Play, SpeedsHeld, Step
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now
@@ -137,7 +136,7 @@ def test_invalid_speeds_are_rejected(robot: Robot) -> None:
         robot.set_speeds((1024,) * 8)
     with pytest.raises(BadRequest, match="8 speeds"):
         robot.set_speeds((100,) * 7)
-    assert robot.speeds.values == (FIRST_SPEED,) * 8
+    assert robot.speeds == (FIRST_SPEED,) * 8
 
 
 def test_goals_are_clamped_to_limits_with_message(robot: Robot, harness: RobotHarness) -> None:
@@ -323,7 +322,7 @@ def test_two_motor_robot_has_two_goals_and_speeds(
     harness = RobotHarness(simulator, qtbot)
     harness.connect()
     robot = harness.robot
-    assert robot.state.motors == len(robot.targets.goals) == len(robot.speeds.values) == 2
+    assert robot.state.motors == len(robot.targets.goals) == len(robot.speeds) == 2
     harness.move((500, 500))
     assert robot.state.present == (500, 500) or not robot.state.missed_goals
     harness.end()

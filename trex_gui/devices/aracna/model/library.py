@@ -151,11 +151,9 @@ class Library(QObject):
 
     def capture(self, present: Many[int | None], name: str = "") -> str:
         """Append the robot's present position as a pose, and return its name."""
-        known = [position for position in present if position is not None and position >= 0]
-        if len(known) < len(present) or not present:
-            unknown = [motor for motor, each in enumerate(present) if each is None or each < 0]
-            of = f" of motor {', '.join(map(str, unknown))}" if known else ""
-            raise BadRequest(f"the position{of} is unknown until the robot has moved")
+        known = [position for position in present if position is not None]
+        if not known or len(known) < len(present):
+            raise BadRequest("the position is unknown until the robot has moved")
         return self.add_pose(known, name)
 
     def set_positions(self, name: str, positions: Many[int], *, run: object = None) -> None:

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import StudioError
+from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Close, Outcome
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import Rate, RobotState
-from trex_gui.devices.aracna.model.setpoints import FIRST_SPEED, JointLimits, SpeedSettings, Targets
+from trex_gui.devices.aracna.model.setpoints import JointLimits, Targets
 from trex_gui.devices.aracna.model.texts import cropped_goals_text, error_text, event_of
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS, travel_seconds
 from trex_gui.devices.aracna.session.errors import suggests_scan
@@ -39,6 +39,12 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.session_thread import MakeSession
 
+FIRST_SPEED = 100
+"""Speed of every servo unless the user has chosen others: 67 degrees per second.
+
+Positions are unknown before the first motion, and a servo that was just switched on is unlimited.
+"""
+
 
 class Robot(DeviceConnection[PortSettings]):
     """One robot, or none. Sends nothing unprompted but what the session needs.
@@ -50,6 +56,10 @@ class Robot(DeviceConnection[PortSettings]):
         link_changed: `link` and `status`; `changed` has been emitted before.
         halted: the user has stopped everything; pressed controls must be released.
         rejected: why a command was not carried out; also sent to the notifier.
+
+    Attributes:
+        speeds: for the next motion.
+        speeds_chosen: the user has chosen them.
     """
 
     link_changed = Signal()
@@ -70,7 +80,8 @@ class Robot(DeviceConnection[PortSettings]):
         self.dragging = False
         self.limits = JointLimits(self)
         self.targets = Targets(self.limits, self)
-        self.speeds = SpeedSettings(self)
+        self.speeds = (FIRST_SPEED,) * MOTORS
+        self.speeds_chosen = False
         self.events = EventLog(self, clock=clock)
         self._rate = Rate()
         self._pending_moves = 0
@@ -80,7 +91,6 @@ class Robot(DeviceConnection[PortSettings]):
         self.line_closed.connect(self._on_line_closed)
         self.failed.connect(self._on_failed)
         self.limits.changed.connect(self._send_limits)
-        self.speeds.changed.connect(self.changed)
         self.rejected.connect(self.notifier.error)
 
     @property
@@ -115,7 +125,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.state = RobotState(motors, unobserved_until=self.state.moving_until)
         self._rate.reset()
         self.dragging = self._is_holding = False
-        self.speeds.reset(motors)
+        self.speeds, self.speeds_chosen = (FIRST_SPEED,) * motors, False
         self.targets.set_count(motors)
         self.changed.emit()
 
@@ -193,7 +203,7 @@ class Robot(DeviceConnection[PortSettings]):
             self.notifier.info.emit(text)
         self.targets.set_all(cropped)
         self._is_holding = False
-        speeds = self.speeds.values
+        speeds = self.speeds
         self.events.add(
             EventKind.NOTE, self.tr("Move to {0}.").format(", ".join(map(str, cropped)))
         )
@@ -214,7 +224,7 @@ class Robot(DeviceConnection[PortSettings]):
         """Send goals as soon as the robot is ready; only the newest ones count."""
         if self.dragging and self.link is ConnectionState.CONNECTED:
             self._is_holding = False
-            self.submit(Drag(self.limits.crop(goals), self.speeds.values))
+            self.submit(Drag(self.limits.crop(goals), self.speeds))
 
     def end_drag(self) -> None:
         """End dragging; the newest goals are still sent."""
@@ -227,14 +237,19 @@ class Robot(DeviceConnection[PortSettings]):
 
         They are sent now, or after the playing sequence.
         """
-        self.speeds.choose(speeds)
-        values = self.speeds.values
+        motors, values = self.state.motors, tuple(speeds)
+        if len(values) != motors or any(not 0 <= speed <= HIGHEST for speed in values):
+            raise BadRequest(
+                f"{motors} speeds of 0 to {HIGHEST}, not {', '.join(map(str, values))}"
+            )
+        self.speeds, self.speeds_chosen = values, True
         if (
             self.link is ConnectionState.CONNECTED
             and self.state.play is None
             and self.ask(lambda number: SetSpeeds(number, values), self._on_speeds_done)
         ):
             self._pending_speeds += 1
+        self.changed.emit()
 
     def play(self, play: Play) -> bool:
         """Play steps, which the session crops to the limits; return whether they are sent.

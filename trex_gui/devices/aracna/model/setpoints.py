@@ -1,18 +1,11 @@
-"""What the user sets for each motor: limits, goals and speeds."""
+"""What the user sets for each motor: limits and goals."""
 
 from collections.abc import Sequence
 
 from PySide6.QtCore import QObject, QSettings, Signal, Slot
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
-from trex_gui.devices.aracna.protocol.units import CENTRE, HIGHEST, MOTORS
-
-FIRST_SPEED = 100
-"""Speed of every servo unless the user has chosen others: 67 degrees per second.
-
-Positions are unknown before the first motion, and a servo that was just switched on is unlimited.
-"""
+from trex_gui.devices.aracna.protocol.units import CENTRE, MOTORS
 
 _KEY = "aracna/limits"
 
@@ -100,28 +93,3 @@ class Targets(QObject):
     @Slot()
     def _on_limits_changed(self) -> None:
         self.set_all(self.goals)
-
-
-class SpeedSettings(QObject):
-    """The speed of each motor for the next motion, 0-1023 (0: unlimited)."""
-
-    changed = Signal()
-
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self.reset(MOTORS)
-
-    def reset(self, motors: int) -> None:
-        self.values = (FIRST_SPEED,) * motors
-        self.are_chosen = False
-        self.changed.emit()
-
-    def choose(self, speeds: Sequence[int]) -> None:
-        """Set the speeds; BadRequest if their number is wrong, or one is out of range."""
-        motors = len(self.values)
-        if len(speeds) != motors or any(not 0 <= speed <= HIGHEST for speed in speeds):
-            given = ", ".join(map(str, speeds))
-            raise BadRequest(f"{motors} speeds of 0 to {HIGHEST}, not {given}")
-        self.values = tuple(speeds)
-        self.are_chosen = True
-        self.changed.emit()

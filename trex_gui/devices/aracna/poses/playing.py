@@ -11,7 +11,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.poses.gaits import SLOW_SECONDS, STAND, Gait
 from trex_gui.devices.aracna.poses.project import Pose, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits, crop
-from trex_gui.devices.aracna.protocol.units import CEILING, travel_seconds
+from trex_gui.devices.aracna.protocol.units import travel_seconds
 from trex_gui.devices.aracna.session.messages import Step
 
 Present = Many[int | None]  # position of each motor; `None` where unknown
@@ -20,22 +20,11 @@ COMMAND_SECONDS = 0.1
 
 
 @dataclass(frozen=True, slots=True)
-class Cropped:
-    """A position outside a joint's limits, and the nearest one, which is sent instead."""
-
-    step: int
-    motor: int
-    position: int
-    sent: int
-
-
-@dataclass(frozen=True, slots=True)
 class LateMotor:
-    """A motor that needs more seconds than step `step` (from 0) has, even at its ceiling speed."""
+    """A motor that needs more seconds than a step (from 0) has, even at its ceiling speed."""
 
     step: int
     motor: int
-    seconds: float
     needed: float
 
 
@@ -54,17 +43,15 @@ def steps_of(
     )
 
 
-def crops_of(
+def limited_motors(
     played: Sequence | Gait, poses: Iterable[Pose], limits: Many[Limits]
-) -> tuple[Cropped, ...]:
-    """Return each position that `steps_of` crops; raises as it does."""
+) -> tuple[tuple[int, int], ...]:
+    """Return step and motor of each position that `steps_of` crops; raises as it does."""
     return tuple(
-        Cropped(number, motor, position, sent)
+        (number, motor)
         for number, (pose, _) in enumerate(_stages(played, poses))
-        for motor, (position, sent) in enumerate(
-            zip(pose.first(len(limits)), cropped(pose, limits), strict=True)
-        )
-        if position != sent
+        for motor, (position, limit) in enumerate(zip(pose.first(len(limits)), limits, strict=True))
+        if not limit.allow(position)
     )
 
 
@@ -95,7 +82,7 @@ def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, .
 
 
 def late_motors(
-    steps: Many[Step], start: Present = (), *, again: bool = False, ceiling: int = CEILING
+    steps: Many[Step], start: Present = (), *, again: bool = False
 ) -> tuple[LateMotor, ...]:
     """Return each motor that is too slow for a step; from an unknown position none is.
 
@@ -103,33 +90,31 @@ def late_motors(
     """
     found: dict[tuple[int, int], LateMotor] = {}
     if again and steps:
-        found = {(0, late.motor): late for late in _late_in(0, steps[0], steps[-1].goals, ceiling)}
-    before = start
-    for number, step in enumerate(steps):
-        for late in _late_in(number, step, before, ceiling):
+        found = {(0, late.motor): late for late in _late_in(0, steps[0], steps[-1].goals)}
+    for number, (before, step) in enumerate(_with_starts(steps, start)):
+        for late in _late_in(number, step, before):
             found.setdefault((number, late.motor), late)
-        before = step.goals
     return tuple(found.values())
 
 
-def estimated_seconds(steps: Many[Step], start: Present = (), *, ceiling: int = CEILING) -> float:
+def estimated_seconds(steps: Many[Step], start: Present = ()) -> float:
     """Return the time for all steps: of each its own, or that of its slowest motor."""
-    total, before = 0.0, start
-    for step in steps:
-        needed = [late.needed for late in _late_in(0, step, before, ceiling)]
-        total += max(step.seconds, COMMAND_SECONDS, *needed)
-        before = step.goals
-    return total
+    return sum(
+        max(step.seconds, COMMAND_SECONDS, *(late.needed for late in _late_in(0, step, before)))
+        for before, step in _with_starts(steps, start)
+    )
 
 
-def _late_in(number: int, step: Step, before: Present, ceiling: int) -> list[LateMotor]:
+def _with_starts(steps: Many[Step], start: Present) -> Iterable[tuple[Present, Step]]:
+    return zip((start, *(step.goals for step in steps)), steps, strict=False)
+
+
+def _late_in(number: int, step: Step, before: Present) -> list[LateMotor]:
     late = []
     for motor, (start, goal) in enumerate(zip(before, step.goals, strict=False)):
-        if start is None:
-            continue
-        needed = travel_seconds(goal - start, 0, ceiling)
+        needed = 0.0 if start is None else travel_seconds(goal - start, 0)
         if needed > step.seconds:
-            late.append(LateMotor(number, motor, step.seconds, needed))
+            late.append(LateMotor(number, motor, needed))
     return late
 
 

@@ -12,14 +12,13 @@ from trex_gui.devices.aracna.model.library import ItemKey, Library
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.gaits import Gait
 from trex_gui.devices.aracna.poses.playing import (
-    Cropped,
     LateMotor,
     Present,
     blend_in,
     blend_out,
-    crops_of,
     estimated_seconds,
     late_motors,
+    limited_motors,
     steps_of,
 )
 from trex_gui.devices.aracna.poses.project import Pose, Sequence
@@ -228,16 +227,16 @@ def preview(
     scaled = steps_of(played, poses, limits, time_scale)
     start = play.blend_in[-1].goals if play.blend_in else present
     late = late_motors(scaled, start, again=rounds != 1)
-    crops = crops_of(played, poses, limits)
+    limited = limited_motors(played, poses, limits)
     sentences = [_length_text(len(steps), estimated_seconds(scaled, start), rounds)]
-    if crops:
+    if limited:
         sentences.append(tr("Positions outside the limits are cropped."))
     if late:
         sentences.append(tr("Some motors are too slow."))
-    return Preview(play, " ".join(sentences), bool(late), _notes(late, crops))
+    return Preview(play, " ".join(sentences), bool(late), _notes(late, limited))
 
 
-def _notes(late: Many[LateMotor], crops: Many[Cropped]) -> dict[int, str]:
+def _notes(late: Many[LateMotor], limited: Many[tuple[int, int]]) -> dict[int, str]:
     """Return remarks on steps, too short times first."""
     found: dict[int, list[str]] = defaultdict(list)
     for step in sorted({one.step for one in late}):
@@ -245,8 +244,8 @@ def _notes(late: Many[LateMotor], crops: Many[Cropped]) -> dict[int, str]:
         motors = ", ".join(str(one.motor) for one in slow)
         text = tr("needs {0:.2f} s: motor {1}")
         found[step].append(text.format(max(one.needed for one in slow), motors))
-    for step in sorted({one.step for one in crops}):
-        motors = ", ".join(str(one.motor) for one in crops if one.step == step)
+    for step in sorted({step for step, _ in limited}):
+        motors = ", ".join(str(motor) for number, motor in limited if number == step)
         found[step].append(tr("limited: motor {0}").format(motors))
     return {step: "; ".join(texts) for step, texts in found.items()}
 

@@ -124,7 +124,7 @@ class JointRow(QObject):
     def show_state(self) -> None:
         """Show the speed and the reported state."""
         state = self._robot.state
-        if self.speed.value() != (speed := self._robot.speeds.values[self._motor]):
+        if self.speed.value() != (speed := self._robot.speeds[self._motor]):
             self.speed.setValue(speed)  # an equal one would replace what the user is typing
         held = state.held_speed(self._motor)
         text = "" if held is None else self.tr("the servo holds {0}").format(speed_text(held))
@@ -161,7 +161,7 @@ class JointRow(QObject):
         self.goal_edited.emit()
 
     def _on_speed_edited(self, speed: int) -> None:
-        speeds = list(self._robot.speeds.values)
+        speeds = list(self._robot.speeds)
         if speeds[self._motor] != speed:
             speeds[self._motor] = speed
             self._robot.set_speeds(speeds)

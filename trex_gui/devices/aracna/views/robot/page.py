@@ -4,8 +4,7 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
-from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.model.setpoints import FIRST_SPEED
+from trex_gui.devices.aracna.model.robot import FIRST_SPEED, Robot
 from trex_gui.devices.aracna.model.texts import (
     assumed_text,
     error_text,
@@ -102,7 +101,7 @@ class RobotPage(QWidget):
             "Motor positions are unknown before the first move: this robot reports them only in "
             "its reply to one."
         )
-        if self._robot.speeds.are_chosen:
+        if self._robot.speeds_chosen:
             return text
         more = self.tr("That move runs at speed {0} ({1}), unless you choose others.")
         return f"{text} {more.format(FIRST_SPEED, speed_text(FIRST_SPEED))}"
@@ -271,7 +270,7 @@ class Controls(QWidget):
         for button in (self._centre, self._stand):
             button.setEnabled(is_idle)
         self._factory.setEnabled(not robot.limits.are_factory)
-        self._speed.show_speeds(robot.speeds.values)
+        self._speed.show_speeds(robot.speeds)
         self._rate.setText("" if robot.rate is None else self._rate_text(robot.rate))
 
     def _rate_text(self, rate: float) -> str:
