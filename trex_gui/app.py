@@ -98,8 +98,7 @@ def main(argv: list[str] | None = None) -> int:
     program.window.show()
     watching = SafetySupervisor(program, app)
 
-    # The plotting library takes 0.4 s of this thread: now, while no motor can be armed yet, and
-    # not when a page with a plot is first shown, when one may turn.
+    # Importing the plotting library blocks this thread for 0.4 s: before a motor can be armed.
     QTimer.singleShot(_LOAD_PLOTS_MS, lambda: import_module("trex_gui.ui.plotting.panel"))
 
     if arguments.tour is not None:
@@ -119,7 +118,7 @@ def main(argv: list[str] | None = None) -> int:
             0, lambda: program.open_named(arguments.settings, connecting=is_connecting)
         )
     code = app.exec()
-    # Hidden while Python is whole: Qt destroys what is still shown when half of it is gone.
+    # Qt would destroy visible windows while the interpreter shuts down.
     for window in app.topLevelWidgets():
         window.hide()
     have_ended = program.shut_down()
@@ -130,11 +129,7 @@ def main(argv: list[str] | None = None) -> int:
             sys.stderr.flush()
         code = code or UNCONFIRMED_STOP
     if not have_ended:
-        # A thread hangs in a port or a disk. Qt would abort on destroying it; the rest is saved.
+        # A thread hangs in a port or a disk. Qt would abort on destroying it.
         os._exit(code)
     watching.close()
     return code
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,4 +1,4 @@
-"""The one place that knows which devices there are; a line registers one."""
+"""The list of devices; a line registers one."""
 
 from typing import TYPE_CHECKING
 
@@ -10,11 +10,8 @@ from trex_gui.devices.trex.plugin import TREX
 if TYPE_CHECKING:
     from trex_gui.ui.program import Program
 
-PLUGINS: tuple[DevicePlugin, ...] = (
-    TREX,
-    ARACNA,
-)
-"""Every kind of device, the most common first: a port leads to it until another one is found."""
+PLUGINS: tuple[DevicePlugin, ...] = (TREX, ARACNA)
+"""Every kind of device; the first is the default of a port until another one is found."""
 
 
 def build(timeouts: Timeouts | None = None) -> "Program":

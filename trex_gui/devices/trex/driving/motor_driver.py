@@ -78,8 +78,6 @@ class MotorDriver:
         self._take_statuses = take_statuses
         self._is_closing = is_closing
 
-    # --- Stopping -----------------------------------------------------------------------
-
     def _send_stop(self) -> None:
         for command in STOP:
             self.client.send(command)
@@ -172,8 +170,6 @@ class MotorDriver:
         """Stop motors that may be moving on a board that does not respond: it may still receive."""
         if self.output.may_move:
             self._send_stop()
-
-    # --- What is due --------------------------------------------------------------------
 
     def serve(self) -> bool:
         """Stop or drive if that is due; return whether the line was used.

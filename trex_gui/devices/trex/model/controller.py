@@ -52,8 +52,6 @@ class TrexController(DeviceController[ConnectionSettings]):
         device.link_changed.connect(self._note_settings)
         device.connection.progressed.connect(self.progressed)
 
-    # --- Line settings ------------------------------------------------------------------
-
     @property
     def line_text(self) -> str:
         number = self.settings.device_number
@@ -114,8 +112,6 @@ class TrexController(DeviceController[ConnectionSettings]):
         except (BadRequest, ValueError):
             return self._default
         return settings
-
-    # --- Stopping -----------------------------------------------------------------------
 
     @property
     def is_busy(self) -> bool:

@@ -94,8 +94,6 @@ class DriveController(QObject):
     def _is_connected(self) -> bool:
         return self._connection.link is ConnectionState.CONNECTED
 
-    # --- Setpoints and stops ------------------------------------------------------------
-
     @Slot(object)
     def _on_drive_requested(self, request: SetpointRequest) -> None:
         if self._connection.submit(request):
@@ -152,8 +150,6 @@ class DriveController(QObject):
         self.may_move = self._motors.armed  # a setpoint that was sent meanwhile moves a motor again
         self.confirmed.emit()
         self._report_lost()
-
-    # --- The board comes and goes -------------------------------------------------------
 
     @Slot(object)
     def _on_read(self, report: Connected) -> None:

@@ -235,9 +235,6 @@ def _tr(text: str) -> str:
     return QCoreApplication.translate("drive_status", text)
 
 
-# --- The models -------------------------------------------------------------------------
-
-
 def drive_inputs(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
     """Gather the inputs from the models, and what was seen of safe-start."""
     state, motors = device.state, device.motors

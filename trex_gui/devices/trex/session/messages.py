@@ -16,8 +16,6 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
-# --- Requests ---------------------------------------------------------------------------
-
 
 @dataclass(frozen=True, slots=True)
 class RunCommand:
@@ -61,8 +59,6 @@ Job = RunCommand | Write | Reload
 """Requests that are served in their order; each has an `Outcome`."""
 
 Request = Job | MotorRequest | SetReconnectCandidates | Close
-
-# --- Reports ----------------------------------------------------------------------------
 
 
 class ReadReason(Enum):
