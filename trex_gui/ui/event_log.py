@@ -1,9 +1,10 @@
 """What happened while a board was connected, for marks in a plot, a recording and a list."""
 
-from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Sequence
+from bisect import bisect_right
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
+from operator import attrgetter
 
 from PySide6.QtCore import QObject, Signal
 
@@ -35,7 +36,10 @@ class Event:
 
 
 class EventLog(QObject):
-    """The newest events, oldest first.
+    """The newest events.
+
+    Attributes:
+        all: in the order of time.
 
     Signals:
         happened: the new `Event`.
@@ -48,29 +52,16 @@ class EventLog(QObject):
     def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
         super().__init__(parent)
         self._clock = clock
-        self._events: list[Event] = []
-
-    @property
-    def all(self) -> Sequence[Event]:
-        """Every event that is kept, oldest first; it goes on growing."""
-        return self._events
-
-    def between(self, start: float, end: float) -> Sequence[Event]:
-        first = bisect_left(self._events, start, key=_time)
-        return self._events[first : bisect_right(self._events, end, key=_time)]
+        self.all: list[Event] = []
 
     def add(self, kind: EventKind, text: str, at: float | None = None) -> Event:
         """Note an event, now or at a time of the session's clock; return it."""
         event = Event(self._clock() if at is None else at, kind, text)
-        self._events.insert(bisect_right(self._events, event.time, key=_time), event)
-        del self._events[:-MOST_EVENTS]
+        self.all.insert(bisect_right(self.all, event.time, key=attrgetter("time")), event)
+        del self.all[:-MOST_EVENTS]
         self.happened.emit(event)
         return event
 
     def clear(self) -> None:
-        self._events.clear()
+        self.all.clear()
         self.cleared.emit()
-
-
-def _time(event: Event) -> float:
-    return event.time

@@ -1,6 +1,7 @@
 """Main window: connection bar, notifications, workspace of the device in use, menus."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QEvent, QObject, QSettings, Qt, QTimer, QUrl, Slot
@@ -27,12 +28,10 @@ from trex_gui.ui.frame.workspace import Workspace, build_menus
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import application_icon
-from trex_gui.ui.theme.theme import Scheme, theme
+from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, PromptAnswer
-
-_SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
 
 _LOG_OUT_S = 60.0
 """Seconds after the start of a log-out within which closing the window is part of it."""
@@ -118,7 +117,7 @@ class MainWindow(QMainWindow):
             "line": self._edit_line_settings,
             "find": self._connection.find_board,
             "stop": self._manager.press_stop,
-            **{scheme: self._scheme_chooser(scheme) for scheme in _SCHEMES},
+            **{scheme: partial(self._choose_scheme, scheme) for scheme in SCHEMES},
             "guide": self._show_help,
             "about": self._show_about,
         }
@@ -204,12 +203,9 @@ class MainWindow(QMainWindow):
 
     # --- Appearance, beginning and end --------------------------------------------------
 
-    def _scheme_chooser(self, scheme: Scheme) -> Callable[[], object]:
-        def choose() -> None:
-            theme().set_scheme(scheme)
-            self._store.setValue("window/scheme", scheme)
-
-        return choose
+    def _choose_scheme(self, scheme: Scheme) -> None:
+        theme().set_scheme(scheme)
+        self._store.setValue("window/scheme", scheme)
 
     @Slot()
     def _on_theme_changed(self) -> None:
@@ -243,7 +239,7 @@ class MainWindow(QMainWindow):
         for workspace in self._workspaces:
             workspace.take_actions(self._actions)
         wanted = self._store.value("window/scheme", "system")
-        for scheme in _SCHEMES:
+        for scheme in SCHEMES:
             if scheme == wanted and scheme != theme().choice:
                 theme().set_scheme(scheme)
 

@@ -25,7 +25,7 @@ _EVERY = 8
 class TracePanel(QWidget):
     """Shows a source of traces; its owner calls `frame` while the source may grow."""
 
-    def __init__(self, window: float = 30.0, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._frames = 0
 
@@ -53,7 +53,7 @@ class TracePanel(QWidget):
             checkable=True,
             on_toggle=self._on_hold_toggled,
         )
-        self.plot = TracePlot(window, self)
+        self.plot = TracePlot(self)
         self.notifier = Notifier(self)
         self.export = ExportButton(self.plot, self.notifier, self)
         self._table = TraceTable(self.plot, self)

@@ -66,17 +66,12 @@ class TracePlot(FocusFramed):
     event_chosen = Signal(object)
 
     def __init__(
-        self,
-        window: float = 30.0,
-        parent: QWidget | None = None,
-        *,
-        name: str = "",
-        line_width: float = 1,
+        self, parent: QWidget | None = None, *, name: str = "", line_width: float = 1
     ) -> None:
-        """Show `window` seconds; a screen reader reads `name`."""
+        """A screen reader reads `name`."""
         super().__init__(parent)
         self._line_width = line_width
-        self.span = Span(window)
+        self.span = Span()
         self.source: Traces | None = None
         self.shown: set[str] = set()
         self.origin: float | None = None

@@ -77,6 +77,9 @@ Part = QWidget | QLayout
 Item = Part | int | tuple[Part, int] | tuple[Part, int, Qt.AlignmentFlag]
 """A part of a layout, with its stretch and alignment; a number is empty room of that stretch."""
 
+Margins = int | tuple[int, int, int, int] | None
+"""Pixels at the left, top, right and bottom, or the same at all; `None` leaves those of Qt."""
+
 WidgetT = TypeVar("WidgetT", bound=QWidget)
 
 
@@ -207,10 +210,8 @@ def combo_box(
             made.addItem(item)
         else:
             made.addItem(*item)
-    if on_activate is not None:
-        made.activated.connect(on_activate)
-    if on_change is not None:
-        made.currentIndexChanged.connect(on_change)
+    _connect(made.activated, on_activate)
+    _connect(made.currentIndexChanged, on_change)
     return made
 
 
@@ -237,8 +238,7 @@ def spin_box(
     made.setSuffix(suffix)
     made.setKeyboardTracking(False)
     made.setValue(lowest if value is None else value)
-    if on_change is not None:
-        made.valueChanged.connect(on_change)
+    _connect(made.valueChanged, on_change)
     return made
 
 
@@ -264,8 +264,7 @@ def double_spin_box(
     made.setSuffix(suffix)
     made.setKeyboardTracking(False)
     made.setValue(lowest if value is None else value)
-    if on_change is not None:
-        made.valueChanged.connect(on_change)
+    _connect(made.valueChanged, on_change)
     return made
 
 
@@ -322,8 +321,7 @@ def action(
     made.setCheckable(checkable)
     if icon:
         set_icon(made, icon)
-    if on_trigger is not None:
-        made.triggered.connect(on_trigger)
+    _connect(made.triggered, on_trigger)
     return made
 
 
@@ -335,23 +333,14 @@ def set_bold(widget: QWidget, bold: bool = True) -> None:
 
 
 def row(
-    *items: Item,
-    into: QWidget | None = None,
-    margins: int | tuple[int, int, int, int] | None = None,
-    spacing: int | None = None,
+    *items: Item, into: QWidget | None = None, margins: Margins = None, spacing: int | None = None
 ) -> QHBoxLayout:
-    """Lay items out side by side: a layout of `into`, or one to put into another.
-
-    `margins` in pixels: left, top, right, bottom, or all the same; `None` leaves those of Qt.
-    """
+    """Lay items out side by side: a layout of `into`, or one to put into another."""
     return _filled(QHBoxLayout(into) if into else QHBoxLayout(), items, margins, spacing)
 
 
 def column(
-    *items: Item,
-    into: QWidget | None = None,
-    margins: int | tuple[int, int, int, int] | None = None,
-    spacing: int | None = None,
+    *items: Item, into: QWidget | None = None, margins: Margins = None, spacing: int | None = None
 ) -> QVBoxLayout:
     """Lay items out one below the other, as `row` does side by side."""
     return _filled(QVBoxLayout(into) if into else QVBoxLayout(), items, margins, spacing)
@@ -360,7 +349,7 @@ def column(
 def grid(
     into: QWidget | None = None,
     *,
-    margins: int | tuple[int, int, int, int] | None = None,
+    margins: Margins = None,
     spacing: tuple[int, int] | None = None,
     stretch: Iterable[tuple[int, int]] = (),
 ) -> QGridLayout:
@@ -384,18 +373,18 @@ def _connected(
 ) -> ButtonT:
     if icon:
         set_icon(made, icon)
-    if on_click is not None:
-        made.clicked.connect(on_click)
-    if on_toggle is not None:
-        made.toggled.connect(on_toggle)
+    _connect(made.clicked, on_click)
+    _connect(made.toggled, on_toggle)
     return made
 
 
+def _connect(signal: SignalInstance, handler: Handler | None) -> None:
+    if handler is not None:
+        signal.connect(handler)
+
+
 def _filled(
-    layout: LayoutT,
-    items: Iterable[Item],
-    margins: int | tuple[int, int, int, int] | None,
-    spacing: int | None,
+    layout: LayoutT, items: Iterable[Item], margins: Margins, spacing: int | None
 ) -> LayoutT:
     _set_margins(layout, margins)
     if spacing is not None:
@@ -414,7 +403,7 @@ def _filled(
     return layout
 
 
-def _set_margins(layout: QLayout, margins: int | tuple[int, int, int, int] | None) -> None:
+def _set_margins(layout: QLayout, margins: Margins) -> None:
     if isinstance(margins, int):
         layout.setContentsMargins(margins, margins, margins, margins)
     elif margins is not None:

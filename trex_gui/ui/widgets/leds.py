@@ -4,10 +4,11 @@ import re
 
 from PySide6.QtCore import QPointF, QSize, Qt, Slot
 from PySide6.QtGui import QHideEvent, QPainter, QPaintEvent, QPen, QShowEvent
-from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.builders import row
 
 _FRAME_MS = 40
 _FAST = 8.0  # flashes a second of a fast flash
@@ -16,20 +17,16 @@ _SHORT = 0.15  # share of its time that a short flash is lit
 
 
 def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
-    """Return whether a LED is lit at a moment; `second` is the other one of an alternating pair."""
+    """Return whether a LED is lit; `second` is the other one of an alternating pair."""
     if pattern == "fast flash":
         return seconds * _FAST % 1 < 0.5
     found = _PATTERN.fullmatch(pattern)
     if found is None:
         return pattern == "on"
     phase = seconds * int(found[2]) % 1
-    match found[1]:
-        case "alternate":
-            return (phase < 0.5) is not second
-        case "short flash":
-            return phase < _SHORT
-        case _:
-            return phase < 0.5
+    if found[1] == "short flash":
+        return phase < _SHORT
+    return (phase < 0.5) is not (second and found[1] == "alternate")
 
 
 class Lamp(QWidget):
@@ -79,13 +76,8 @@ class Leds(QWidget):
         self._names = (self.tr("Red"), self.tr("Green"))
         self._words = (QLabel(self), QLabel(self))
 
-        layout = QGridLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        for index, (lamp, words) in enumerate(zip(self.lamps, self._words, strict=True)):
-            layout.addWidget(lamp, 0, 2 * index)
-            layout.addWidget(words, 0, 2 * index + 1)
-            layout.setColumnStretch(2 * index + 1, 1)
-
+        (red, green), (red_words, green_words) = self.lamps, self._words
+        row(red, (red_words, 1), green, (green_words, 1), into=self, margins=0)
         self.show_patterns(("off", "off"), ("off", "off"), ("", ""))
 
     def show_patterns(
@@ -111,11 +103,10 @@ class Leds(QWidget):
 
     def _run(self) -> None:
         moves = any(pattern not in {"on", "off"} for pattern in self._shown)
-        if self.isVisible() and moves != self._timer.isActive():
-            if moves:
-                self._timer.start()
-            else:
-                self._timer.stop()
+        if not moves:
+            self._timer.stop()
+        elif self.isVisible() and not self._timer.isActive():
+            self._timer.start()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
