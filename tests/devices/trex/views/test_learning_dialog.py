@@ -124,7 +124,7 @@ def test_problem_of_each_travel_is_shown(learning: LearningDialog) -> None:
         (Stick(low=1500, high=1500), "It never moved"),
         (Stick(low=1450, high=1550), "It went only 50 µs from its rest"),
         (Stick(low=1500), "It went one way only, never below its rest"),
-        (Stick(low=1440), "The end below is only 60 µs from its rest"),
+        (Stick(low=1440), "The low end is only 60 µs from the rest"),
         (Stick(rest=1700, low=1650, high=2000), "is not between its ends"),
         (Stick(low=1500, high=1500), "It never moved"),
     )
@@ -238,7 +238,7 @@ def test_slow_line_needs_ends_to_be_held(simulator: SimulatedDevice, qtbot: QtBo
         started = now()
         learning.move_until(lambda: now() - started >= 6, push_and_pull)
         learning.finish_travel()
-        assert "only passed, so" in learning.problem(1)
+        assert "only passed, not held" in learning.problem(1)
         assert not learning.can_click("learnUseButton")
         learning.assert_nothing_changed()
 
@@ -364,7 +364,7 @@ def test_review_warns_about_implausible_values(learning: LearningDialog) -> None
         assert learning.problem(1) == ""
 
     learning.set_value("Minimum", 1, 4000)
-    assert "would not accept these values: minimum 4000 is above neutral" in learning.problem(1)
+    assert "would reject these values: minimum 4000 is above neutral" in learning.problem(1)
     assert not learning.can_click("learnUseButton")
 
     assert "Active above 1495 µs, off at rest (inferred" in learning.text("learnReasons5")

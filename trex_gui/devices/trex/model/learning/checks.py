@@ -18,6 +18,10 @@ _MUCH = FULL_SCALE // 2
 """Output at that place above which it is a warning."""
 
 
+_Found = tuple[ProblemKind, str, tuple[object, ...]]
+"""Kind, variant and values of a problem."""
+
+
 @dataclass(frozen=True, slots=True)
 class Check:
     """The curve that would be stored for a channel, which the board accepts, and measurements."""
@@ -39,19 +43,13 @@ class Check:
         """What the board would do, for the user."""
         return tuple(filter(None, (self._switch_text(), self._idle_text())))
 
-    def _found(self) -> Iterator[tuple[ProblemKind, str, tuple[object, ...]]]:
-        """Yield kind, variant and values of each problem."""
+    def _found(self) -> Iterator[_Found]:
         text, wanted = self.neutral.source.text, self.curve.calibration
         yield from self._useless()
-        ends = {"MAXIMUM": (Way.UP, wanted.maximum), "MINIMUM": (Way.DOWN, wanted.minimum)}
-        beyond = {
-            name: text(self.travel.end(way))
-            for name, (way, end) in ends.items()
-            if self.travel.reached(way) and way.value * (end - self.travel.end(way)) > 0
-        }
-        if beyond:
-            variant = next(iter(beyond)) if len(beyond) == 1 else "BOTH"
-            yield ProblemKind.NEVER_FULL, variant, tuple(beyond.values())
+        for way, end in ((Way.UP, wanted.maximum), (Way.DOWN, wanted.minimum)):
+            reached = self.travel.end(way)
+            if self.travel.reached(way) and way.value * (end - reached) > 0:
+                yield ProblemKind.NEVER_FULL, way.name, (text(reached),)
         if self.travel.task is Task.SWITCH:
             yield from self._switching()
             return
@@ -63,9 +61,9 @@ class Check:
             place, speed = self._aside(idle)
             if speed > _MUCH:
                 values = text(place), str(speed), FULL_SCALE
-                yield ProblemKind.SPEEDS_UP, idle.name, values
+                yield ProblemKind.SPEEDS_UP, "", values
 
-    def _useless(self) -> Iterator[tuple[ProblemKind, str, tuple[object, ...]]]:
+    def _useless(self) -> Iterator[_Found]:
         """Yield what makes the sides that are used useless."""
         wanted, source, idle = self.curve.calibration, self.neutral.source, self.travel.idle
         if idle is None:
@@ -76,7 +74,7 @@ class Check:
         if abs(end - wanted.neutral) <= wanted.deadband:
             yield ProblemKind.USELESS, idle.name, (source.text(wanted.deadband),)
 
-    def _neutral_moved(self) -> Iterator[tuple[ProblemKind, str, tuple[object, ...]]]:
+    def _neutral_moved(self) -> Iterator[_Found]:
         text, wanted, sampled = self.neutral.source.text, self.curve.calibration, self.neutral.value
         rest = self.travel.rest
         if abs(rest - wanted.neutral) <= wanted.deadband:
@@ -87,7 +85,7 @@ class Check:
         else:
             yield ProblemKind.NEUTRAL_MOVED, "MEASURED", (text(rest), text(sampled), output)
 
-    def _switching(self) -> Iterator[tuple[ProblemKind, str, tuple[object, ...]]]:
+    def _switching(self) -> Iterator[_Found]:
         threshold = self.curve.threshold(self.channel)
         if threshold is None:
             return
