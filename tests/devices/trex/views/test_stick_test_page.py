@@ -38,7 +38,7 @@ def test_stick_test_says_what_holds_the_motors(learning: LearningDialog) -> None
     assert note.palette().color(note.foregroundRole()) == theme().color("window_text")
 
     learning.transmitter.put(1, 0.3)
-    learning.wait_for_text("learnTest1", "Let go: at rest it must give 0")
+    learning.wait_for_text("learnTest1", "Let go: at rest the output must be 0")
     learning.wait_for_head("Push every stick")
     learning.simulator.do("channel 1 silent")
     learning.wait_for_text("learnTest1", "No signal.")
@@ -50,7 +50,7 @@ def test_channel_failing_the_test_can_be_learned_again(learning: LearningDialog)
     learning.use({1: Stick(rest=1600), 2: Stick(low=1050, high=2010)})
     learning.start_test(1, 2)
     learning.push(1, -1)
-    learning.wait_for_text("learnTest1", "at rest it must give 0")
+    learning.wait_for_text("learnTest1", "at rest the output must be 0")
     learning.wait_for_text("learnSafeStart", "channel 1 gives +")
     assert learning.text("learnTest2") == "Full output not reached yet: reverse (−127)."
 

@@ -56,7 +56,7 @@ def test_stick_result_names_missing_ends() -> None:
 
 def test_stick_passes_after_both_ends_and_rest() -> None:
     both = (127, 3), (-127, 3)
-    assert stick_held_at(*both, (40, 1)).text.endswith("now it gives +40.")
+    assert stick_held_at(*both, (40, 1)).text.endswith("but it is +40.")
     assert stick_held_at(*both, (0, 5)).text == "Full output reached. Let it rest for a moment."
     at_rest = stick_held_at(*both, (0, 30))
     assert at_rest.passed
@@ -86,7 +86,7 @@ def test_switch_result_prompts_to_move_before_any_position() -> None:
 def test_switch_position_counts_after_three_samples(*, active: bool) -> None:
     seen = switch_held_at((active, 3))
     assert (seen.on, seen.off) == (active, not active)
-    assert seen.text.startswith(f"Seen {'on' if active else 'off'} only.")
+    assert seen.text.startswith(f"Only {'on' if active else 'off'} was seen.")
 
 
 def test_switch_passes_once_both_positions_were_seen() -> None:

@@ -98,21 +98,18 @@ class StickTest:
         if task is Task.SWITCH:
             if not self.off and not self.on:
                 return "Move the switch to all its positions."
-            now = "off" if self.off else "on"
-            return f"Seen {now} only. Move the switch to its other position."
+            seen = "off" if self.off else "on"
+            return f"Only {seen} was seen. Move the switch to its other position."
         ends = {"forward (+127)": self.forward, "reverse (−127)": self.reverse}
         missing = [name for name, seen in ends.items() if not seen]
-        if not missing or (task is Task.ONE_WAY and len(missing) == 1):
-            return self._rest_text(self.output)
-        if task is Task.ONE_WAY:
+        if task is Task.ONE_WAY and len(missing) == 2:
             return "Full output not reached yet. Push it all the way."
-        return f"Full output not reached yet: {' and '.join(missing)}."
-
-    def _rest_text(self, output: int) -> str:
-        if output == 0:
+        if task is Task.STICK and missing:
+            return f"Full output not reached yet: {' and '.join(missing)}."
+        if self.output == 0:
             return "Full output reached. Let it rest for a moment."
-        now = f"{output:+d}".replace("-", "−")
-        return f"Full output reached. Let go: at rest it must give 0, now it gives {now}."
+        now = f"{self.output:+d}".replace("-", "−")
+        return f"Full output reached. Let go: at rest the output must be 0, but it is {now}."
 
 
 def idle_side(calibration: Calibration, *, reversed_: bool) -> int:
