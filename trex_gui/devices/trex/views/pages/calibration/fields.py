@@ -151,18 +151,16 @@ class ChannelOptions(QWidget):
         self._boxes[ParameterKey.REQUIRED_CHANNELS].setVisible(source is InputSource.RC)
         self._refresh()
 
-    def curve(
-        self, channel: int, calibration: Calibration | None, *, stored: bool
-    ) -> ChannelCurve | None:
-        """Return a calibration with the bits that are stored, or would be after Apply."""
+    def curve(self, channel: int, calibration: Calibration | None) -> ChannelCurve | None:
+        """Return the curve of a calibration after Apply."""
         if calibration is None:
             return None
-        keys = (
-            ParameterKey.REVERSED_CHANNELS,
-            ParameterKey.PARABOLIC_CHANNELS,
-            ParameterKey.IGNORED_CHANNELS,
+        return ChannelCurve(
+            calibration,
+            reversed_=self._bit(ParameterKey.REVERSED_CHANNELS, channel),
+            parabolic=self._bit(ParameterKey.PARABOLIC_CHANNELS, channel),
+            ignored=self._bit(ParameterKey.IGNORED_CHANNELS, channel),
         )
-        return ChannelCurve(calibration, *(self._bit(key, channel, stored=stored) for key in keys))
 
     def _bit(self, key: str, channel: int, *, stored: bool = False) -> bool:
         """Return a channel's bit of a mask; False when the mask was not read."""

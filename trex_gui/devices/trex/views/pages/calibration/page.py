@@ -11,6 +11,7 @@ from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.channel_curve import MixWatch
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.learning.channels import stored_curve
 from trex_gui.devices.trex.protocol import channel_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
@@ -121,17 +122,17 @@ class CalibrationPage(QWidget):
         margins = layout.contentsMargins()
         layout.setContentsMargins(margins.left(), margins.top(), margins.right(), 2)
 
-        self._channels.chosen.connect(self._on_channel_chosen)
+        self._channels.chosen.connect(self._refresh)
         self._heading.source_chosen.connect(self._on_source_chosen)
         self._fields.edited.connect(self._on_edited)
         self._fields.rejected.connect(self._on_rejected)
         self._other.power_cycle_requested.connect(self.power_cycle_requested)
         device.link_changed.connect(self._on_device_changed)
-        device.state_changed.connect(self._on_state_changed)
+        device.state_changed.connect(self._on_device_changed)
         device.applied.connect(self._on_applied)
-        device.calibrations.changed.connect(self._on_edits_changed)
-        device.parameters.pending_changed.connect(self._on_edits_changed)
-        self._on_state_changed()
+        device.calibrations.changed.connect(self._refresh)
+        device.parameters.pending_changed.connect(self._refresh)
+        self._on_device_changed()
 
     # --- What is shown ------------------------------------------------------------------
 
@@ -157,15 +158,10 @@ class CalibrationPage(QWidget):
         return calibrations.last_seen(self.channel, self.source)
 
     @Slot()
-    def _on_state_changed(self) -> None:
-        """Follow the board to the input source that it reads now."""
+    def _on_device_changed(self) -> None:
         state = self._device.state
         if state is not None and state.source is not self._followed:
             self.source = self._followed = state.source
-        self._on_device_changed()
-
-    @Slot()
-    def _on_device_changed(self) -> None:
         if self._device.link is not ConnectionState.CONNECTED:
             self._mix.forget()
         known = self._device.calibrations.stored(1) is not None
@@ -174,15 +170,16 @@ class CalibrationPage(QWidget):
         self._show_channel()
 
     @Slot()
-    def _on_edits_changed(self) -> None:
+    def _refresh(self) -> None:
+        """Show the channel without a message about a rejected value."""
         self._clear_rejection()
         self._show_channel()
 
     def _show_channel(self) -> None:
         channel, editable, is_active = self.channel, self._editable, self._is_active
-        shown, stored = self._calibration(), self._device.calibrations.stored(channel)
-        before = self._options.curve(channel, stored if is_active else shown, stored=True)
-        after = self._options.curve(channel, shown, stored=False)
+        shown = self._calibration()
+        after = self._options.curve(channel, shown)
+        before = stored_curve(self._device, channel) if is_active else after
         self._fields.show_calibration(self.source, shown, editable=editable)
         self._show_actions()
         self._menu.show_channel(channel)
@@ -206,7 +203,7 @@ class CalibrationPage(QWidget):
         self._heading.show_channel(
             channel,
             self.source,
-            self._options.curve(channel, shown, stored=False),
+            self._options.curve(channel, shown),
             edited=self._is_active and shown != self._device.calibrations.stored(channel),
             mixed=self._mix.mixed,
         )
@@ -298,7 +295,7 @@ class CalibrationPage(QWidget):
         plot = CurvePlot(self._body)
         plot.setObjectName("curvePlot")
         plot.previewed.connect(self._on_previewed)
-        plot.released.connect(self._on_released)
+        plot.released.connect(self._refresh)
         plot.edited.connect(self._on_edited)
         self._right.insertWidget(1, plot, 1)
         return plot
@@ -329,10 +326,7 @@ class CalibrationPage(QWidget):
         """Compare the outputs of channels 1 and 2 with those that the board reports."""
         device = self._device
         raws = [device.telemetry.raw_of(channel) for channel in (1, 2, 4)]
-        one, two, flip = (
-            self._options.curve(channel, device.calibrations.stored(channel), stored=True)
-            for channel in (1, 2, 4)
-        )
+        one, two, flip = (stored_curve(device, channel) for channel in (1, 2, 4))
         reported = device.telemetry.remapped
         if device.is_joint:
             self._mix.forget()
@@ -357,32 +351,20 @@ class CalibrationPage(QWidget):
 
     # --- Edits --------------------------------------------------------------------------
 
-    @Slot(int)
-    def _on_channel_chosen(self, _channel: int) -> None:
-        self._clear_rejection()
-        self._show_channel()
-
     @Slot(object)
     def _on_source_chosen(self, source: InputSource) -> None:
         self.source = source
-        self._clear_rejection()
-        self._show_channel()
+        self._refresh()
 
     @Slot(object)
     def _on_previewed(self, calibration: Calibration) -> None:
         """Show the numbers of a held handle, and why it cannot move further."""
         self._fields.show_calibration(self.source, calibration, editable=self._editable)
-        stored = self._device.calibrations.stored(self.channel)
-        before = self._options.curve(self.channel, stored, stored=True)
         if self._plot is not None:
             self._rejection = self._plot.handles.message
-            self._legend.set_curves(True, differs=self._plot.curve != before, live=True)
+            differs = self._plot.curve != stored_curve(self._device, self.channel)
+            self._legend.set_curves(True, differs=differs, live=True)
         self._show_note()
-
-    @Slot()
-    def _on_released(self) -> None:
-        self._clear_rejection()
-        self._show_channel()
 
     @Slot(object)
     @Slot(object, object)
