@@ -166,7 +166,7 @@ class ComparisonTable(QAbstractTableModel):
         row = self._rows[index.row()]
         match role:
             case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.ToolTipRole:
-                return self._text(row, ComparisonColumn(index.column()))
+                return self._cells(row)[index.column()]
             case Qt.ItemDataRole.CheckStateRole if self._is_tickable(index):
                 is_cleared = row.key in self._cleared
                 return Qt.CheckState.Unchecked if is_cleared else Qt.CheckState.Checked
@@ -198,19 +198,15 @@ class ComparisonTable(QAbstractTableModel):
             and self._rows[index.row()].changed
         )
 
-    def _text(self, row: ComparisonRow, column: ComparisonColumn) -> str:
-        match column:
-            case ComparisonColumn.SETTING:
-                return row.name
-            case ComparisonColumn.BEFORE:
-                return self._side_text(row, row.before, row.text_before)
-            case ComparisonColumn.AFTER:
-                return self._side_text(row, row.after, row.text_after)
-            case ComparisonColumn.WIRE:
-                return _wires_text(row)
-            case ComparisonColumn.OUTCOME:
-                outcome = self._outcomes.get(row.key)
-                return "" if outcome is None else outcome or self.tr("stored")
+    def _cells(self, row: ComparisonRow) -> tuple[str, ...]:
+        outcome = self._outcomes.get(row.key)
+        return (
+            row.name,
+            self._side_text(row, row.before, row.text_before),
+            self._side_text(row, row.after, row.text_after),
+            _wires_text(row),
+            "" if outcome is None else outcome or self.tr("stored"),
+        )
 
     def _side_text(self, row: ComparisonRow, value: int | Calibration | None, text: str) -> str:
         """Return one side in physical units; each differing field of a calibration has a line."""

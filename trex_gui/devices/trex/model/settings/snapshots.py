@@ -142,38 +142,31 @@ class SnapshotTable(QAbstractTableModel):
         if not index.isValid():
             return None
         snapshot = self.snapshots[index.row()]
-        problem = self.problem_of(snapshot)
         match role:
             case Qt.ItemDataRole.DisplayRole:
-                return self._text(snapshot, SnapshotColumn(index.column()))
+                return self._cells(snapshot)[index.column()]
             case Qt.ItemDataRole.ToolTipRole:
-                return self._tip(snapshot, problem)
+                return self._tip(snapshot)
             case SnapshotRole.PROBLEM:
-                return problem
+                return self.problem_of(snapshot)
             case SnapshotRole.WORDS:
-                cells = [self._text(snapshot, column) for column in SnapshotColumn]
-                return " ".join((*cells, self._tip(snapshot, problem)))
+                return " ".join((*self._cells(snapshot), self._tip(snapshot)))
         return None
 
-    def _text(self, snapshot: Snapshot, column: SnapshotColumn) -> str:
-        match column:
-            case SnapshotColumn.TIME:
-                return self.time_text(snapshot)
-            case SnapshotColumn.BOARD:
-                if self.problem_of(snapshot):
-                    return self.tr("damaged")
-                return f"{snapshot.product} {snapshot.firmware}".strip()
-            case SnapshotColumn.NUMBER:
-                return "" if snapshot.device_number is None else str(snapshot.device_number)
-            case SnapshotColumn.ADAPTER:
-                return snapshot.adapter
-            case SnapshotColumn.REASON:
-                return snapshot.reason
+    def _cells(self, snapshot: Snapshot) -> tuple[str, ...]:
+        board = f"{snapshot.product} {snapshot.firmware}".strip()
+        return (
+            self.time_text(snapshot),
+            snapshot.reason,
+            self.tr("damaged") if self.problem_of(snapshot) else board,
+            "" if snapshot.device_number is None else str(snapshot.device_number),
+            snapshot.adapter,
+        )
 
-    def _tip(self, snapshot: Snapshot, problem: str) -> str:
+    def _tip(self, snapshot: Snapshot) -> str:
         when = snapshot.taken.astimezone().strftime("%Y-%m-%d %H:%M:%S")
         lines = [when, snapshot.path.name]
-        if problem:
+        if problem := self.problem_of(snapshot):
             text = self.tr("This snapshot is damaged and cannot be restored. {0}")
             lines.append(text.format(problem))
         return "\n".join(lines)
