@@ -63,8 +63,6 @@ class CalibrationTable(QAbstractTableModel):
         )
         self._calibrations.changed.connect(self._on_changed)
 
-    # --- User actions -----------------------------------------------------------------
-
     def add(self, keys: Collection[CalibrationKey]) -> None:
         """Add the default calibration of channels that have none, in one undo step."""
         missing = [key for key in keys if not self.is_given(key)]
@@ -81,8 +79,6 @@ class CalibrationTable(QAbstractTableModel):
 
     def is_given(self, key: CalibrationKey) -> bool:
         return self._calibrations.shown(key) is not None
-
-    # --- Qt -----------------------------------------------------------------------------
 
     def rowCount(self, parent: Index | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else len(_KEYS)
@@ -101,14 +97,9 @@ class CalibrationTable(QAbstractTableModel):
         return self._titles[section] if section < len(self._titles) else None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        if not index.isValid():
-            return Qt.ItemFlag.NoItemFlags
-        flags = (
-            Qt.ItemFlag.ItemIsEnabled
-            | Qt.ItemFlag.ItemIsSelectable
-            | Qt.ItemFlag.ItemNeverHasChildren
-        )
-        if index.column() > 0 and self.is_given(_KEYS[index.row()]):
+        flags = super().flags(index)
+        is_count = index.isValid() and index.column() > 0
+        if is_count and self.is_given(_KEYS[index.row()]):
             flags |= Qt.ItemFlag.ItemIsEditable
         return flags
 
@@ -139,8 +130,8 @@ class CalibrationTable(QAbstractTableModel):
             self._calibrations.edit(key, wanted)
         except BadRequest:
             problem = wanted.problem() or ""
-            words = self.tr("{0} channel {1}: {2}. The order is minimum, neutral, maximum.")
-            self.rejected.emit(words.format(key.source.value, key.channel, problem))
+            text = self.tr("{0}: {1}. The order is minimum, neutral, maximum.")
+            self.rejected.emit(text.format(key.label, problem))
             return False
         return True
 
@@ -151,8 +142,7 @@ class CalibrationTable(QAbstractTableModel):
 
     def _text(self, key: CalibrationKey, column: int) -> str:
         if column == 0:
-            name = key.source.value
-            return self.tr("{0} channel {1}").format(name[0].upper() + name[1:], key.channel)
+            return key.label[:1].upper() + key.label[1:]
         count = _field(self._calibrations.shown(key), column)
         if count is None:
             return self.tr("not given")
