@@ -17,7 +17,7 @@ from trex_gui.core.recording.kinds import (
     Value,
 )
 from trex_gui.devices.aracna.poses.project import MOST_MOTORS
-from trex_gui.devices.aracna.protocol.units import DEGREES_PER_SECOND, DEGREES_PER_UNIT
+from trex_gui.devices.aracna.protocol.joints import DEGREES_PER_SECOND, DEGREES_PER_UNIT
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Moved,

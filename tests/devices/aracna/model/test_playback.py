@@ -23,7 +23,7 @@ from tests.devices.aracna.recordings import (
 from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.model.robot_state import RobotState
-from trex_gui.devices.aracna.protocol.units import degrees
+from trex_gui.devices.aracna.protocol.joints import degrees
 from trex_gui.devices.aracna.recording import Record, StoppedResponding
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, Restarted, Stuck
 from trex_gui.ui.event_log import EventKind

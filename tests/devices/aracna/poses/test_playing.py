@@ -22,8 +22,7 @@ from trex_gui.devices.aracna.poses.playing import (
     steps_of,
 )
 from trex_gui.devices.aracna.poses.project import Pose, Sequence, SequenceStep
-from trex_gui.devices.aracna.protocol.joints import factory_limits
-from trex_gui.devices.aracna.protocol.units import CEILING, UNITS_PER_SECOND
+from trex_gui.devices.aracna.protocol.joints import CEILING, UNITS_PER_SECOND, factory_limits
 from trex_gui.devices.aracna.session.messages import Step
 
 LIMITS = factory_limits()

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.session import Outcome
-from trex_gui.devices.aracna.protocol.units import travel_seconds
+from trex_gui.devices.aracna.protocol.joints import travel_seconds
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     EndPlay,

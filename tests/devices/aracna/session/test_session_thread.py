@@ -14,7 +14,7 @@ from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.discovery import ARACNA_PROBER
-from trex_gui.devices.aracna.protocol.units import travel_seconds
+from trex_gui.devices.aracna.protocol.joints import travel_seconds
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     Ending,

@@ -14,7 +14,7 @@ from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.discovery import ARACNA_PROBER, FoundRobot
-from trex_gui.devices.aracna.protocol.units import degrees
+from trex_gui.devices.aracna.protocol.joints import degrees
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.aracna.session.messages import (
     Connected,

@@ -13,7 +13,7 @@ from trex_gui.core.recording.kinds import marker
 from trex_gui.core.recording.store import Recording
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
-from trex_gui.devices.aracna.protocol.units import degrees
+from trex_gui.devices.aracna.protocol.joints import degrees
 from trex_gui.devices.aracna.recording import FORMAT, Header, Record, Report, StoppedResponding
 from trex_gui.devices.aracna.session.messages import (
     Moved,

@@ -11,7 +11,7 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import Rate, RobotState
 from trex_gui.devices.aracna.model.setpoints import JointLimits, Targets
 from trex_gui.devices.aracna.model.texts import cropped_goals_text, error_text, event_of
-from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS, travel_seconds
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, travel_seconds
 from trex_gui.devices.aracna.session.errors import suggests_scan
 from trex_gui.devices.aracna.session.messages import (
     Connected,

@@ -4,8 +4,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QObject, QSettings, Signal, Slot
 
-from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
-from trex_gui.devices.aracna.protocol.units import CENTRE, MOTORS
+from trex_gui.devices.aracna.protocol.joints import CENTRE, MOTORS, Limits, factory_limits
 
 _KEY = "aracna/limits"
 

@@ -7,8 +7,14 @@ from PySide6.QtCore import QCoreApplication
 
 from trex_gui.core.errors import CodedError, StudioError, describe
 from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
-from trex_gui.devices.aracna.protocol.joints import JOINTS, Joint, JointKind, Side
-from trex_gui.devices.aracna.protocol.units import degrees, degrees_per_second
+from trex_gui.devices.aracna.protocol.joints import (
+    JOINTS,
+    Joint,
+    JointKind,
+    Side,
+    degrees,
+    degrees_per_second,
+)
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Moved,

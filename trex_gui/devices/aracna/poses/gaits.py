@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from trex_gui.devices.aracna.poses.project import SHORTEST_MS, Pose, SequenceStep
-from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS
 
 SLOW_SECONDS = 3.0  # time in which the authors' robot goes to flat, and from there to stand
 

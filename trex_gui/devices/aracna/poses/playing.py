@@ -10,8 +10,7 @@ from dataclasses import dataclass
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.poses.gaits import SLOW_SECONDS, STAND, Gait
 from trex_gui.devices.aracna.poses.project import Pose, Sequence
-from trex_gui.devices.aracna.protocol.joints import Limits, crop
-from trex_gui.devices.aracna.protocol.units import travel_seconds
+from trex_gui.devices.aracna.protocol.joints import Limits, crop, travel_seconds
 from trex_gui.devices.aracna.session.messages import Step
 
 Present = Many[int | None]  # position of each motor; `None` where unknown

@@ -32,7 +32,7 @@ from trex_gui.devices.aracna.poses.project import (
     SequenceStep,
     free_number,
 )
-from trex_gui.devices.aracna.protocol.units import CENTRE, HIGHEST, MOTORS
+from trex_gui.devices.aracna.protocol.joints import CENTRE, HIGHEST, MOTORS
 
 SUFFIX = ".ppr"
 

@@ -5,7 +5,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.aracna.protocol.units import CENTRE, HIGHEST, MOTORS
+from trex_gui.devices.aracna.protocol.joints import CENTRE, HIGHEST, MOTORS
 
 SHORTEST_MS = 1
 LONGEST_MS = 3_600_000  # an hour; PyPose itself offers up to 5000 ms

@@ -7,7 +7,7 @@ line carries one value of one to four digits for each motor.
 from collections.abc import Sequence
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.aracna.protocol.units import HIGHEST
+from trex_gui.devices.aracna.protocol.joints import HIGHEST
 
 BAUD = 38_400  # its UART runs at 38400 8N1, without flow control
 QUERY = b".q\n"  # three bytes: as many as the chip keeps while the firmware is busy

@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass
 
-from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS
 
 UNREADABLE = -1  # reported for a servo that does not answer
 MOST_MOTORS = 11

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Outcome
-from trex_gui.devices.aracna.protocol.units import HIGHEST
+from trex_gui.devices.aracna.protocol.joints import HIGHEST
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Play,

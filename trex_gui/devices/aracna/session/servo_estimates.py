@@ -5,8 +5,7 @@ Neither can be queried: they are known only from the replies to `.c` and `.v`.
 
 from collections.abc import Sequence
 
-from trex_gui.devices.aracna.protocol.joints import Limits, crop
-from trex_gui.devices.aracna.protocol.units import HIGHEST, speed_for, travel_seconds
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits, crop, speed_for, travel_seconds
 
 ASSUMED_SPEED = 100
 """Assumed while a speed is unknown: slow, so that no reply is considered late too early."""

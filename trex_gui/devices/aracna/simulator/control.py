@@ -21,7 +21,7 @@ from trex_gui.core.simulator.control_lines import (
     wire,
 )
 from trex_gui.core.simulator.plugin import Simulation, SimulatorPlugin
-from trex_gui.devices.aracna.protocol.units import MOTORS
+from trex_gui.devices.aracna.protocol.joints import MOTORS
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
 

@@ -7,7 +7,7 @@ from functools import partial
 from trex_gui.core.simulator.line import SimulatedLine
 from trex_gui.core.simulator.sampling import RateConverter, ReceiveError, is_other_rate
 from trex_gui.core.transport.settings import Parity, SerialFormat
-from trex_gui.devices.aracna.protocol.units import MOTORS
+from trex_gui.devices.aracna.protocol.joints import MOTORS
 from trex_gui.devices.aracna.simulator.firmware import (
     Firmware,
     Pause,

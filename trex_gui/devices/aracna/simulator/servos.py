@@ -7,7 +7,7 @@ import math
 from collections import Counter
 from enum import Enum
 
-from trex_gui.devices.aracna.protocol.units import CEILING, HIGHEST, UNITS_PER_SECOND
+from trex_gui.devices.aracna.protocol.joints import CEILING, HIGHEST, UNITS_PER_SECOND
 
 FAILED = -1  # value that the board's library returns for a servo without reply
 MARGIN = 2

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QSizePolicy, QStyle, QWidget
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.demo import DemoRobot, DemoServo, FirmwareState, RobotSnapshot
 from trex_gui.devices.aracna.model.texts import spoken_joint
-from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS, degrees
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
 from trex_gui.ui.devices.demo_panel import (
     CableTexts,
     Columns,

@@ -15,8 +15,8 @@ from trex_gui.devices.aracna.model.texts import (
     speed_text,
     spoken_joint,
 )
+from trex_gui.devices.aracna.protocol.joints import CENTRE, MOTORS
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
-from trex_gui.devices.aracna.protocol.units import CENTRE, MOTORS
 from trex_gui.devices.aracna.session.messages import StepBegun
 from trex_gui.devices.aracna.views.action_bar import StopSequenceButton
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing

@@ -7,7 +7,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.model.library import ItemKind, Library
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.project import Pose
-from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS, degrees
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed

@@ -15,8 +15,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.texts import position_text, spoken_joint
-from trex_gui.devices.aracna.protocol.joints import JOINTS, Side
-from trex_gui.devices.aracna.protocol.units import degrees
+from trex_gui.devices.aracna.protocol.joints import JOINTS, Side, degrees
 from trex_gui.ui.theme.theme import theme
 
 _OUTWARD = {

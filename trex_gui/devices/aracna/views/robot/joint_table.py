@@ -14,7 +14,7 @@ from trex_gui.devices.aracna.model.texts import (
     speed_text,
     spoken_joint,
 )
-from trex_gui.devices.aracna.protocol.units import HIGHEST, degrees, position
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, degrees, position
 from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider, SpeedBox
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme

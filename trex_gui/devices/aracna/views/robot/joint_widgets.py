@@ -7,8 +7,7 @@ from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPen, QPolygonF, QWh
 from PySide6.QtWidgets import QSpinBox, QWidget
 
 from trex_gui.devices.aracna.model.texts import speed_text
-from trex_gui.devices.aracna.protocol.joints import Limits
-from trex_gui.devices.aracna.protocol.units import HIGHEST
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.sliders import PressSlider

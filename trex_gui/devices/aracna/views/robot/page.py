@@ -13,7 +13,7 @@ from trex_gui.devices.aracna.model.texts import (
     stuck_text,
 )
 from trex_gui.devices.aracna.poses.gaits import STAND
-from trex_gui.devices.aracna.protocol.units import CENTRE
+from trex_gui.devices.aracna.protocol.joints import CENTRE
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.devices.aracna.views.robot.joint_table import JointTable
 from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox

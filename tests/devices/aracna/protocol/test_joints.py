@@ -4,24 +4,24 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.aracna.protocol import units
+from trex_gui.devices.aracna.protocol import joints
 from trex_gui.devices.aracna.protocol.joints import JOINTS, JointKind, Limits, Side, factory_limits
 
 
 @given(position=st.integers(0, 1023))
 def test_position_survives_conversion_to_degrees_and_back(position: int) -> None:
-    assert units.position(units.degrees(position)) == position
+    assert joints.position(joints.degrees(position)) == position
 
 
 def test_range_is_300_degrees_centred_at_150() -> None:
-    assert units.degrees(1023) == pytest.approx(300)
-    assert units.degrees(512) == pytest.approx(150, abs=0.2)
+    assert joints.degrees(1023) == pytest.approx(300)
+    assert joints.degrees(512) == pytest.approx(150, abs=0.2)
 
 
 def test_speed_0_means_maximum_speed() -> None:
-    assert units.degrees_per_second(0) is None
-    assert units.travel_seconds(1023, 0) == units.travel_seconds(1023, 1023)
-    assert units.degrees_per_second(100) == pytest.approx(66.9)
+    assert joints.degrees_per_second(0) is None
+    assert joints.travel_seconds(1023, 0) == joints.travel_seconds(1023, 1023)
+    assert joints.degrees_per_second(100) == pytest.approx(66.9)
 
 
 @pytest.mark.parametrize(
@@ -31,23 +31,23 @@ def test_speed_0_means_maximum_speed() -> None:
 def test_travel_takes_documented_time(
     distance: int, speed: int, ceiling: int, seconds: float
 ) -> None:
-    assert units.travel_seconds(distance, speed, ceiling) == pytest.approx(seconds, rel=0.01)
+    assert joints.travel_seconds(distance, speed, ceiling) == pytest.approx(seconds, rel=0.01)
 
 
 @given(distance=st.integers(-1023, 1023), seconds=st.floats(0.05, 60))
 def test_speed_for_time_is_lowest_that_arrives_in_time(distance: int, seconds: float) -> None:
-    speed = units.speed_for(distance, seconds)
+    speed = joints.speed_for(distance, seconds)
     assert 1 <= speed <= 1023
     unlimited = 10_000
     if speed < 1023:
-        assert units.travel_seconds(distance, speed, unlimited) <= seconds * (1 + 1e-6)
+        assert joints.travel_seconds(distance, speed, unlimited) <= seconds * (1 + 1e-6)
     if speed > 1:
-        assert units.travel_seconds(distance, speed - 1, unlimited) > seconds
+        assert joints.travel_seconds(distance, speed - 1, unlimited) > seconds
 
 
 def test_speed_for_time_matches_authors_formula() -> None:
-    assert units.speed_for(512, 1.0) == pytest.approx(438.6 * 512 / 1000, abs=1)
-    assert units.speed_for(512, 1.0) == pytest.approx(435.4 * 512 / 1000, rel=0.01)
+    assert joints.speed_for(512, 1.0) == pytest.approx(438.6 * 512 / 1000, abs=1)
+    assert joints.speed_for(512, 1.0) == pytest.approx(435.4 * 512 / 1000, rel=0.01)
 
 
 def test_even_motors_are_inner_joints_and_legs_are_pairs() -> None:
