@@ -46,6 +46,16 @@
     </message>
 </context>
 <context>
+    <name>Device</name>
+    <message numerus="yes">
+        <source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
+        <translation>
+            <numerusform>%n earlier change still pending. Click Apply to write to this board.</numerusform>
+            <numerusform>%n earlier changes still pending. Click Apply to write to this board.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FindingsPanel</name>
     <message numerus="yes">
         <source>%n error(s)</source>

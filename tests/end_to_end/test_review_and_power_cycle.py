@@ -291,11 +291,11 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     review.close()
     window.trigger("defaults")
     window.click("boardResetButton")
-    assert not device.reset_ordered
+    assert not device.draft.reset_pending
     window.click("boardResetSureButton")
     guide = window.dialog("powerCycleDialog")
     guide.wait(guide.root.isVisible)
-    window.wait(lambda: device.reset_ordered)
+    window.wait(lambda: device.draft.reset_pending)
     assert len(device.history.snapshots()) == 2
     guide.click("powerCycleCloseButton")
 
@@ -309,7 +309,7 @@ def test_pending_reset_blocks_writing_until_power_cycle(
 
     window.trigger("power")
     power.cycle()
-    assert not device.reset_ordered
+    assert not device.draft.reset_pending
     assert stored(simulator, "serial_timeout") == 0
     assert device.parameters.stored_of("serial_timeout") == 0
     assert device.settings is not None
@@ -331,7 +331,7 @@ def test_pending_edits_survive_a_disconnect(
     window.disconnect()
     assert window.action("save").isEnabled()
     window.connect(simulator.url)
-    window.wait_for_text("bannerText", "1 earlier changes are still pending")
+    window.wait_for_text("bannerText", "1 earlier change still pending")
 
     junior = start_simulator("--unpaced", "--model", "trexjr")
     device.connect_to(ConnectionSettings(junior.url))

@@ -3,11 +3,14 @@
 from dataclasses import replace
 
 import pytest
+from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import NoReply
+from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing
-from trex_gui.devices.trex.model.settings.apply import PendingReset
+from trex_gui.devices.trex.model.settings.apply import Apply
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     Calibration,
@@ -18,6 +21,8 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, channel_mask
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.session.messages import Written
+from trex_gui.devices.trex.settings.history import SettingsHistory
 
 FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
 LEARNED = Calibration(2400, 3700, 5100, 80)
@@ -29,7 +34,6 @@ STATE = DeviceState(
     dict.fromkeys(range(1, 6), FACTORY),
     calibrated=0,
 )
-ORDERED = (WriteResult("factory_reset", 1),)
 
 
 def test_verified_writes_update_the_board_state() -> None:
@@ -85,42 +89,39 @@ def test_active_input_source_is_unknown_outside_serial_mode() -> None:
     assert replace(STATE, mode=Mode.ANALOG).active_parameters(None) == {}
 
 
-# --- The order to reset -----------------------------------------------------------------
+# --- A pending reset --------------------------------------------------------------------
 
 
-def ordered() -> PendingReset:
-    order = PendingReset()
-    order.note_written(ORDERED, STATE.parameters)
-    assert order.is_pending
-    return order
+def written(*results: WriteResult) -> SettingsDraft:
+    """Return the draft of a board after these results of a write."""
+    draft = SettingsDraft()
+    draft.take_state(STATE, None, power_cycled=True)
+    outcome = Outcome(1, Written(results, STATE, ConnectionSettings("virtual")))
+    apply = Apply(draft, SettingsHistory(), lambda make, then: then(outcome))
+    apply.store(STATE, None, "motor_mode", 1)
+    return draft
 
 
-def test_refused_reset_is_not_pending() -> None:
-    order = PendingReset()
-    order.note_written([WriteResult("factory_reset", error=NoReply("x"))], STATE.parameters)
-    order.note_written([WriteResult("motor_mode", 1)], STATE.parameters)
-    assert not order.is_pending
+def test_reset_is_pending_once_the_board_accepts_it(qtbot: QtBot) -> None:
+    assert written(WriteResult("factory_reset", 1)).reset_pending
+    assert not written(WriteResult("factory_reset", error=NoReply("x"))).reset_pending
+    assert not written(WriteResult("motor_mode", 1)).reset_pending
 
 
-def test_reset_stays_pending_while_values_are_unchanged() -> None:
-    order = ordered()
-    order.note_read(STATE.parameters, power_cycled=False)
-    assert order.is_pending
+def test_reset_stays_pending_while_values_are_unchanged(qtbot: QtBot) -> None:
+    draft = written(WriteResult("factory_reset", 1))
+    draft.take_state(STATE, None, power_cycled=False)
+    assert draft.reset_pending
 
 
-def test_power_cycle_completes_the_reset() -> None:
-    order = ordered()
-    order.note_read(STATE.parameters, power_cycled=True)
-    assert not order.is_pending
+def test_power_cycle_completes_the_reset(qtbot: QtBot) -> None:
+    draft = written(WriteResult("factory_reset", 1))
+    draft.take_state(STATE, None, power_cycled=True)
+    assert not draft.reset_pending
 
 
-def test_changed_values_complete_the_reset() -> None:
-    order = ordered()
-    order.note_read({**STATE.parameters, "motor_mode": 1}, power_cycled=False)
-    assert not order.is_pending
-
-
-def test_forget_clears_the_pending_reset() -> None:
-    order = ordered()
-    order.forget()
-    assert not order.is_pending
+def test_changed_values_complete_the_reset(qtbot: QtBot) -> None:
+    draft = written(WriteResult("factory_reset", 1))
+    changed = replace(STATE, parameters={**STATE.parameters, "motor_mode": 1})
+    draft.take_state(changed, None, power_cycled=False)
+    assert not draft.reset_pending

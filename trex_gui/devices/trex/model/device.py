@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.drive_controller import DriveController, why_th
 from trex_gui.devices.trex.model.errors import BoardEvents, ErrorLog
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
-from trex_gui.devices.trex.model.settings.apply import Apply, PendingReset
+from trex_gui.devices.trex.model.settings.apply import Apply
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
@@ -81,7 +81,6 @@ class Device(QObject):
             self.motors, self.telemetry, self.connection, self.notifier, self
         )
         self.events = BoardEvents(self.motors, self.connection, self)
-        self._reset_order = PendingReset()
         self.state: DeviceState | None = None
 
         self.connection.changed.connect(self.link_changed)
@@ -148,11 +147,6 @@ class Device(QObject):
         return who_controls(self.state.mode, by_serial, joint=self.is_joint)
 
     @property
-    def reset_ordered(self) -> bool:
-        """Whether the board will reset its parameters at its next start; writes are lost then."""
-        return self._reset_order.is_pending
-
-    @property
     def serial_timeout_s(self) -> float | None:
         """Seconds of silence after which the board stops its motors by itself, 0 for never.
 
@@ -206,7 +200,7 @@ class Device(QObject):
         Before the first byte the session gets the settings at which the board may be afterwards,
         since its power may fail right behind the write.
         """
-        if self.state is not None and self.connection.is_open and not self.reset_ordered:
+        if self.state is not None and self.connection.is_open and not self.draft.reset_pending:
             self._expect_after(self.parameters.all_shown)
             self._apply.start(self.state, self.settings, only)
 
@@ -225,7 +219,6 @@ class Device(QObject):
 
     def note_power_cycled(self) -> None:
         """Note that the user reports a power cycle of the board."""
-        self._reset_order.forget()
         if self.state is not None:
             self.draft.take_state(self.state, self.settings, power_cycled=True)
             self.state_changed.emit()
@@ -254,8 +247,6 @@ class Device(QObject):
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
-        if self.state is not None:
-            self._reset_order.note_written(results, self.state.parameters)
         self.link_changed.emit()
         names = tuple(self.name_of(result.key) for result in results)
         self.events.note_applied(results, names)
@@ -284,13 +275,13 @@ class Device(QObject):
             pending = self.draft.pending
             if pending and self.parameters.model_key == state.signature.model.key:
                 text = self.tr(
-                    "{0} earlier changes are still pending. Click Apply to write them to this "
-                    "board."
+                    "%n earlier change(s) still pending. Click Apply to write to this board.",
+                    "",
+                    pending,
                 )
-                self.notifier.delayed_info.emit(text.format(pending))
+                self.notifier.delayed_info.emit(text)
             self.telemetry.begin(state.signature.model.current_unit)
         self.telemetry.serial_controls = state.serial_controls
-        self._reset_order.note_read(state.parameters, power_cycled=occasion.power_cycled)
         self.draft.take_state(state, report.settings, power_cycled=occasion.power_cycled)
 
     @Slot(object)

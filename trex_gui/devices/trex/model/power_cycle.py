@@ -59,7 +59,7 @@ class PowerCycle(QObject):
         if state is None or settings is None or self._device.link is not ConnectionState.CONNECTED:
             return
         signature, stored = state.signature, state.parameters
-        if self._device.reset_ordered:
+        if self._device.draft.reset_pending:
             stored = factory_settings(signature.model, signature.firmware).parameters
         expected = after_power_cycle(settings, stored, signature.firmware)
         self.expected = None if expected == settings else expected

@@ -256,7 +256,7 @@ class TrexWorkspace(Workspace):
         connected = device.link is ConnectionState.CONNECTED
         writable = connected and not device.applying
         shown = draft.shown is not None and not device.applying
-        to_activate = bool(device.parameters.waiting_for_power) or device.reset_ordered
+        to_activate = bool(device.parameters.waiting_for_power) or device.draft.reset_pending
         return {
             **dict.fromkeys(
                 ("reload", "defaults", "serial_defaults", "learn", "test_sticks"), writable

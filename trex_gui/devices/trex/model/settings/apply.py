@@ -1,6 +1,6 @@
 """Write edits to the board: save a snapshot, then write and verify every value."""
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection
 from typing import cast
 
 from PySide6.QtCore import QObject, Signal
@@ -9,7 +9,6 @@ from trex_gui.core.errors import sentence
 from trex_gui.core.files import SettingsError
 from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -119,32 +118,9 @@ class Apply(QObject):
             return
         written = cast("Written", outcome.value)
         self.written.emit(written)
+        self._draft.reset_pending |= any(
+            result.key == ParameterKey.FACTORY_RESET and result.error is None
+            for result in written.results
+        )
         self._draft.parameters.note_results(written.results)
         self.finished.emit(written.results)
-
-
-class PendingReset:
-    """Whether a board will reset itself at its next start, so that values written now are lost."""
-
-    def __init__(self) -> None:
-        self._requested_at: dict[str, int] | None = None
-
-    @property
-    def is_pending(self) -> bool:
-        return self._requested_at is not None
-
-    def note_written(self, results: Sequence[WriteResult], stored: Mapping[str, int]) -> None:
-        """Look for the reset request among the results."""
-        if any(
-            result.key == ParameterKey.FACTORY_RESET and result.error is None for result in results
-        ):
-            self._requested_at = dict(stored)
-
-    def note_read(self, stored: Mapping[str, int], *, power_cycled: bool) -> None:
-        """Clear the request if the stored values show that the board has restarted."""
-        if power_cycled or self._requested_at != dict(stored):
-            self._requested_at = None
-
-    def forget(self) -> None:
-        """Treat the reset as done."""
-        self._requested_at = None

@@ -28,6 +28,10 @@ class SettingsDraft(QObject):
         replacing: the `Settings` shown, with edits that will be lost: those of another kind of
             board replace them.
         pending_changed: the number of edits.
+
+    Attributes:
+        reset_pending: whether the board will reset its parameters at its next start, so that
+            values written before that are lost.
     """
 
     loaded = Signal()
@@ -39,6 +43,7 @@ class SettingsDraft(QObject):
         self.undo = QUndoStack(self)
         self.parameters = ParameterModel(self, self.undo)
         self.calibrations = Calibrations(self, self.undo)
+        self.reset_pending = False
         self._product: Model | None = None
         self._firmware: str | None = None
 
@@ -50,7 +55,12 @@ class SettingsDraft(QObject):
     def take_state(
         self, state: DeviceState, connection: ConnectionSettings | None, *, power_cycled: bool
     ) -> None:
-        """Take what a board stores; edits stay if it is the same kind of board."""
+        """Take what a board stores; edits stay if it is the same kind of board.
+
+        Other stored values than before show that a pending reset has been done.
+        """
+        if power_cycled or self.parameters.all_stored != state.parameters:
+            self.reset_pending = False
         model = state.signature.model
         self._begin(model, state.signature.firmware)
         self.parameters.load(

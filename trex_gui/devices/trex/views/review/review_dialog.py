@@ -99,7 +99,7 @@ class ReviewDialog(QDialog):
         return (
             device.link is ConnectionState.CONNECTED
             and not device.applying
-            and not device.reset_ordered
+            and not device.draft.reset_pending
         )
 
     # --- User actions -------------------------------------------------------------------
@@ -228,7 +228,7 @@ class ReviewDialog(QDialog):
             return self.tr("There is nothing to write: no setting was changed."), False
         if self._device.link is not ConnectionState.CONNECTED:
             return self.tr("No board is responding. The edits are kept."), False
-        if self._device.reset_ordered:
+        if self._device.draft.reset_pending:
             return self.tr(
                 "The board will reset itself at its next start and would lose what is "
                 "written now. Switch it off and on first (Device, Make stored settings active)."

@@ -68,7 +68,7 @@ class ParametersPage(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         connected = self._device.link is ConnectionState.CONNECTED
-        waiting = bool(self._model.waiting_for_power) or self._device.reset_ordered
+        waiting = bool(self._model.waiting_for_power) or self._device.draft.reset_pending
         self._reload.setEnabled(connected)
         self._activate.setVisible(connected and waiting)
         self._discard.setEnabled(connected and self._device.draft.pending > 0)
@@ -82,7 +82,7 @@ class ParametersPage(QWidget):
             return self.tr(
                 "No board is responding. Edits are kept until the same kind of board is connected."
             )
-        if self._device.reset_ordered:
+        if self._device.draft.reset_pending:
             return self.tr("Factory defaults take effect after the next power cycle.")
         if pending := self._device.draft.pending:
             return self.tr("%n pending change(s): click Apply settings to write.", "", pending)
