@@ -109,10 +109,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>&amp;Make %n change(s) edits</source>
+        <source>&amp;Load %n change(s)</source>
         <translation>
-            <numerusform>&amp;Make %n change an edit</numerusform>
-            <numerusform>&amp;Make %n changes edits</numerusform>
+            <numerusform>&amp;Load %n change</numerusform>
+            <numerusform>&amp;Load %n changes</numerusform>
         </translation>
     </message>
 </context>

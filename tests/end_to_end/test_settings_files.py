@@ -48,7 +48,7 @@ def test_load_dialog_compares_the_file_with_the_board(
     summary = "3 parameters: 2 will change, 1 match; 1 calibration: 1 will change"
     assert summary in dialog.text("comparisonSummary")
     assert "stay as they are" in dialog.text("loadFoot")
-    assert "Make 3 changes edits" in dialog.button_text()
+    assert "Load 3 changes" in dialog.button_text()
     assert any("24 of 27 parameters are missing" in text for _, text in dialog.findings())
     assert device.draft.pending == 0
 
@@ -56,7 +56,7 @@ def test_load_dialog_compares_the_file_with_the_board(
     assert not dialog.is_enabled("takeChangesButton")
     device.parameters.edit("motor_mode", 1)
     assert "3 parameters: 3 will change, 0 match" in dialog.text("comparisonSummary")
-    assert "Make 1 change an edit" in dialog.button_text()
+    assert "Load 1 change" in dialog.button_text()
 
     window.disconnect()
     window.wait_for_text("bannerText", "rover.txt was not loaded: no board is connected any more")

@@ -179,7 +179,7 @@ class LoadDialog(QDialog):
     @Slot()
     def _update_take(self) -> None:
         count = len(self._view.table.ticked)
-        self._take.setText(self.tr("&Make %n change(s) edits", "", count))
+        self._take.setText(self.tr("&Load %n change(s)", "", count))
         can_stage = self._device.link is ConnectionState.CONNECTED and not self._device.applying
         self._take.setEnabled(can_stage and count > 0 and not self._view.isHidden())
 
