@@ -176,7 +176,7 @@ def test_sigterm_while_recording_ends_program_cleanly(
         assert_complete(path)
 
 
-@pytest.mark.parametrize("choose", ["choose_and_open", "choose_and_record"])
+@pytest.mark.parametrize("choose", ["choose_and_open", "toggle"])
 def test_esc_in_file_dialog_stops_motors(window: WindowDriver, choose: str) -> None:
     stops: list[str] = []
     window.device.motors.stop_requested.connect(lambda: stops.append("stop"))

@@ -118,7 +118,6 @@ def test_widget_palette_follows_the_scheme(qtbot: QtBot) -> None:
     with qtbot.waitSignal(theme().changed):
         theme().set_scheme("dark")
     qtbot.waitUntil(lambda: widget.palette().window().color() == theme().color("window"))
-    assert theme().is_dark
     assert theme().scheme == "dark"
 
 
@@ -131,14 +130,14 @@ def test_system_scheme_defaults_to_light() -> None:
     theme().set_scheme("dark")
     theme().set_scheme("system")
     assert theme().choice == "system"
-    assert not theme().is_dark
+    assert theme().scheme == "light"
 
 
 def test_second_install_keeps_the_scheme_of_the_system(qapp: QApplication) -> None:
     theme().set_scheme("dark")
     theme().install(qapp)
     theme().set_scheme("system")
-    assert not theme().is_dark
+    assert theme().scheme == "light"
 
 
 def test_unknown_scheme_is_rejected() -> None:

@@ -18,6 +18,7 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.file_drop import FileDrop
+from trex_gui.ui.widgets.file_questions import ask_to_save
 from trex_gui.ui.workers.record_thread import RecordThread
 
 if TYPE_CHECKING:  # the plotting library takes as long to load as all of Qt
@@ -143,6 +144,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         recorder.failed.connect(notifier.error)
 
     def accept_drops(self, frame: QWidget, workspace: QWidget) -> None:
+        """Open recordings dropped on `frame` while `workspace` is shown in it."""
 
         def takes(paths: Sequence[Path]) -> bool:
             is_one = len(paths) == 1 and paths[0].suffix.lower() in _DROPPED_SUFFIXES
@@ -162,19 +164,11 @@ class RecordingManager(QObject, Generic[WindowT]):
         """End the recording, or choose a file and start one."""
         if self.recorder.recording:
             self.recorder.stop()
-        else:
-            self.choose_and_record()
-
-    def choose_and_record(self) -> None:
+            return
         stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
         proposal = self._folder() / f"{self._texts.stem}_{stamp}{SUFFIX}"
-        chosen, _ = QFileDialog.getSaveFileName(
-            self._window, self.tr("Record"), str(proposal), self._filter()
-        )
-        if chosen:
-            path = Path(chosen)
-            if path.suffix.lower() != SUFFIX:
-                path = path.with_name(path.name + SUFFIX)
+        path = ask_to_save(self._window, self.tr("Record"), proposal, self._filter(), (SUFFIX,))
+        if path is not None:
             self.record(path)
 
     def record(self, path: Path) -> None:

@@ -14,7 +14,7 @@ import numpy as np
 from PySide6.QtCore import QCoreApplication, QPoint, QRectF, QSettings, QSize, Qt, Slot
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPalette, QPen, QRegion
 from PySide6.QtSvg import QSvgGenerator
-from PySide6.QtWidgets import QFileDialog, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.history import Floats
@@ -92,15 +92,12 @@ class ExportButton(QToolButton):
 
     def _ask(self, kind: str, whole: bool, _checked: bool = False) -> None:
         kinds = self.tr("Tables (*.csv)") if kind == "csv" else self.tr("Pictures (*.{0})")
-        folder = file_questions.last_folder(self._store)
-        proposal = str(folder / f"{self._name}.{kind}")
-        chosen, _ = QFileDialog.getSaveFileName(
-            self.window(), self.tr("Export"), proposal, kinds.format(kind)
+        proposal = file_questions.last_folder(self._store) / f"{self._name}.{kind}"
+        path = file_questions.ask_to_save(
+            self.window(), self.tr("Export"), proposal, kinds.format(kind), (f".{kind}",)
         )
-        if not chosen:
+        if path is None:
             return
-        path = Path(chosen)
-        path = path if path.suffix else path.with_suffix(f".{kind}")
         file_questions.remember_folder(self._store, path)
         if kind != "csv":
             self.save_picture(path)

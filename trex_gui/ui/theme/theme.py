@@ -76,11 +76,6 @@ class Theme(QObject):
         self._colours = read_colours("light")
         self._app: QApplication | None = None
 
-    @property
-    def is_dark(self) -> bool:
-        """Whether text is lighter than its background."""
-        return _is_dark(self._colours.palette["window"])
-
     def color(self, name: str) -> QColor:
         """Return a named colour, or a palette role by its name in the file, as a copy."""
         found = self._colours.named.get(name) or self._colours.palette.get(name)

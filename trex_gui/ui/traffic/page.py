@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QModelIndex, QSettings, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
-from PySide6.QtWidgets import QFileDialog, QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import new_timer
@@ -224,12 +224,10 @@ class TrafficPage(QWidget):
             self._notifier.error.emit(self.tr("No rows to save."))
             return
         suggested = file_questions.last_folder(self._store) / "traffic.txt"
-        chosen, _ = QFileDialog.getSaveFileName(
-            self, self.tr("Save the traffic log"), str(suggested), self.tr("Text (*.txt *.tsv)")
-        )
-        if chosen:
-            path = Path(chosen)
-            self.save(path if path.suffix else path.with_suffix(".txt"))
+        title, kinds = self.tr("Save the traffic log"), self.tr("Text (*.txt *.tsv)")
+        path = file_questions.ask_to_save(self, title, suggested, kinds, (".txt", ".tsv"))
+        if path is not None:
+            self.save(path)
 
     def save(self, path: Path) -> None:
         file_questions.remember_folder(self._store, path)

@@ -1,5 +1,6 @@
 """Questions before a settings file is overwritten or lost, and the folder of files."""
 
+from collections.abc import Sequence
 from enum import Enum, auto
 from pathlib import Path
 
@@ -92,8 +93,20 @@ def ask_to_open(window: QWidget, title: str, store: QSettings) -> Path | None:
 
 
 def ask_to_save(
-    window: QWidget, title: str, proposal: Path, filters: str | None = None
+    window: QWidget,
+    title: str,
+    proposal: Path,
+    filters: str | None = None,
+    suffixes: Sequence[str] = (),
 ) -> Path | None:
-    """Let the user choose where to save a file, by default a settings file."""
+    """Let the user choose where to save a file, by default a settings file.
+
+    A name without one of the suffixes gets the first of them.
+    """
     chosen, _ = QFileDialog.getSaveFileName(window, title, str(proposal), filters or file_filter())
-    return Path(chosen) if chosen else None
+    if not chosen:
+        return None
+    path = Path(chosen)
+    if suffixes and path.suffix.lower() not in suffixes:
+        return path.with_name(path.name + suffixes[0])
+    return path
