@@ -68,18 +68,12 @@ class ParameterView(QTreeView):
         delegate.rejected.connect(self.rejected)
         self.setItemDelegate(delegate)
         self.setItemDelegateForColumn(ParameterColumn.RESET, ResetDelegate(self))
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        triggers = QAbstractItemView.EditTrigger
         self.setEditTriggers(
-            QAbstractItemView.EditTrigger.DoubleClicked
-            | QAbstractItemView.EditTrigger.EditKeyPressed
-            | QAbstractItemView.EditTrigger.AnyKeyPressed
-            | QAbstractItemView.EditTrigger.SelectedClicked
+            self.editTriggers() | triggers.AnyKeyPressed | triggers.SelectedClicked
         )
         self.setAlternatingRowColors(True)
         self.setUniformRowHeights(True)
-        self.setWordWrap(False)
-        self.setTabKeyNavigation(False)
         self.setIndentation(16)
         self._set_up_header()
         self._set_up_menu()
@@ -91,15 +85,12 @@ class ParameterView(QTreeView):
 
     def _set_up_header(self) -> None:
         header = self.header()
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        header.setHighlightSections(False)
         header.setSectionsMovable(False)
         header.setStretchLastSection(False)
         header.setMinimumSectionSize(24)
         character = self.fontMetrics().averageCharWidth()
         for column, width in _WIDTHS.items():
             header.resizeSection(column, width * character)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         header.setSectionResizeMode(ParameterColumn.RESET, QHeaderView.ResizeMode.Fixed)
         header.setSectionResizeMode(ParameterColumn.VALUE, QHeaderView.ResizeMode.Stretch)
 
