@@ -289,7 +289,7 @@ def test_leave_out_reset_and_restore_ignore_invalid_keys(
 def test_left_out_parameter_counts_as_pending(qtbot: QtBot) -> None:
     draft = SettingsDraft()
     draft.take_settings(Settings(SPECS.model, "1.2", {"serial_timeout": 5}))
-    assert draft.knows("motor_mode")
+    assert draft.can_edit("motor_mode")
     draft.parameters.leave_out("serial_timeout")
     draft.parameters.edit("motor_mode", 1)
     assert draft.pending == 2

@@ -162,7 +162,7 @@ def test_last_seen_keeps_values_of_the_other_source(model: Calibrations) -> None
     assert model.stored(CalibrationKey.RC_CHANNEL_2) is None
     assert model.last_seen(2, rc) == DEFAULT_CALIBRATION[rc]
     assert model.last_seen(2, InputSource.ANALOG) == OTHER
-    assert not model.knows(CalibrationKey.RC_CHANNEL_2)
+    assert not model.can_edit(CalibrationKey.RC_CHANNEL_2)
 
 
 def test_last_seen_keeps_a_written_value(model: Calibrations) -> None:

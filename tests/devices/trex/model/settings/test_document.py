@@ -234,7 +234,7 @@ def test_edited_document_text_parses_to_its_settings(
 ) -> None:
     document = SettingsDocument.of_settings(before, "any.txt", "")
     for key, wire in after.parameters.items():
-        if document.draft.knows(key):
+        if document.draft.can_edit(key):
             document.draft.parameters.edit(key, wire)
     for key, calibration in after.calibrations.items():
         document.draft.calibrations.edit(key, calibration)

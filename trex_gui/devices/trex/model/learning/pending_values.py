@@ -47,7 +47,7 @@ class PendingLearnedValues(QObject):
                 reversed_.discard(number)
                 if choice.reversed_:
                     reversed_.add(number)
-            if self._device.parameters.knows(_REVERSED):
+            if self._device.parameters.can_edit(_REVERSED):
                 self._device.parameters.edit(_REVERSED, channel_mask(reversed_), alone=True)
         is_pending = any(map(self.has_edit, choices))
         self._waiting = dict(choices) if is_pending else {}
@@ -101,7 +101,7 @@ class PendingLearnedValues(QObject):
     @Slot()
     def _on_pending_changed(self) -> None:
         shown, reversed_ = self._device.calibrations.shown, self._wanted_reversed()
-        has_directions = self._device.parameters.knows(_REVERSED)
+        has_directions = self._device.parameters.can_edit(_REVERSED)
         self._waiting = {
             number: choice
             for number, choice in self._waiting.items()

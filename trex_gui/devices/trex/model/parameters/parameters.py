@@ -212,7 +212,7 @@ class ParameterModel(QAbstractItemModel):
         """Return the active wire value, which may differ from the stored one; `None`: not read."""
         return self._draft.active.get(key, self.stored_of(key))
 
-    def knows(self, key: str) -> bool:
+    def can_edit(self, key: str) -> bool:
         """Whether a parameter can be edited: it was read, or is optional."""
         return key in self._specs and self._draft.accepts(key)
 
@@ -223,7 +223,7 @@ class ParameterModel(QAbstractItemModel):
     def other_motor_of(self, key: str) -> str | None:
         """Return the same parameter of the other motor if both can be edited."""
         other_motor = other_motor_key(key)
-        if other_motor is None or not self.knows(key) or not self.knows(other_motor):
+        if other_motor is None or not self.can_edit(key) or not self.can_edit(other_motor):
             return None
         return other_motor
 
@@ -238,7 +238,7 @@ class ParameterModel(QAbstractItemModel):
             BadRequest: the value is outside the parameter's limits.
             KeyError: the parameter does not exist, or was not read.
         """
-        if not self.knows(key):
+        if not self.can_edit(key):
             raise KeyError(key)
         if wire == self.value_of(key):
             return  # an editor that was opened and left does not edit the other motor either
@@ -250,12 +250,12 @@ class ParameterModel(QAbstractItemModel):
 
     def reset(self, key: str) -> None:
         """Edit a parameter to its default."""
-        if self.knows(key):
+        if self.can_edit(key):
             self.edit(key, self._specs[key].default)
 
     def restore(self, key: str) -> None:
         """Go back to the stored value; with `both_motors`, each to its own."""
-        if self.knows(key):
+        if self.can_edit(key):
             self._change({each: self.stored_of(each) for each in self._with_other_motor(key)})
 
     def leave_out(self, key: str) -> None:
@@ -296,7 +296,7 @@ class ParameterModel(QAbstractItemModel):
 
     def _put(self, key: str, wire: int | None) -> None:
         """Apply an edit to the draft; ignores parameters that the present board lacks."""
-        if self.knows(key):
+        if self.can_edit(key):
             if wire is None:
                 self._draft.leave_out(key)
             else:
@@ -370,7 +370,7 @@ class ParameterModel(QAbstractItemModel):
         spec = self._spec_at(index)
         if spec is not None:
             flags |= Qt.ItemFlag.ItemNeverHasChildren
-            if index.column() == ParameterColumn.VALUE and self.knows(spec.key):
+            if index.column() == ParameterColumn.VALUE and self.can_edit(spec.key):
                 flags |= Qt.ItemFlag.ItemIsEditable
         return flags
 

@@ -60,13 +60,13 @@ class Calibrations(QObject):
     @property
     def all_shown(self) -> dict[CalibrationKey, Calibration]:
         """The calibrations after Apply or Save."""
-        edits = {k: e for k, e in self.edited.items() if self.knows(k)}
+        edits = {k: e for k, e in self.edited.items() if self.can_edit(k)}
         return {k: c for k, c in {**self._stored, **edits}.items() if k not in self.left_out}
 
     @property
     def out_of_reach(self) -> list[CalibrationKey]:
         """Edits for the input source that the board does not show now."""
-        return [key for key in self.modified if not self.knows(key)]
+        return [key for key in self.modified if not self.can_edit(key)]
 
     def stored(self, channel: Channel) -> Calibration | None:
         """Return the stored calibration; `None`: not known."""
@@ -81,7 +81,7 @@ class Calibrations(QObject):
         key = self._key(channel)
         return None if key in self.left_out else self.edited.get(key, self._held(key))
 
-    def knows(self, channel: Channel) -> bool:
+    def can_edit(self, channel: Channel) -> bool:
         """Whether a calibration can be edited: it was read, or the file may hold it."""
         return self._open_ended or self._key(channel) in self._stored
 

@@ -119,11 +119,11 @@ class SettingsDraft(QObject):
         """The number of edits of parameters and calibrations."""
         return len(self.parameters.modified) + len(self.calibrations.modified)
 
-    def knows(self, key: str) -> bool:
+    def can_edit(self, key: str) -> bool:
         """Whether a setting can be edited."""
         if key in CALIBRATION_KEYS:
-            return self.calibrations.knows(CALIBRATION_KEYS[key])
-        return self.parameters.knows(key)
+            return self.calibrations.can_edit(CALIBRATION_KEYS[key])
+        return self.parameters.can_edit(key)
 
     def stage(self, rows: Iterable[ComparisonRow], text: str) -> None:
         """Edit settings to the right side of a comparison, in one undo step.
@@ -133,7 +133,7 @@ class SettingsDraft(QObject):
         Raises:
             BadRequest: the board would reject a value; nothing was changed.
         """
-        wanted = [row for row in rows if row.after is not None and self.knows(row.key)]
+        wanted = [row for row in rows if row.after is not None and self.can_edit(row.key)]
         for row in wanted:
             self._check(row)
         with self.one_edit(text):
@@ -189,8 +189,8 @@ def diff_against_draft(draft: SettingsDraft, settings: Settings) -> Comparison:
         message = f"these settings are for a {settings.product.name}, not a {shown.product.name}"
         raise BadRequest(message)
     known = {spec.key for spec in shown.specs.readable}
-    unread = [key for key in settings.parameters if key in known and not draft.knows(key)]
-    hidden = [key for key in settings.calibrations if not draft.knows(key)]
+    unread = [key for key in settings.parameters if key in known and not draft.can_edit(key)]
+    hidden = [key for key in settings.calibrations if not draft.can_edit(key)]
     result = compare(
         shown,
         replace(

@@ -218,7 +218,7 @@ class TuningForm(QGroupBox):
     def _on_changed(self) -> None:
         """Show the parameters of the planned motor."""
         device = self._device
-        keys = tuple(key for key in self._bench.tuned_keys() if device.parameters.knows(key))
+        keys = tuple(key for key in self._bench.tuned_keys() if device.parameters.can_edit(key))
         shown = device.parameters.model_key, keys
         if shown != self._shown:
             self._shown = shown

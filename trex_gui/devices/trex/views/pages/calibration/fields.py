@@ -164,7 +164,7 @@ class ChannelOptions(QWidget):
 
     def _bit(self, key: str, channel: int, *, stored: bool = False) -> bool:
         """Return a channel's bit of a mask; False when the mask was not read."""
-        if not self._parameters.knows(key):
+        if not self._parameters.can_edit(key):
             return False
         read = self._parameters.stored_of if stored else self._parameters.value_of
         return bool((read(key) or 0) >> (channel - 1) & 1)
@@ -185,7 +185,7 @@ class ChannelOptions(QWidget):
             now = self._bit(key, self._channel)
             with QSignalBlocker(box):
                 box.setChecked(now)
-            box.setEnabled(self._editable and self._parameters.knows(key))
+            box.setEnabled(self._editable and self._parameters.can_edit(key))
             box.setToolTip(self._blocker or self._tips[key])
             set_bold(box, now != self._bit(key, self._channel, stored=True))
 
@@ -193,7 +193,7 @@ class ChannelOptions(QWidget):
         self._set(key, self._channel, checked)
 
     def _set(self, key: str, channel: int, wanted: bool) -> None:
-        if self._parameters.knows(key):
+        if self._parameters.can_edit(key):
             bit = 1 << (channel - 1)
             wire = self._parameters.value_of(key) or 0
             self._parameters.edit(key, wire | bit if wanted else wire & ~bit)

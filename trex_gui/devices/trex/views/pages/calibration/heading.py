@@ -226,7 +226,7 @@ class OtherSource(QWidget):
         self._text.setText(f"{text} {values}")
         self._switch.setText(self.tr("Read {0} after the next power cycle").format(name))
         self._switch.setVisible(is_serial and not is_edited)
-        self._switch.setEnabled(is_connected and parameters.knows(_KEY))
+        self._switch.setEnabled(is_connected and parameters.can_edit(_KEY))
         self._cycle.setVisible(is_serial and is_edited and is_stored)
         self._cycle.setEnabled(is_connected)
 

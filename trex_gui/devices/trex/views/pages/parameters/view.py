@@ -237,7 +237,7 @@ class ParameterView(QTreeView):
         """Describe the effect of each action; disable or hide those without one."""
         model, key = self._model, self.current_key
         spec, stored, value = model.spec_of(key), model.stored_of(key), model.value_of(key)
-        self._edit.setEnabled(model.knows(key))
+        self._edit.setEnabled(model.can_edit(key))
         self._reset.setText(model.text.reset(spec))
         self._reset.setEnabled(self.currentIndex().data(Role.RESET) is not None)
         restore = self.tr("Restore stored value")
