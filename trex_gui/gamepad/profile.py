@@ -2,7 +2,7 @@
 
 import json
 import math
-from dataclasses import dataclass
+from dataclasses import asdict, astuple, dataclass
 from enum import Enum, auto
 
 from trex_gui.gamepad.pads import Pad, PadState
@@ -74,17 +74,8 @@ class GamepadProfile:
         )
 
     def to_text(self) -> str:
-        return json.dumps(
-            {
-                "style": self.style.value,
-                "first": [self.first.number, self.first.inverted],
-                "second": [self.second.number, self.second.inverted],
-                "dead_zone": self.dead_zone,
-                "expo": self.expo,
-                "hold": self.hold,
-                "stop": self.stop,
-            }
-        )
+        axes = {"first": astuple(self.first), "second": astuple(self.second)}
+        return json.dumps({**asdict(self), **axes, "style": self.style.value})
 
 
 def default_profile(pad: Pad) -> GamepadProfile:
