@@ -28,7 +28,6 @@ class DriveBlocker(Enum):
     UNKNOWN = auto()
     NOT_SERIAL = auto()
     SAFE_START = auto()
-    CHANNELS_HELD = auto()
     CHANNELS = auto()
     LOCKED = auto()
     FAULT = auto()
@@ -107,7 +106,6 @@ _RULES: tuple[tuple[DriveBlocker, Callable[[DriveInputs], object]], ...] = (
     (DriveBlocker.UNKNOWN, lambda now: now.mode is None or now.by_serial is None),
     (DriveBlocker.NOT_SERIAL, lambda now: not now.by_serial and now.mode and now.mode.is_serial),
     (DriveBlocker.SAFE_START, lambda now: not now.by_serial and now.missing),
-    (DriveBlocker.CHANNELS_HELD, lambda now: not now.by_serial and now.perhaps_held),
     (DriveBlocker.CHANNELS, lambda now: not now.by_serial),
     (DriveBlocker.LOCKED, lambda now: now.locked_for and not now.armed),
     (DriveBlocker.FAULT, lambda now: now.faults),
@@ -135,12 +133,16 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
     channels = _tr("The analog channels control the motors, not this program.")
     if now.mode is Mode.RC:
         channels = _tr("The RC channels control the motors, not this program.")
-    held = _tr("Safe-start may be holding the motors: let the sticks rest once.")
     override = _tr(
         "To drive from here, turn on the override switch (channel 5), or switch the board off, "
         "take the mode jumper off and switch it on."
     )
-    after_power_up = _tr("After power-up safe-start waits for sticks at rest.")
+    if now.perhaps_held:
+        held = _tr("Safe-start may be holding the motors: let the sticks rest once.")
+        channels = f"{channels} {held}"
+    else:
+        after_power_up = _tr("After power-up safe-start waits for sticks at rest.")
+        override = f"{override} {after_power_up}"
     missing = _tr("Safe-start keeps the motors off: channel {0} is required but has no signal.")
     if len(now.missing) > 1:
         missing = _tr(
@@ -180,8 +182,7 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
             missing.format(_listed(now.missing)),
             _tr("Switch the transmitter on and let go of its sticks."),
         ),
-        DriveBlocker.CHANNELS_HELD: (f"{channels} {held}", override),
-        DriveBlocker.CHANNELS: (channels, f"{override} {after_power_up}"),
+        DriveBlocker.CHANNELS: (channels, override),
         DriveBlocker.LOCKED: (
             _tr("Stopped. The motors are locked for {0} s.").format(ceil(now.locked_for)),
             _tr("Then Run motor arms them again."),

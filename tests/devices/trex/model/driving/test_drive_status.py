@@ -49,7 +49,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
         ),
         (
             DriveInputs(mode=Mode.RC, by_serial=False, perhaps_held=True),
-            DriveBlocker.CHANNELS_HELD,
+            DriveBlocker.CHANNELS,
             "Safe-start may be holding",
         ),
         (DriveInputs(locked_for=2.2), DriveBlocker.LOCKED, "locked for 3 s"),
