@@ -117,6 +117,16 @@
     </message>
 </context>
 <context>
+    <name>NameModel</name>
+    <message numerus="yes">
+        <source>%n step(s), {0:g} s</source>
+        <translation>
+            <numerusform>%n step, {0:g} s</numerusform>
+            <numerusform>%n steps, {0:g} s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ParametersPage</name>
     <message numerus="yes">
         <source>%n pending change(s): click Apply settings to write.</source>
@@ -164,6 +174,40 @@
         <translation>
             <numerusform>%n earlier pending edit will be written, too.</numerusform>
             <numerusform>%n earlier pending edits will be written, too.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Robot</name>
+    <message numerus="yes">
+        <source>Connected to Aracna: firmware {0}, %n motor(s).</source>
+        <translation>
+            <numerusform>Connected to Aracna: firmware {0}, %n motor.</numerusform>
+            <numerusform>Connected to Aracna: firmware {0}, %n motors.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s)</source>
+        <translation>
+            <numerusform>once</numerusform>
+            <numerusform>%n times</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Playing %n step(s), {0}.</source>
+        <translation>
+            <numerusform>Playing %n step, {0}.</numerusform>
+            <numerusform>Playing %n steps, {0}.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RobotPlaybackWindow</name>
+    <message numerus="yes">
+        <source>Aracna, firmware {0}, %n motor(s)</source>
+        <translation>
+            <numerusform>Aracna, firmware {0}, %n motor</numerusform>
+            <numerusform>Aracna, firmware {0}, %n motors</numerusform>
         </translation>
     </message>
 </context>

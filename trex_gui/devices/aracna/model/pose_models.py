@@ -79,7 +79,7 @@ class NameModel(QAbstractListModel):
             return ""
         if missing := played.missing(self._library.project.pose_names):
             return self.tr("Undefined poses: {0}").format(", ".join(missing))
-        return self.tr("{0} steps, {1:g} s").format(len(played.steps), played.seconds)
+        return self.tr("%n step(s), {0:g} s", "", len(played.steps)).format(played.seconds)
 
     def flags(self, index: _Index) -> Qt.ItemFlag:
         key = self.key(index.row()) if index.isValid() else None

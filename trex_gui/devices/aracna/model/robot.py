@@ -174,8 +174,8 @@ class Robot(DeviceConnection[PortSettings]):
     def _update_link(self, report: object) -> None:
         match report:
             case Connected(version=version, motors=motors):
-                text = self.tr("Connected to Aracna: firmware {0}, {1} motors.")
-                self._set_state(ConnectionState.CONNECTED, text.format(version, motors))
+                text = self.tr("Connected to Aracna: firmware {0}, %n motor(s).", "", motors)
+                self._set_state(ConnectionState.CONNECTED, text.format(version))
             case Restarted():
                 text = self.tr("The board has restarted; it is ready again in a second …")
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
@@ -268,8 +268,10 @@ class Robot(DeviceConnection[PortSettings]):
             return False
         steps, rounds = len(play.steps), play.rounds
         self.state.play = play
-        often = self.tr("{0} times").format(rounds) if rounds else self.tr("repeating")
-        self.events.add(EventKind.NOTE, self.tr("Playing {0} steps, {1}.").format(steps, often))
+        often = self.tr("%n time(s)", "", rounds) if rounds else self.tr("repeating")
+        self.events.add(
+            EventKind.NOTE, self.tr("Playing %n step(s), {0}.", "", steps).format(often)
+        )
         self.changed.emit()
         return True
 

@@ -78,8 +78,8 @@ class RobotPlaybackWindow(RecordingWindow):
 
     def device_text(self) -> str:
         header = self.playback.header
-        text = self.tr("Aracna, firmware {0}, {1} motors")
-        return text.format(header.version, header.motors)
+        text = self.tr("Aracna, firmware {0}, %n motor(s)", "", header.motors)
+        return text.format(header.version)
 
     def show_curves(self) -> None:
         hidden = {trace.name for trace in self.playback.traces.traces} - self.plot.shown
