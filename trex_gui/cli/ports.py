@@ -114,7 +114,16 @@ def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bo
                 )
             for found in search.found:
                 say(reports[search.device].describe(found))
-                rows.append(reports[search.device].row(found))
+                settings = found.settings
+                row = {
+                    "port": settings.url,
+                    "baud": settings.line.baud,
+                    "stop_bits": settings.line.stop_bits,
+                    "device_number": found.device_number,
+                    "echo": found.echo,
+                    "note": found.note,
+                }
+                rows.append({**row, **reports[search.device].row(found)})
                 if not as_json:
                     click.echo(rows[-1]["options"])
             if not search.found and not search.cancelled:

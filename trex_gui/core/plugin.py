@@ -50,7 +50,7 @@ class PortReports:
         identify: looks on a port (URL, options of the command) without moving anything; its
             answer has no text if nothing is worth reporting. Raises PortUnavailable.
         describe: returns the sentences that report a found device to the user.
-        row: returns what `find --json` prints for a found device.
+        row: returns what `find --json` prints beside the connection of a found device.
     """
 
     identify: Callable[[str, Mapping[str, Any]], PortAnswer]

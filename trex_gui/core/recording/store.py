@@ -159,11 +159,6 @@ def _replace(path: Path) -> None:
         path.with_name(path.name + suffix).unlink(missing_ok=True)
 
 
-def _log_of(path: Path) -> Path:
-    """Return the file with what was committed but not yet synchronised."""
-    return path.with_name(f"{path.name}-wal")
-
-
 def _create_table(kind: SampleKind, start: float) -> str:
     lines = [
         ("record INTEGER PRIMARY KEY", "number in order of arrival"),
@@ -215,7 +210,8 @@ class Recording(Generic[HeaderT, RecordT]):
         if len(head) < _HEAD.size or not head.startswith(_MAGIC):
             raise RecordingError(str(path), _NOT_A_RECORDING)
         page_size, pages = _HEAD.unpack(head)
-        if size < page_size * pages and not _log_of(path).exists():
+        log = path.with_name(f"{path.name}-wal")  # committed, but not yet synchronised
+        if size < page_size * pages and not log.exists():
             self.problems.append("The end of the file is missing.")
         self._database = self._connect()
         try:

@@ -81,9 +81,14 @@ class Server:
         while self._unsent and self._line.backlog < _MAX_AHEAD:
             self._line.send(bytes(self._unsent[:_CHUNK]))
             del self._unsent[:_CHUNK]
-        self._report_unsaved()
+        for reason in self._line.unsaved:
+            if reason not in self._reported:
+                self._reported.add(reason)
+                sys.stderr.write(f"{reason}; the board continues without it\n")
         if self._waker.fileno() in ready:
-            self._drain()
+            with contextlib.suppress(BlockingIOError):
+                while self._waker.recv(4096):
+                    pass
             self._execute()
 
     def _receive(self, settings: HostSettings | None, data: bytes) -> None:
@@ -93,12 +98,6 @@ class Server:
             self._drop_unsent()
             self._line.host = host
         self._unsent += data[: _MAX_UNSENT - len(self._unsent)]
-
-    def _report_unsaved(self) -> None:
-        for reason in self._line.unsaved:
-            if reason not in self._reported:
-                self._reported.add(reason)
-                sys.stderr.write(f"{reason}; the board continues without it\n")
 
     def _check_departure(self) -> None:
         if self._endpoint.hosts_left != self._hosts_left:
@@ -175,8 +174,8 @@ class Server:
         except OSError:
             return  # started without standard input
         ends_with_input = stat.S_ISFIFO(kind) or stat.S_ISSOCK(kind)
-        if not ends_with_input and _is_null_device(kind):
-            return
+        if not ends_with_input and stat.S_ISCHR(kind) and not os.isatty(0):
+            return  # /dev/null or alike
         threading.Thread(
             target=self._read_input, args=(ends_with_input,), daemon=True, name="control lines"
         ).start()
@@ -206,11 +205,6 @@ class Server:
         with contextlib.suppress(OSError):  # full, so it wakes up already; or closed
             self._wake.send(b"!")
 
-    def _drain(self) -> None:
-        with contextlib.suppress(BlockingIOError):
-            while self._waker.recv(4096):
-                pass
-
     def _catch_signals(self) -> dict[int, "signal._HANDLER"]:
         """Let signals end the loop; return the previous handlers."""
         names = ("SIGINT", "SIGTERM", "SIGHUP")
@@ -228,8 +222,3 @@ class Server:
     def _end(self, _number: int, _frame: FrameType | None) -> None:
         self._ended = True
         self._wake_up()
-
-
-def _is_null_device(kind: int) -> bool:
-    """Whether standard input is a device but no terminal, such as /dev/null."""
-    return stat.S_ISCHR(kind) and not os.isatty(0)

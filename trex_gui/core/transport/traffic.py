@@ -251,54 +251,42 @@ class TransactionAssembler:
     def feed(self, events: Iterable[TrafficEvent]) -> list[Transaction]:
         """Take events; return every row that is new or has changed, in order."""
         touched: dict[int, Transaction] = {}
-
-        def touch(transaction: Transaction | None) -> None:
-            if transaction is not None:
-                touched[transaction.number] = transaction
-
         for event in events:
-            match event.way:
-                case TrafficDirection.LINE:
-                    touch(self._end())
-                    self._settings = event.settings or self._settings
-                    row = self._row(event.time)
-                    row.note, row.is_over = event.text, True
-                    touch(row)
-                case TrafficDirection.SENT if self._pending and self._decoder.goes_with(
-                    self._pending, event.data
-                ):
-                    self._pending.sent += event.data
-                    touch(self._pending)
-                case TrafficDirection.SENT:
-                    touch(self._end())
-                    self._pending = self._row(event.time, event.data)
-                    touch(self._pending)
-                case TrafficDirection.RECEIVED:
-                    if self._pending is None or self._is_answered(self._pending):
-                        touch(self._end())
-                        self._pending = self._row(event.time)
-                    self._pending.received += event.data
-                    self._pending.ended = event.time
-                    touch(self._pending)
-        return [touched[number] for number in sorted(touched)]
+            row = self._pending
+            if row is None or not self._continues(row, event):
+                if row is not None:
+                    row.is_over = True
+                    touched[row.number] = row
+                self._settings = event.settings or self._settings
+                row = self._row(event)
+                self._pending = None if row.is_over else row
+            elif event.way is TrafficDirection.SENT:
+                row.sent += event.data
+            if event.way is TrafficDirection.RECEIVED:
+                row.received += event.data
+                row.ended = event.time
+            touched[row.number] = row
+        return list(touched.values())
 
-    def _is_answered(self, transaction: Transaction) -> bool:
-        return bool(transaction.received) and self._decoder.is_whole(transaction)
+    def _continues(self, row: Transaction, event: TrafficEvent) -> bool:
+        """Whether an event belongs to the pending row."""
+        match event.way:
+            case TrafficDirection.SENT:
+                return self._decoder.goes_with(row, event.data)
+            case TrafficDirection.RECEIVED:
+                return not row.received or not self._decoder.is_whole(row)
+        return False
 
-    def _end(self) -> Transaction | None:
-        """Complete the pending row; return it."""
-        ended, self._pending = self._pending, None
-        if ended is not None:
-            ended.is_over = True
-        return ended
-
-    def _row(self, time: float, sent: bytes = b"") -> Transaction:
+    def _row(self, event: TrafficEvent) -> Transaction:
         self._count += 1
+        sent = event.data if event.way is TrafficDirection.SENT else b""
         return Transaction(
             self._count,
-            time,
+            event.time,
             sent,
+            note=event.text,
             settings=self._settings,
             echo=self._echo,
             is_routine=bool(sent) and self._decoder.is_routine(sent),
+            is_over=event.way is TrafficDirection.LINE,
         )

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.commands import (
     Null,
     SetParameter,
 )
-from trex_gui.devices.trex.protocol.framing import DEFAULT_DEVICE_NUMBER, EXPANDED_START, Framing
+from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Framing
 
 
 @pytest.mark.parametrize(
@@ -71,10 +71,6 @@ def test_invalid_parameter_value_is_rejected_on_encode() -> None:
 )
 def test_crc_adds_one_byte_when_enabled(framing: Framing, size: int) -> None:
     assert framing.crc_size == size
-
-
-def test_default_device_number_is_7() -> None:
-    assert DEFAULT_DEVICE_NUMBER == 7
 
 
 def test_expanded_packets_start_with_0x80() -> None:

@@ -255,19 +255,11 @@ def _describe(found: FoundRobot) -> str:
 
 
 def _row(found: FoundRobot) -> dict[str, Any]:
-    """Return the same keys as for a TReX."""
-    line = found.settings.line
     return {
-        "port": found.settings.url,
         "product": "Aracna",
         "firmware": str(found.version.version),
-        "baud": line.baud,
-        "detection": line.parity.name.lower(),
+        "detection": found.settings.line.parity.name.lower(),
         "polynomial": None,
-        "stop_bits": line.stop_bits,
-        "device_number": None,
-        "echo": False,
-        "note": found.note,
         "options": f"--port {found.settings.url}",
     }
 

@@ -225,18 +225,11 @@ def _describe(found: FoundBoard) -> str:
 
 
 def _row(found: FoundBoard) -> dict[str, Any]:
-    line = found.settings.line
     return {
-        "port": found.settings.url,
         "product": found.signature.model.name,
         "firmware": found.signature.firmware,
-        "baud": line.baud,
-        "detection": line.detection.name.lower(),
+        "detection": found.settings.line.detection.name.lower(),
         "polynomial": f"{found.settings.polynomial:02X}",
-        "stop_bits": line.stop_bits,
-        "device_number": found.device_number,
-        "echo": found.echo,
-        "note": found.note,
         "options": as_options(found.settings),
     }
 

@@ -93,7 +93,7 @@ class Calibration:
     @classmethod
     def from_data(cls, data: bytes) -> "Calibration":
         """Read the eight data bytes of 0xA0-0xA4, whatever they say."""
-        values = [decode_14_bits(data[i : i + 2]) for i in range(0, 8, 2)]
+        values = [data[i] & 0x7F | (data[i + 1] & 0x7F) << 7 for i in range(0, 8, 2)]
         return cls(*values)
 
     @classmethod
@@ -112,10 +112,6 @@ def encode_14_bits(value: int) -> bytes:
     if not 0 <= value <= HIGHEST_CODED:
         raise BadRequest(f"a calibration value is 0 to {HIGHEST_CODED}, not {value}")
     return bytes([value & 0x7F, value >> 7])
-
-
-def decode_14_bits(data: bytes) -> int:
-    return data[0] & 0x7F | (data[1] & 0x7F) << 7
 
 
 DEFAULT_CALIBRATION = {

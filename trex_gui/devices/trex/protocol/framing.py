@@ -44,7 +44,6 @@ def crc7(data: bytes, polynomial: int = DEFAULT_POLYNOMIAL) -> int:
 
 
 EXPANDED_START = 0x80
-DEFAULT_DEVICE_NUMBER = 7
 
 
 @dataclass(frozen=True, slots=True)

@@ -186,7 +186,11 @@ class Board:
         self.machine.advance(TICK, [_drive(motor) for motor in self.motors])
         self._watch_supply()
         if self.powered and self._ticks % _CURRENT_TICKS[self.mode.source] == 0:
-            self._measure_currents()
+            for physics in self.physics:
+                if self.memory.is_joint:
+                    physics.clear_reading()  # joint mode has no current sensing
+                else:
+                    physics.measure()
 
     def _watch_supply(self) -> None:
         """Brown out when the battery sags too far, and restart when it has recovered."""
@@ -222,13 +226,6 @@ class Board:
             else active[MotorParameter.CURRENT_LIMIT.of(number)],
             limit_gain=active[MotorParameter.CURRENT_LIMIT_P.of(number)],
         )
-
-    def _measure_currents(self) -> None:
-        for physics in self.physics:
-            if self.memory.is_joint:
-                physics.clear_reading()  # joint mode has no current sensing
-            else:
-                physics.measure()
 
     # Channels
 

@@ -82,14 +82,11 @@ class Motor:
         """
         limit = settings.limit_counts
         over = limit is not None and current > limit
-        if over and self._is_under_way():
+        if over and self.direction is self.target_direction is not MotorDirection.BRAKE:
             self._limit(settings.limit_gain, current - (limit or 0))
         else:
             self._follow_target(settings)
         return over
-
-    def _is_under_way(self) -> bool:
-        return self.direction is self.target_direction is not MotorDirection.BRAKE
 
     def _limit(self, gain: int, excess: int) -> None:
         """Lower the speed. Known is that it is proportional and immediate; the rest is inferred."""

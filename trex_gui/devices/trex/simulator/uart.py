@@ -148,7 +148,8 @@ class SerialPort:
         command = self._packet[0]
         if command == _EXPANDED:
             head = 3
-            if len(self._packet) >= 2 and self._packet[1] != self._device_number():
+            number = self.board.memory.active[ParameterKey.DEVICE_NUMBER]
+            if len(self._packet) >= 2 and self._packet[1] != number:
                 self.board.counters["packets_for_others"] += 1
                 self._begin()
                 self._is_skipping = True
@@ -172,9 +173,6 @@ class SerialPort:
             self.board.report_error(UartError.CRC)
         else:
             self._execute(command_info, command, packet[head : head + command_info.size])
-
-    def _device_number(self) -> int:
-        return self.board.memory.active[ParameterKey.DEVICE_NUMBER]
 
     def _execute(self, command_info: "_Command", command: int, data: bytes) -> None:
         try:
