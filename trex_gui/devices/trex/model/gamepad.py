@@ -1,4 +1,4 @@
-"""A gamepad that drives: which one, its profile, and what it waits for."""
+"""Driving with a gamepad: which one is read, its profile, and whether it drives."""
 
 from PySide6.QtCore import QCoreApplication, QObject, QSettings, Signal, Slot
 

@@ -1,4 +1,4 @@
-"""Where a board may be that does not respond, and looking for it there."""
+"""Finding a board again that has stopped responding, perhaps at other line settings."""
 
 import logging
 from collections import deque
@@ -25,7 +25,7 @@ _FAILURES = 3
 
 
 class LivenessMonitor:
-    """Counts failures, and looks for a board that does not respond, one place after the other.
+    """Counts failed transactions, and probes for a board that does not respond.
 
     Attributes:
         silent: whether the board has stopped responding.
@@ -65,8 +65,8 @@ class LivenessMonitor:
     def is_scanning(self, client: TrexClient, candidates: tuple[ConnectionSettings, ...]) -> bool:
         """Whether a silent board may be at other settings.
 
-        Then nothing may be sent but stops and what is harmless to a board at any rate. After the
-        first probe it stays so: a board at another rate may have received other bytes.
+        Then only stops and probes may be sent. After the first probe it stays so: a board at
+        another rate may have received other bytes.
         """
         can_probe = client.transport.is_configurable
         return self.silent and can_probe and (self._has_probed or bool(candidates))
@@ -74,7 +74,7 @@ class LivenessMonitor:
     def look(
         self, client: TrexClient, candidates: tuple[ConnectionSettings, ...]
     ) -> TrexClient | None:
-        """Send one probe; return the client to use from now on if the board answered.
+        """Send one probe; return the client to use from now on if the board replied.
 
         Raises:
             PortUnavailable: the line is gone.
@@ -110,7 +110,7 @@ def _probe(client: TrexClient, place: ConnectionSettings) -> TrexClient | None:
     return there
 
 
-# --- Where it may be --------------------------------------------------------------------
+# --- Settings to probe ------------------------------------------------------------------
 
 REACH = (ParameterKey.DEVICE_NUMBER, ParameterKey.CRC7_POLYNOMIAL, ParameterKey.UART_SETTINGS)
 """The parameters that decide how a board is reached."""

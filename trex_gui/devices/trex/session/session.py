@@ -1,4 +1,4 @@
-"""The loop that owns a line: requests in, reports out, one transaction at a time.
+"""The loop that owns a line: it takes requests, runs one transaction at a time and reports.
 
 It knows neither threads nor Qt. Order of service: stop, drive, requests, polling. A stop is the
 one motor command that is sent unprompted.
