@@ -15,9 +15,18 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.pages.calibration import page
+from trex_gui.devices.trex.views.pages.calibration.curve_handles import GRIP
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme
+
+
+def handle_position(plot: CurvePlot, handle: Handle) -> QPoint:
+    """Return where a handle can be grabbed, in pixels."""
+    assert plot.curve is not None
+    frame = plot._canvas.frame
+    y = frame.bottom() - GRIP if handle.is_deadband else frame.top() + 2
+    return QPoint(round(plot.x_of(handle.count(plot.curve.calibration))), round(y))
 
 
 class CalibrationPage(WidgetDriver):
@@ -83,7 +92,7 @@ class CalibrationPage(WidgetDriver):
         """Drag a handle of the curve to a count."""
         self.widget.grab()  # lets the layout settle
         viewport = self.find(QWidget, "curveViewport")
-        start = self.plot.handle_position(handle).toPoint()
+        start = handle_position(self.plot, handle)
         end = QPoint(round(self.plot.x_of(count)), start.y())
         QTest.mousePress(viewport, LEFT, pos=start)
         for share in (0.5, 1.0):

@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.pages.calibration import handle_position
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.channel_curve import ChannelCurve
@@ -45,7 +46,7 @@ class CurvePlotDriver(WidgetDriver):
         return self.find(QWidget, "curveViewport")
 
     def place(self, handle: Handle) -> QPoint:
-        return self.plot.handle_position(handle).toPoint()
+        return handle_position(self.plot, handle)
 
     def press(self, place: QPoint) -> None:
         QTest.mousePress(self.viewport, LEFT, pos=place)

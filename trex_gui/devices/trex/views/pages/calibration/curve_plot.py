@@ -6,7 +6,7 @@ Importing it loads pyqtgraph, which takes as long as all of Qt.
 from dataclasses import replace
 
 import numpy as np
-from PySide6.QtCore import QPointF, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtGui import QBrush, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsEllipseItem, QGraphicsItem, QWidget
 
@@ -15,7 +15,7 @@ from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.bars import USUAL_AXIS, input_labels, widened
-from trex_gui.devices.trex.views.pages.calibration.curve_handles import GRIP, HandleLayer, Threshold
+from trex_gui.devices.trex.views.pages.calibration.curve_handles import HandleLayer, Threshold
 from trex_gui.ui.plotting.axes import Labels, count_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats
@@ -148,13 +148,6 @@ class CurvePlot(QWidget):
         """Show a message beside a handle, or none; a held handle keeps its own."""
         if self.handles.held is None:
             self.handles.set_message(handle, message)
-
-    def handle_position(self, handle: Handle) -> QPointF:
-        if self.curve is None:
-            return QPointF()
-        frame = self._canvas.frame
-        y = frame.bottom() - GRIP if handle.is_deadband else frame.top() + 2
-        return QPointF(self.x_of(handle.count(self.curve.calibration)), y)
 
     def x_of(self, count: float) -> float:
         """Return the pixel from the left of a raw count."""
