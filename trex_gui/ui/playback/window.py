@@ -6,7 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import QByteArray, QDateTime, QLocale, QSettings, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
-from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QSplitter, QWidget
+from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QWidget
 
 from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
 from trex_gui.ui.event_log import Event
@@ -121,12 +121,9 @@ class RecordingWindow(QMainWindow):
         builders.column((self.plot, 1), below_plot, into=left, margins=(0, 0, 6, 0))
         heading = builders.label(self, text=self.tr("E&vents"), buddy=self._list)
         builders.column(above_events, heading, (self._list, 1), into=right, margins=(6, 0, 0, 0))
-        halves = QSplitter(Qt.Orientation.Horizontal, self)
-        halves.setObjectName(f"{self._name}Splitter")
-        halves.setChildrenCollapsible(False)
-        halves.addWidget(left)
-        halves.addWidget(right)
-        halves.setStretchFactor(0, 1)
+        halves = builders.splitter(
+            self, f"{self._name}Splitter", Qt.Orientation.Horizontal, (left, 1), (right, 0)
+        )
         frame = QWidget(self)
         builders.column(
             self.banner,

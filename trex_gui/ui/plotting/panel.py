@@ -4,7 +4,7 @@ Importing it loads pyqtgraph: do so when a plot is to be shown.
 """
 
 from PySide6.QtCore import QEvent, Qt, Slot
-from PySide6.QtWidgets import QSplitter, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import Notifier
@@ -13,7 +13,7 @@ from trex_gui.ui.plotting.figures import EventList, FiguresAndEvents, TraceTable
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets.builders import button, column, combo_box, label, row
+from trex_gui.ui.widgets.builders import button, column, combo_box, label, row, splitter
 
 _WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)
 """Seconds that can be chosen to be shown."""
@@ -60,15 +60,11 @@ class TracePanel(QWidget):
         self._view = TraceTableView(self._table, self)
         self._list = EventList(self.plot, self)
 
-        splitter = QSplitter(Qt.Orientation.Vertical, self)
-        splitter.setObjectName("tracesSplitter")
-        splitter.addWidget(self.plot)
-        splitter.addWidget(FiguresAndEvents(self._view, self._list, self))
-        splitter.setStretchFactor(0, 1)
-        splitter.setStretchFactor(1, 0)
-        splitter.setChildrenCollapsible(False)
+        below = FiguresAndEvents(self._view, self._list, self)
+        vertical = Qt.Orientation.Vertical
+        parts = splitter(self, "tracesSplitter", vertical, (self.plot, 1), (below, 0))
         bar = row((self._note, 1), window_label, self._window, self._pause, self._hold, self.export)
-        column(bar, (splitter, 1), into=self, margins=0)
+        column(bar, (parts, 1), into=self, margins=0)
 
         self.plot.view_changed.connect(self._on_view_changed)
         self.plot.cursor_changed.connect(self._on_cursor_changed)

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSizePolicy,
     QSpinBox,
+    QSplitter,
     QTableView,
     QToolButton,
     QVBoxLayout,
@@ -291,6 +292,18 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
     header.setHighlightSections(False)
     theme().changed.connect(table.viewport().update)
     return table
+
+
+def splitter(
+    parent: QWidget, name: str, orientation: Qt.Orientation, *parts: tuple[QWidget, int]
+) -> QSplitter:
+    """Create a splitter of widgets, each with its stretch; none can be dragged to nothing."""
+    made = named(QSplitter(orientation, parent), name)
+    made.setChildrenCollapsible(False)
+    for index, (widget, stretch) in enumerate(parts):
+        made.addWidget(widget)
+        made.setStretchFactor(index, stretch)
+    return made
 
 
 def progress_bar(parent: QWidget, name: str, accessible: str) -> QProgressBar:

@@ -35,8 +35,7 @@ MakeSession = Callable[[RequestQueue, Callable[[object], None]], Session]
 class LineWorker(WorkerThread):
     """Runs one line session.
 
-    The object lives in the GUI thread; only `run` executes in the new one. `submit` and
-    `close` may be called from any thread. Its owner keeps it until it has ended.
+    `submit` and `close` may be called from any thread. Its owner keeps it until it has ended.
 
     Signals:
         reported: a report of the session, emitted in the new thread. The last one is `Closed`.
@@ -48,22 +47,18 @@ class LineWorker(WorkerThread):
         super().__init__(parent)
         self.setObjectName("LineWorker")
         self._requests = RequestQueue(runtime().condition())
-        self._session = make_session(self._requests, self._report)
+        self._session = make_session(self._requests, self.reported.emit)
 
     def run(self) -> None:
-        """Serve the line; called by Qt in the new thread."""
         self._session.run()
 
     def submit(self, request: object) -> None:
         self._requests.put(request)
 
     def close(self, timeout_ms: int = _TIMEOUT_MS) -> bool:
-        """Close the session and wait for it; return whether it ended in time."""
+        """Close the session; return whether the thread ended in time."""
         self.submit(Close())
         return self.wait(timeout_ms)
-
-    def _report(self, report: object) -> None:
-        self.reported.emit(report)
 
 
 class SessionThread(QObject):
@@ -142,16 +137,14 @@ class SessionThread(QObject):
 
         Return whether there is a session; without one, `then` is not called.
         """
-        if (worker := self._worker) is None:
+        if not self.is_open:
             return False
         number = next(self._ids)
         request = make(number)
         self._waiting[number] = then
         if self.writes(request):
             self._writes.add(number)
-        self._may_move = self._may_move or self.moves(request)
-        worker.submit(request)
-        return True
+        return self.submit(request)
 
     def close(self) -> None:
         """Close the session without waiting; `closed` follows."""

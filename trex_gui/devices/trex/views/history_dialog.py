@@ -4,7 +4,7 @@ from functools import partial
 
 from PySide6.QtCore import QByteArray, QEvent, QSettings, Qt, QUrl, Signal, Slot
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QDialog, QSplitter, QStackedWidget, QWidget
+from PySide6.QtWidgets import QDialog, QStackedWidget, QWidget
 
 from trex_gui.core.files import SettingsError, load, save
 from trex_gui.devices.trex.model.device import Device
@@ -88,11 +88,7 @@ class HistoryDialog(QDialog):
         ui.column(
             (self._list, 1), ui.row(self._save, self._delete, 1), into=left, margins=(0, 0, 6, 0)
         )
-        halves = QSplitter(Qt.Orientation.Horizontal, self)
-        halves.setChildrenCollapsible(False)
-        for number, half in enumerate((left, self._pane)):
-            halves.addWidget(half)
-            halves.setStretchFactor(number, number + 2)
+        halves = ui.splitter(self, "", Qt.Orientation.Horizontal, (left, 2), (self._pane, 3))
         nothing = QWidget(self)
         ui.row(empty, into=nothing)
         self._pages = QStackedWidget(self)

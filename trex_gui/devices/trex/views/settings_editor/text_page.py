@@ -14,7 +14,7 @@ from PySide6.QtGui import (
     QTextCursor,
     QTextFormat,
 )
-from PySide6.QtWidgets import QPlainTextEdit, QSplitter, QTextEdit, QWidget
+from PySide6.QtWidgets import QPlainTextEdit, QTextEdit, QWidget
 
 from trex_gui.core.files import Severity
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -23,7 +23,7 @@ from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.builders import button, column, label, named, row
+from trex_gui.ui.widgets.builders import button, column, label, named, row, splitter
 
 _MARGIN = 6
 
@@ -87,12 +87,8 @@ class TextPage(QWidget):
         self._findings = named(FindingsPanel(self), "textFindings")
 
         top = row((self._notice, 1), (self._check, 0, Qt.AlignmentFlag.AlignTop))
-        both = QSplitter(Qt.Orientation.Vertical, self)
-        both.addWidget(self.editor)
-        both.addWidget(self._findings)
-        both.setStretchFactor(0, 3)
-        both.setStretchFactor(1, 2)
-        both.setChildrenCollapsible(False)
+        vertical = Qt.Orientation.Vertical
+        both = splitter(self, "", vertical, (self.editor, 3), (self._findings, 2))
         column(top, (both, 1), into=self)
 
         self.editor.textChanged.connect(self._on_typed)
