@@ -10,51 +10,56 @@ ELSEWHERE = (ConnectionSettings("virtual", LineSettings(57600)),)
 
 
 def silent_at(now: float) -> LivenessMonitor:
-    presence = LivenessMonitor(Timeouts())
-    assert [presence.note_failure(now) for _ in range(3)] == [False, False, True]
-    return presence
+    liveness = LivenessMonitor(Timeouts())
+    assert [liveness.note_failure(now) for _ in range(3)] == [False, False, True]
+    return liveness
 
 
 def test_reply_between_failures_keeps_board_responding() -> None:
-    presence = LivenessMonitor(Timeouts())
+    liveness = LivenessMonitor(Timeouts())
     for _ in range(10):
-        assert not presence.note_failure(1.0)
-        assert not presence.note_failure(1.1)
-        presence.note_answer()
-    assert not presence.silent
+        assert not liveness.note_failure(1.0)
+        assert not liveness.note_failure(1.1)
+        liveness.note_answer()
+    assert not liveness.silent
 
 
 def test_third_failure_reports_not_responding_once() -> None:
-    presence = silent_at(7.0)
-    assert presence.silent
-    assert presence.retry_at == 7.0 + Timeouts().retry
-    assert not presence.note_failure(8.0)
+    liveness = silent_at(7.0)
+    assert liveness.silent
+    assert liveness.retry_at == 7.0 + Timeouts().retry
+    assert not liveness.note_failure(8.0)
 
 
 def test_reading_board_again_ends_not_responding() -> None:
-    presence = silent_at(7.0)
-    presence.begin()
-    assert not presence.silent
-    assert not presence.note_failure(8.0)
+    liveness = silent_at(7.0)
+    liveness.begin()
+    assert not liveness.silent
+    assert not liveness.note_failure(8.0)
 
 
 def test_candidates_are_scanned_only_when_not_responding() -> None:
     stage, settings = staged()
     client = stage.client(settings)
-    assert not LivenessMonitor(Timeouts()).is_scanning(client, ELSEWHERE)
-    presence = silent_at(0.0)
-    assert not presence.is_scanning(client, ())
-    assert presence.is_scanning(client, ELSEWHERE)
+    responding = LivenessMonitor(Timeouts())
+    responding.expect(ELSEWHERE)
+    assert not responding.is_scanning(client)
+    liveness = silent_at(0.0)
+    assert not liveness.is_scanning(client)
+    liveness.expect(ELSEWHERE)
+    assert liveness.is_scanning(client)
     stage.transport.is_configurable = False
-    assert not presence.is_scanning(client, ELSEWHERE)
+    assert not liveness.is_scanning(client)
 
 
 def test_scan_continues_until_board_is_read() -> None:
     stage, settings = staged()
     client = stage.client(settings)
-    presence = silent_at(0.0)
+    liveness = silent_at(0.0)
     stage.board.power_off()
-    assert presence.look(client, ELSEWHERE) is None
-    assert presence.is_scanning(client, ())
-    presence.begin()
-    assert not presence.is_scanning(client, ())
+    liveness.expect(ELSEWHERE)
+    assert liveness.look(client) is None
+    liveness.expect(())
+    assert liveness.is_scanning(client)
+    liveness.begin()
+    assert not liveness.is_scanning(client)

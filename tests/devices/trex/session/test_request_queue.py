@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.session import Close, Outcome
+from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.motor_output import MotorOutput
 from trex_gui.devices.trex.driving.requests import (
     Arm,
@@ -28,6 +29,7 @@ from trex_gui.devices.trex.session.messages import (
     SetReconnectCandidates,
     Write,
 )
+from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.session import TrexRequestQueue
 
 modest = examples(40)
@@ -52,7 +54,8 @@ class Queue(TrexRequestQueue):
         self.bag = Bag(*requests)
         self.outcomes: list[Outcome] = []
         self.motors = MotorOutput(lambda _report: None)
-        super().__init__(self.bag, self.motors, self.outcomes.append, lambda: 0.0)
+        self.liveness = LivenessMonitor(Timeouts())
+        super().__init__(self.bag, self.motors, self.liveness, self.outcomes.append, lambda: 0.0)
 
 
 def collected(*requests: Request) -> Queue:
@@ -261,8 +264,8 @@ def test_motor_command_overtaken_by_stop_is_rejected() -> None:
 
 def test_last_reconnect_candidates_replace_earlier_ones() -> None:
     here, there = ConnectionSettings("here"), ConnectionSettings("there")
-    assert collected().candidates == ()
-    assert collected(
-        SetReconnectCandidates((here,)), Stop(1), SetReconnectCandidates((there, here))
-    ).candidates == (there, here)
-    assert collected(SetReconnectCandidates((here,)), SetReconnectCandidates(())).candidates == ()
+    assert collected().liveness.candidates == ()
+    first = SetReconnectCandidates((here,))
+    queue = collected(first, Stop(1), SetReconnectCandidates((there, here)))
+    assert queue.liveness.candidates == (there, here)
+    assert collected(first, SetReconnectCandidates(())).liveness.candidates == ()

@@ -30,6 +30,7 @@ class LivenessMonitor:
     Attributes:
         silent: whether the board has stopped responding.
         retry_at: when to look for it again, on the line's clock.
+        candidates: settings at which to look for it, too.
     """
 
     def __init__(self, timeouts: Timeouts) -> None:
@@ -39,7 +40,12 @@ class LivenessMonitor:
         self._failures = 0
         self._has_probed = False
         self._places: deque[ConnectionSettings] = deque()
-        self._candidates: tuple[ConnectionSettings, ...] = ()
+        self.candidates: tuple[ConnectionSettings, ...] = ()
+
+    def expect(self, candidates: tuple[ConnectionSettings, ...]) -> None:
+        if candidates != self.candidates:
+            self.candidates = candidates
+            self._places.clear()
 
     def begin(self) -> None:
         self.silent = False
@@ -62,32 +68,29 @@ class LivenessMonitor:
     def retry_later(self, now: float) -> None:
         self.retry_at = now + self._retry
 
-    def is_scanning(self, client: TrexClient, candidates: tuple[ConnectionSettings, ...]) -> bool:
+    def is_scanning(self, client: TrexClient) -> bool:
         """Whether a silent board may be at other settings.
 
         Then only stops and probes may be sent. After the first probe it stays so: a board at
         another rate may have received other bytes.
         """
         can_probe = client.transport.is_configurable
-        return self.silent and can_probe and (self._has_probed or bool(candidates))
+        return self.silent and can_probe and (self._has_probed or bool(self.candidates))
 
-    def look(
-        self, client: TrexClient, candidates: tuple[ConnectionSettings, ...]
-    ) -> TrexClient | None:
+    def look(self, client: TrexClient) -> TrexClient | None:
         """Send one probe; return the client to use from now on if the board replied.
 
         Raises:
             PortUnavailable: the line is gone.
         """
         self._has_probed = True
-        if candidates != self._candidates:
-            self._places.clear()
-            self._candidates = candidates
         if not self._places:
-            self._places.extend(reconnect_places(client.settings, candidates))
+            self._places.extend(reconnect_places(client.settings, self.candidates))
         found = _probe(client, self._places.popleft())
         if found is None:
             self.retry_at = client.transport.clock() + (0.0 if self._places else self._retry)
+        elif found is not client:
+            self.expect(())
         return found
 
 

@@ -86,9 +86,9 @@ class TrexSession:
         self._open_transport = open_transport
         self._client: TrexClient | None = None
         self._motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
-        self._queue = TrexRequestQueue(inbox, self._motors, emit, self._now)
-        self._batcher = SampleBatcher(emit)
         self._liveness = LivenessMonitor(settings.timeouts)
+        self._queue = TrexRequestQueue(inbox, self._motors, self._liveness, emit, self._now)
+        self._batcher = SampleBatcher(emit)
         self._polling = Polling()
         self._port_rates: frozenset[int] | None = None
 
@@ -231,7 +231,7 @@ class TrexSession:
             self._emit(Outcome(job.id, value))
 
     def _result_of(self, job: Job) -> object:
-        if self._liveness.is_scanning(self._line, self._queue.candidates):
+        if self._liveness.is_scanning(self._line):
             # Nothing may reach a board at unknown settings.
             raise TrexNoReplyError(ErrorCode.SCANNING)
         match job:
@@ -355,7 +355,7 @@ class TrexSession:
         """Query the board once, or probe the next candidate."""
         try:
             self._driver.stop_without_reply()
-            if not self._liveness.is_scanning(self._line, self._queue.candidates):
+            if not self._liveness.is_scanning(self._line):
                 self._line.request(GetMode())
             elif not self._probe_next_candidate():
                 return
@@ -366,12 +366,10 @@ class TrexSession:
 
     def _probe_next_candidate(self) -> bool:
         """Send one probe; continue there if the board replies, and return whether it did."""
-        found = self._liveness.look(self._line, self._queue.candidates)
+        found = self._liveness.look(self._line)
         if found is None:
             return False
-        if found is not self._client:
-            self._client = self._driver.client = found
-            self._queue.candidates = ()
+        self._client = self._driver.client = found
         return True
 
 
@@ -379,7 +377,6 @@ class TrexRequestQueue:
     """Sorts requests: those for the motors go to the motor output, the others wait in order.
 
     Attributes:
-        candidates: settings at which to look for a board that does not respond.
         is_closing: whether a `Close` came.
     """
 
@@ -387,14 +384,15 @@ class TrexRequestQueue:
         self,
         inbox: Inbox[Request],
         output: MotorOutput,
+        liveness: LivenessMonitor,
         report: Callable[[Outcome], None],
         clock: Callable[[], float],
     ) -> None:
         self.jobs: deque[Job] = deque()
-        self.candidates: tuple[ConnectionSettings, ...] = ()
         self.is_closing = False
         self._inbox = inbox
         self._output = output
+        self._liveness = liveness
         self._report = report
         self._clock = clock
 
@@ -414,7 +412,7 @@ class TrexRequestQueue:
                     self._output.take(request, self._clock())
                     self._reject_motor_commands()
                 case SetReconnectCandidates(settings=settings):
-                    self.candidates = settings
+                    self._liveness.expect(settings)
                 case RunCommand() | Write() | Reload():
                     self.jobs.append(request)
                 case _ if isinstance(request, Heartbeat) or not self.is_closing:
