@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 COMMANDS: Mapping[str, CommandInfo] = {
     "list": CommandInfo(
-        Lazy("trex_gui.cli.ports:list_command"), "List the ports and what answers on them."
+        Lazy("trex_gui.cli.ports:list_command"), "List the ports and the devices on them."
     ),
     "find": CommandInfo(
         Lazy("trex_gui.cli.ports:find_command"), "Find a board whose serial settings are unknown."
@@ -77,8 +77,8 @@ class _Program(click.Group):
 def main() -> None:
     """Inspect, set up and drive a Pololu TReX or TReX Jr motor controller.
 
-    Data goes to standard output, messages go to standard error. Exit codes: 0 done, 1 the
-    device or a file refused, 2 wrong usage.
+    Data goes to standard output, messages go to standard error. Exit codes: 0 success, 1 failure
+    of the device or a file, 2 wrong usage.
     """
 
 

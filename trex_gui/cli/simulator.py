@@ -47,8 +47,10 @@ def _device_options() -> list[click.Parameter]:
     params=_device_options(),
 )
 @click.option("--unpaced", is_flag=True, help="Let bytes take no time on the wire.")
-@click.option("--seed", type=int, default=0, show_default=True, help="For all noise.")
-@click.option("--link", type=click.Path(path_type=Path), help="Link to the pseudo-terminal.")
+@click.option("--seed", type=int, default=0, show_default=True, help="Seed of all noise.")
+@click.option(
+    "--link", type=click.Path(path_type=Path), help="Symbolic link to make to the pseudo-terminal."
+)
 @click.option(
     "--tcp",
     type=_read_address,

@@ -60,9 +60,9 @@ def test_pseudo_terminal_supports_every_rate_and_sends_nothing(
 def test_rates_query_restores_port_settings(quick_simulator: SimulatedDevice) -> None:
     settings = ConnectionSettings(quick_simulator.url)
     transport = SerialTransport(settings)
-    before = linux_ports._get(transport._port.fileno())
+    before = linux_ports.termios2(transport._port.fileno())
     transport.rates(baud_rates())
-    assert linux_ports._get(transport._port.fileno()) == before
+    assert linux_ports.termios2(transport._port.fileno()) == before
     client = TrexClient(transport, replace(settings, timeouts=Timeouts(extra=15)))
     assert str(client.request(GetSignature())) == "TReX 1.2"
     transport.close()
@@ -92,7 +92,7 @@ class Adapter:
         self.words = array.array("I", [0] * 11)
         self.possible = possible
         self.failure: OSError | None = None
-        monkeypatch.setattr(linux_ports, "_get", lambda handle: self.words[:])
+        monkeypatch.setattr(linux_ports, "termios2", lambda handle: self.words[:])
         monkeypatch.setattr(linux_ports, "_set", self._set)
 
     def fileno(self) -> int:

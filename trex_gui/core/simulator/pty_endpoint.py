@@ -2,9 +2,7 @@
 
 import contextlib
 import errno
-import fcntl
 import os
-import struct
 import sys
 import termios
 import tty
@@ -12,12 +10,7 @@ from collections.abc import Collection, Iterable
 from pathlib import Path
 
 from trex_gui.core.simulator.endpoint import CHUNK, Arrival, EndpointError, HostSettings
-
-# struct termios2 of Linux, which holds any baud rate: four flag words, the line discipline,
-# 19 control characters, input and output speed.
-_TERMIOS2 = struct.Struct("=4IB19B2I")
-_TCGETS2 = 0x802C542A
-_CFLAG, _OSPEED = 2, -1
+from trex_gui.core.transport.linux_ports import CFLAG, OSPEED, termios2
 
 _RATES = {
     getattr(termios, name): int(name[1:])
@@ -124,8 +117,8 @@ def _settings(terminal: int) -> HostSettings | None:
     try:
         if sys.platform == "linux":
             with contextlib.suppress(OSError):  # other request number on some processors
-                words = _TERMIOS2.unpack(fcntl.ioctl(terminal, _TCGETS2, bytes(_TERMIOS2.size)))
-                return _host_settings(words[_OSPEED], words[_CFLAG])
+                words = termios2(terminal)
+                return _host_settings(words[OSPEED], words[CFLAG])
         attributes = termios.tcgetattr(terminal)
     except termios.error:
         return None

@@ -61,7 +61,7 @@ def _having_open(path: Path) -> int | None:
 # more, then both rates in bit/s. The numbers hold for these processors; others have their own.
 _TCGETS2, _TCSETS2 = 0x802C542A, 0x402C542B
 _CBAUD, _BOTHER = 0o010017, 0o010000
-_CFLAG, _ISPEED, _OSPEED, _WORDS = 2, 9, 10, 11
+CFLAG, _ISPEED, OSPEED, _WORDS = 2, 9, 10, 11
 _PROCESSORS = ("x86", "i386", "i486", "i586", "i686", "amd64", "arm", "aarch64", "riscv", "loong")
 
 _FARTHEST_OFF = 0.03
@@ -94,7 +94,7 @@ def rates_of(
 def _try_out(
     handle: int, wanted: Collection[int], clock: Callable[[], float]
 ) -> frozenset[int] | None:
-    before = _get(handle)
+    before = termios2(handle)
     possible = set()
     deadline = clock() + _LONGEST
     try:
@@ -112,16 +112,17 @@ def _try_out(
 def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
     """Return what the driver makes of a rate, in bit/s; 0 where it refuses."""
     words = before[:]
-    words[_CFLAG] = words[_CFLAG] & ~_CBAUD | _BOTHER
-    words[_ISPEED] = words[_OSPEED] = rate
+    words[CFLAG] = words[CFLAG] & ~_CBAUD | _BOTHER
+    words[_ISPEED] = words[OSPEED] = rate
     try:
         _set(handle, words)
     except OSError:
         return 0
-    return _get(handle)[_OSPEED]
+    return termios2(handle)[OSPEED]
 
 
-def _get(handle: int) -> "array.array[int]":
+def termios2(handle: int) -> "array.array[int]":
+    """Return the settings of a terminal; OSError where they are elsewhere."""
     import fcntl  # noqa: PLC0415 - only on POSIX
 
     words = array.array("I", [0] * _WORDS)

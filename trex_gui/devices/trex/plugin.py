@@ -20,9 +20,9 @@ TREX = DevicePlugin(
     tour=Lazy(f"{_HERE}.views.tour:tour_steps"),
     commands={
         "status": _command(
-            "status:status", "Show what the board is, how it is set, what it measures."
+            "status:status", "Show the state of the board, its measurements and parameters."
         ),
-        "stream": _command("stream:stream", "Write what the board measures as CSV, until Ctrl-C."),
+        "stream": _command("stream:stream", "Write measurements as CSV until Ctrl-C."),
         "get": _command("parameters:get_command", "Show one parameter."),
         "set": _command("parameters:set_command", "Store one parameter and read it back."),
         "get-settings": _command("files:get_settings", "Save the board's settings to a file."),
@@ -31,16 +31,18 @@ TREX = DevicePlugin(
             "files:check_settings", "Check a settings file without a board."
         ),
         "diff": _command("files:diff", "Compare settings files, or a file with the board."),
-        "history": _command("history:history", "List what boards stored before each change."),
+        "history": _command(
+            "history:history", "List the snapshots of settings saved before each change."
+        ),
         "calibration": _command("calibration:calibration", "Show or store channel calibrations."),
         "export": _command("files:export", "Write the settings as C, Python or an Arduino sketch."),
         "restore-defaults": _command(
-            "parameters:restore_defaults", "Go back to factory parameters."
+            "parameters:restore_defaults", "Reset all parameters to factory defaults."
         ),
-        "motor": _command("motor:motor", "Run a motor until Ctrl-C, or for some seconds."),
+        "motor": _command("motor:motor", "Run a motor until Ctrl-C or for a time, then stop it."),
         "stop": _command("motor:stop", "Stop all motors and wait for confirmation."),
-        "raw": _command("packets:raw", "Send bytes and show what comes back."),
-        "decode": _command("packets:decode", "Decode packets."),
+        "raw": _command("packets:raw", "Send bytes and show the reply."),
+        "decode": _command("packets:decode", "Decode packets without a board."),
     },
     simulator=Lazy(f"{_HERE}.simulator.command:SIMULATOR"),
 )

@@ -51,7 +51,7 @@ def test_decode_explains_invalid_bytes(trexcmd: RunCommand) -> None:
     assert "a data byte outside a packet" in result.stdout
     assert "a command byte inside a packet" in result.stdout
     assert "the packet is not complete" in result.stdout
-    assert "4 of 5 are no packets" in result.stderr
+    assert "4 of 5 are not packets" in result.stderr
 
 
 @pytest.mark.parametrize("words", [("8G",), (), (" ",), ("--crc", "--polynomial", "11", "81")])

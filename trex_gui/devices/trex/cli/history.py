@@ -23,16 +23,16 @@ def _complete_number(ctx: click.Context, param: click.Parameter, incomplete: str
     ]
 
 
-_HELP = """List what boards stored before each change, the newest first.
+_HELP = """List the snapshots of settings, the newest first.
 
 Each Apply of the window and each set, set-settings, calibration set and restore-defaults saves a
-snapshot first. To give a board the settings of number 3 again:
+snapshot first. To restore number 3:
 
 \b
 trexcmd history diff 3
 trexcmd set-settings "$(trexcmd history path 3)"
 
-Number 1 is the newest; a new snapshot moves the others on by one.
+Number 1 is the newest; a new snapshot increases the numbers of the others.
 """
 
 
@@ -40,7 +40,6 @@ Number 1 is the newest; a new snapshot moves the others on by one.
 @json_option
 @click.pass_context
 def history(ctx: click.Context, as_json: bool) -> None:
-    """List what boards stored before each change, the newest first."""
     if ctx.invoked_subcommand is None:
         _list(as_json)
     elif as_json:

@@ -1,4 +1,4 @@
-"""raw, decode: bytes as they are, and what they mean."""
+"""raw, decode: packets in hexadecimal."""
 
 import re
 from typing import Any
@@ -36,7 +36,7 @@ def _bytes(words: tuple[str, ...]) -> bytes:
 @link_options
 @click.argument("packet", nargs=-1, required=True)
 def raw(packet: tuple[str, ...], **options: Any) -> None:
-    """Send the bytes of PACKET ("86 1F") as they are, and show what comes back."""
+    """Send the bytes of PACKET ("86 1F") unchanged and show the reply."""
     data = _bytes(packet)
     with open_line(link_settings(options)) as client:
         transport = client.transport
@@ -55,9 +55,9 @@ def raw(packet: tuple[str, ...], **options: Any) -> None:
 @crc_option
 @polynomial_option
 def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
-    """Say what packets the bytes HEX are, as a host sends them, in both protocols.
+    """Describe the packets in the bytes HEX, as a host sends them with either protocol.
 
-    Units are those of a TReX. Exits with 1 when something is no packet.
+    Units are those of a TReX. The exit code is 1 if some bytes are not a packet.
     """
     data = _bytes(packet)
     try:
@@ -71,7 +71,7 @@ def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
         click.echo(f"{first:{widths[0]}}  {second:{widths[1]}}  {words}")
     bad = sum(isinstance(event, Malformed) for event in events)
     if bad:
-        raise CommandFailed(f"{bad} of {len(events)} are no packets.")
+        raise CommandFailed(f"{bad} of {len(events)} are not packets.")
 
 
 def _row(event: Packet | Malformed) -> tuple[str, str, str]:

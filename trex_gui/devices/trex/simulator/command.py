@@ -136,9 +136,19 @@ SIMULATOR = SimulatorPlugin(
     "line, show, quit; with missing arguments each answers with its usage. With several "
     'devices a control line begins with one of them, as in "@9 power cycle".',
     options=(
-        click.Option(["--model"], type=click.Choice(_MODELS), default="trex", show_default=True),
         click.Option(
-            ["--firmware"], type=click.Choice(_FIRMWARE), default="1.2", show_default=True
+            ["--model"],
+            type=click.Choice(_MODELS),
+            default="trex",
+            show_default=True,
+            help="Kind of board.",
+        ),
+        click.Option(
+            ["--firmware"],
+            type=click.Choice(_FIRMWARE),
+            default="1.2",
+            show_default=True,
+            help="Firmware version.",
         ),
         click.Option(
             ["--mode"],
