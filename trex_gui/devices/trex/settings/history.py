@@ -45,7 +45,6 @@ class Snapshot:
 
     Attributes:
         taken: in UTC.
-        turn: 1 for the first snapshot of a second.
         product, firmware: empty if they cannot be read.
         adapter: the port of the board, for the user.
         reason: the operation that followed.
@@ -54,7 +53,6 @@ class Snapshot:
 
     path: Path
     taken: datetime
-    turn: int
     product: str = ""
     firmware: str = ""
     device_number: int | None = None
@@ -114,7 +112,7 @@ class SettingsHistory:
         while not save_new(path := self._path(taken, turn, settings.product.key, firmware), text):
             turn += 1
         self._remove_oldest(path)
-        return Snapshot(path, taken, turn, settings.product.name, firmware, number, adapter, reason)
+        return Snapshot(path, taken, settings.product.name, firmware, number, adapter, reason)
 
     def snapshots(self) -> tuple[Snapshot, ...]:
         """Return all snapshots, the newest first, including those that cannot be read."""
@@ -181,7 +179,7 @@ class SettingsHistory:
         bound = self.bound()
         if bound.problem or bound.kept is None:
             return
-        others = [path for path, _, _ in self._files() if path.name != own.name]
+        others = [path for path, _ in self._files() if path.name != own.name]
         for path in others[bound.kept - 1 :]:
             if _saved(path) < _saved(own):
                 _removed(path)
@@ -197,22 +195,24 @@ class SettingsHistory:
         again = "" if turn == 1 else f"{turn}-"
         return self.folder / f"{taken.strftime(_TIME)}-{again}{model}-{firmware}.txt"
 
-    def _files(self) -> list[tuple[Path, datetime, int]]:
-        """Return path, time and turn of each snapshot, the newest first."""
+    def _files(self) -> list[tuple[Path, datetime]]:
+        """Return path and time of each snapshot, the newest first."""
         try:
             paths = list(self.folder.iterdir())
         except OSError:  # not made yet, or not ours to read
             return []
-        found = [(path, *_when(m)) for path in paths if (m := _NAME.fullmatch(path.name))]
-        return sorted(found, key=lambda file: (file[1:], file[0].name), reverse=True)
+        found = {path: _age(match) for path in paths if (match := _NAME.fullmatch(path.name))}
+        newest_first = sorted(found, key=found.__getitem__, reverse=True)
+        return [(path, found[path][0]) for path in newest_first]
 
 
-def _when(match: re.Match[str]) -> tuple[datetime, int]:
+def _age(match: re.Match[str]) -> tuple[datetime, int, str]:
+    """Return time, number within a second, and name."""
     try:
         taken = datetime.strptime(match[1], _TIME).replace(tzinfo=UTC)
     except ValueError:  # digits that are no date
         taken = datetime.fromtimestamp(0, UTC)
-    return taken, int(match[2] or 1)
+    return taken, int(match[2] or 1), match[0]
 
 
 def _saved(path: Path) -> tuple[int, str]:
@@ -239,7 +239,7 @@ def _no_bound(path: Path, why: str) -> str:
     return f"{path} {why}: how many snapshots to keep is not known, so none is removed."
 
 
-def _look_at(path: Path, taken: datetime, turn: int) -> Snapshot:
+def _look_at(path: Path, taken: datetime) -> Snapshot:
     problem = ""
     try:
         with path.open("rb") as file:
@@ -257,7 +257,6 @@ def _look_at(path: Path, taken: datetime, turn: int) -> Snapshot:
     return Snapshot(
         path,
         taken,
-        turn,
         product,
         values.get("firmware", ""),
         int(number) if number.isascii() and number.isdigit() and len(number) <= 3 else None,
