@@ -28,20 +28,10 @@ class Runtime:
         time.sleep(seconds)
 
     def condition(self) -> Condition:
-        """Return what threads wait on for each other."""
         return threading.Condition()
 
     def timer(self, parent: QObject) -> QTimer:
-        """Return a timer that is not started yet."""
         return QTimer(parent)
-
-    def idle_timer(self, parent: QObject, slot: Callable[[], object]) -> QTimer:
-        """Return a timer that calls a slot once when control returns to the event loop."""
-        timer = self.timer(parent)
-        timer.setSingleShot(True)
-        timer.setInterval(0)
-        timer.timeout.connect(slot)
-        return timer
 
     def start(self, thread: QThread, priority: QThread.Priority) -> None:
         QThread.start(thread, priority)
@@ -74,7 +64,7 @@ def use_runtime(runtime: Runtime) -> Runtime:
 def new_timer(
     parent: QObject, milliseconds: int, then: Callable[[], object], *, single_shot: bool = False
 ) -> QTimer:
-    """Return a timer of the runtime that is not started yet."""
+    """Return a timer that is not started yet; with 0 ms it fires after the event in progress."""
     timer = _runtime.timer(parent)
     timer.setInterval(milliseconds)
     timer.setSingleShot(single_shot)

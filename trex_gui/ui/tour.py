@@ -104,7 +104,6 @@ class Tour(QObject):
                 yield partial(self._write, widget, f"{name}-{scheme}.png")
 
     def choose(self, action: str) -> bool:
-        """Trigger an action, by its object name; return whether it was enabled."""
         found = self._program.window.findChild(QAction, action)
         if found is None or not found.isEnabled():
             return False
@@ -112,7 +111,6 @@ class Tour(QObject):
         return True
 
     def press(self, button: str) -> bool:
-        """Click a button, by its object name; return whether that was possible."""
         found = self._program.window.findChild(QAbstractButton, button)
         if found is None or not (found.isVisible() and found.isEnabled()):
             return False

@@ -101,7 +101,6 @@ class MainWindow(QMainWindow):
 
     @property
     def pages(self) -> QTabWidget:
-        """Those of the workspace that is shown."""
         return self._workspace.pages
 
     @property

@@ -161,7 +161,6 @@ class RecordingManager(QObject, Generic[WindowT]):
         raise NotImplementedError
 
     def toggle(self) -> None:
-        """End the recording, or choose a file and start one."""
         if self.recorder.recording:
             self.recorder.stop()
             return

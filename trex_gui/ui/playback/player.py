@@ -177,12 +177,10 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
 
     @property
     def is_busy(self) -> bool:
-        """Whether it is being loaded or exported."""
         return self._task.is_running
 
     @property
     def traces(self) -> Traces:
-        """The curves with their events."""
         if self._traces is None:
             self._traces = self.traces_of(self._history, self.events)
         return self._traces
@@ -196,7 +194,6 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         return self.state_at(self.position)
 
     def state_at(self, time: float) -> StateT:
-        """Return what was known at a time of the session's clock."""
         if self._replay is not None:
             try:
                 return self._replay.at(time)

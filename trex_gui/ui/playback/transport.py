@@ -44,7 +44,6 @@ class PlaybackCursor(QObject):
         return self._timer.isActive()
 
     def set_position(self, time: float) -> None:
-        """Move to the nearest time within the recording."""
         time = max(self.start, min(self.end, time))
         if time != self.position:
             self.position = time
@@ -71,7 +70,6 @@ class PlaybackCursor(QObject):
         self.playing_changed.emit()
 
     def advance(self, seconds: float) -> None:
-        """Play for so many seconds of real time."""
         self.set_position(self.position + seconds * self.speed)
         if self.position >= self.end and self.is_loaded:
             self.pause()
@@ -162,7 +160,6 @@ class TransportBar(QWidget):
 
 
 def size_text(size: int) -> str:
-    """Return a number of bytes in kB or MB."""
     kind = QLocale.DataSizeFormat.DataSizeSIFormat
     return QLocale().formattedDataSize(size, 1 if size >= 1_000_000 else 0, kind)
 

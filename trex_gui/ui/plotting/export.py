@@ -107,7 +107,6 @@ class ExportButton(QToolButton):
             self.save_table(path, self._plot.span.start, self._plot.span.end)
 
     def save_table(self, path: Path, start: float, end: float) -> None:
-        """Write every curve from `start` to `end`."""
         source = self._plot.source
         if source is None or source.span is None:
             self._notifier.error.emit(self.tr("There is nothing to export yet."))

@@ -295,7 +295,6 @@ class EventList(QListWidget):
         return QSize(metrics.averageCharWidth() * 34, metrics.height() * 5)
 
     def refresh(self) -> None:
-        """Take the events so far."""
         events: tuple[Event, ...] = ()
         if self._plot.source is not None:
             found = self._plot.source.events_between(float("-inf"), float("inf"))

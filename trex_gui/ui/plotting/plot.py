@@ -118,7 +118,6 @@ class TracePlot(FocusFramed):
     # --- What is shown ------------------------------------------------------------------
 
     def set_source(self, source: Traces) -> None:
-        """Show these curves."""
         for shape in (*self._curves.values(), *self._limits.values(), *self._peaks.values()):
             shape.set_visible(False)
         self.source = source

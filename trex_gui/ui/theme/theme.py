@@ -195,8 +195,6 @@ def scaled_font(font: QFont, factor: float) -> QFont:
 
 
 def set_text_color(widget: QWidget, name: str) -> None:
-    """Show the text of a widget in a theme colour."""
-
     def apply() -> None:
         palette = widget.palette()
         palette.setColor(widget.foregroundRole(), theme().color(name))

@@ -82,7 +82,6 @@ class TrafficTable(QAbstractTableModel):
         self.endResetModel()
 
     def refresh(self) -> None:
-        """Add new rows and remove those that were dropped."""
         self._remove_dropped()
         if self._last is not None:  # it may have received more bytes
             self._update(self._last)

@@ -57,7 +57,6 @@ def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") ->
 
 
 def name_headers(view: QAbstractItemView) -> None:
-    """Name the headers of a view for screen readers."""
     for header in view.findChildren(QHeaderView, options=Qt.FindChildOption.FindDirectChildrenOnly):
         across = header.orientation() is Qt.Orientation.Horizontal
         header.setAccessibleName(_tr("Columns") if across else _tr("Rows"))

@@ -23,7 +23,6 @@ def tr(text: str) -> str:
 
 
 def before_closing(window: QWidget, name: str) -> SaveAnswer:
-    """Ask what becomes of edits when a window closes."""
     button = QMessageBox.StandardButton
     answer = QMessageBox.question(
         window,

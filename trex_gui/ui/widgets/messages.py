@@ -142,7 +142,6 @@ class InlinePrompt(_MessageRow):
 
     @Slot()
     def withdraw(self) -> None:
-        """Cancel the question."""
         otherwise = self._otherwise
         self._close()
         otherwise()

@@ -52,7 +52,6 @@ class ScrollBox(QScrollArea):
         return super().eventFilter(watched, event)
 
     def _fit(self) -> None:
-        """Give the content the room that there is, or what it needs."""
         if self._fitting:  # a scroll bar comes or goes
             return
         self._fitting = True

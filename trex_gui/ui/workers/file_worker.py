@@ -123,7 +123,6 @@ class FileTask(QObject):
         return self._worker is not None
 
     def start(self, work: Callable[[ProgressCallback], object]) -> None:
-        """Do the work, which must not use this object."""
         worker = FileWorker(work, self)
         worker.progressed.connect(self.progressed, Qt.ConnectionType.QueuedConnection)
         worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)

@@ -111,10 +111,8 @@ class RecordThread(QObject, Generic[RecordT]):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.path: Path | None = None
-        """The current or the last file."""
-        self.size = 0
-        """Bytes written so far."""
+        self.path: Path | None = None  # the current or the last file
+        self.size = 0  # bytes written so far
         self._worker: RecordWorker[RecordT] | None = None
         self._backlog: Backlog[RecordT] = Backlog(runtime().condition())
         self._started = 0.0
@@ -124,12 +122,10 @@ class RecordThread(QObject, Generic[RecordT]):
 
     @property
     def is_available(self) -> bool:
-        """Whether there is a device to record."""
         raise NotImplementedError
 
     @property
     def can_record(self) -> bool:
-        """Whether there is a device to record and nothing is being recorded."""
         return self._worker is None and self.is_available
 
     @property
@@ -155,7 +151,6 @@ class RecordThread(QObject, Generic[RecordT]):
         header: HeaderT,
         first: Sequence[RecordT] = (),
     ) -> None:
-        """Start recording at the time in the header; `first` are the first records."""
         self.path, self._started = path, header.clock
         self.size = self._lost = 0
         self._closing = self._abandoned = False
@@ -174,7 +169,6 @@ class RecordThread(QObject, Generic[RecordT]):
         self.put(marker(event.time, event.kind.value, event.text))
 
     def put(self, *records: RecordT | Marker) -> None:
-        """Add records while recording."""
         if self.recording:
             self._backlog.put(records)
             if self._backlog.lost != self._lost:

@@ -46,7 +46,6 @@ def adopt_orphan(thread: WorkerThread) -> None:
 
 
 def release_orphan(thread: WorkerThread) -> None:
-    """Release a thread that has ended."""
     if thread in _orphans:
         _orphans.remove(thread)
 

@@ -71,7 +71,7 @@ class HistoryDialog(QDialog):
         self._table = SnapshotTable(device.history, self)
         self._store = QSettings(self)
         self._bound_problem = ""
-        self._later = runtime().idle_timer(self, self._renew)
+        self._later = new_timer(self, 0, self._renew, single_shot=True)
 
         notifier = Notifier(self)
         self._banner = Banner(self, notifier)

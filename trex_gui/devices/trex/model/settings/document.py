@@ -12,7 +12,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK, amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 
 _LAYOUT = "\t\n\v\f\r\x1b\xa0"
 
@@ -54,7 +54,7 @@ class SettingsDocument(QObject):
         self.readable = False
         self._trouble = ""
         self._findings: tuple[Finding, ...] = ()
-        self._announcing = runtime().idle_timer(self, self._look)
+        self._announcing = new_timer(self, 0, self._look, single_shot=True)
         self._stale = False
 
         if doubt is None:

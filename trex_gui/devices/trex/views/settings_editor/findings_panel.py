@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidg
 from trex_gui.core.files import Finding, Severity
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import button, column, flat_table, label, row
@@ -60,7 +60,7 @@ class FindingsPanel(QWidget):
         header = self._table.horizontalHeader()
         header.setStretchLastSection(True)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        self._fitting = runtime().idle_timer(self, self._table.resizeRowsToContents)
+        self._fitting = new_timer(self, 0, self._table.resizeRowsToContents, single_shot=True)
 
         column(self._summary, (self._table, 1), row(1, self._accept), into=self, margins=0)
 
