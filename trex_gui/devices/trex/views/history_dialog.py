@@ -39,7 +39,7 @@ from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory, Snapsh
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
