@@ -19,7 +19,7 @@ _DEFAULT = PLUGINS[0].key
 _HELP = """Simulate a device on a pseudo-terminal or a TCP port.
 
 Prints "ready URL" with what a program opens, then reads control lines from standard input and
-answers each with "ok ..." or "error ...".
+replies to each with "ok ..." or "error ...".
 """
 
 

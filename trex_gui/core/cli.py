@@ -14,8 +14,7 @@ from trex_gui.core.errors import StudioError
 
 _ENDING = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGBREAK")
 _SUSPENDING = ("SIGTSTP",)
-"""Signals by which a person, a terminal or the system ends or suspends a program; not every system
-has each of them."""
+"""Signals that end or suspend a program; not every system has each of them."""
 
 
 class CommandFailed(click.ClickException):

@@ -12,9 +12,9 @@ class Timeouts:
         heartbeat: without a heartbeat of the window for so long, armed motors are stopped. A
             window that paints slowly is late by tenths of a second; a motor at full speed moves a
             robot by metres in a second, so it is not more.
-        stop_confirmation: how long a stop waits for a line that damages bytes to become quiet
+        stop_confirmation: how long a stop waits for a line that corrupts bytes to become quiet
             before it is reported as unconfirmed. At 19200 baud and above that takes 1.6 s from the
-            last damage on.
+            last error on.
         retry: pause between two attempts to reach a board that does not respond.
         current_gap: a bench test is aborted when no current was read for so long.
         standstill: how long a motor may draw a current after a confirmed stop. Brakes take 1.3 s at

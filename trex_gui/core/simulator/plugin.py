@@ -10,7 +10,7 @@ from trex_gui.core.simulator.line import SimulatedLine
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """A line in virtual time, and the function that executes a control line and answers it."""
+    """A line in virtual time, and the function that executes a control line and replies."""
 
     line: SimulatedLine
     control: Callable[[str], str]

@@ -83,7 +83,7 @@ def test_speeds_names_unresponsive_servo_and_exits_1(
     result = trexcmd("aracna", "speeds", "50")
     assert result.exit_code == 1
     assert result.stdout == "50 50 50 50 -1 50 50 50\n"
-    assert "Motor 4 does not answer (-1)." in result.stderr
+    assert "Motor 4 does not respond (-1)." in result.stderr
 
 
 @pytest.mark.parametrize(

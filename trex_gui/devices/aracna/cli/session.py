@@ -47,7 +47,7 @@ def port_settings(port: str | None, extra_time: float) -> PortSettings:
 
 
 class CommandSession:
-    """An open line to a robot that has answered.
+    """An open line to a robot that has responded.
 
     CommandFailed: the line is lost, or the robot waits for a motor or rejects the request.
 
@@ -94,7 +94,7 @@ class CommandSession:
         assert isinstance(reply, SpeedsHeld)  # noqa: S101 - for the type checker
         for motor, (requested, held) in enumerate(zip(reply.requested, reply.held, strict=True)):
             if held < 0:
-                self.faults.append(f"Motor {motor} does not answer (-1).")
+                self.faults.append(f"Motor {motor} does not respond (-1).")
             elif held != requested:
                 self.faults.append(f"Motor {motor} holds speed {held}, not {requested}.")
         return reply.held
@@ -222,12 +222,12 @@ def _raise_fault(report: Report) -> None:
     match report:
         case Stuck(motor=None):
             raise CommandFailed(
-                "The robot no longer answers. Its motors may continue to their goals."
+                "The robot no longer responds. Its motors may continue to their goals."
             )
         case Stuck(motor=motor):
             raise CommandFailed(
                 f"The robot waits for motor {motor}, which does not arrive: it is blocked, has no "
-                "power or does not answer, or the board itself has no power. Until it arrives, or "
+                "power or does not respond, or the board itself has no power. Until it arrives, or "
                 "the board is reset, the robot reads nothing. Only servo power stops its motors."
             )
         case NotResponding(error=error):

@@ -104,4 +104,4 @@ def keep(settings: Settings, link: ConnectionSettings, reason: str) -> None:
     snapshot = history.take(settings, adapter=link.name or link.url, reason=reason)
     say(f"Snapshot of the previous settings: {snapshot.path}.")
     if problem := history.bound().problem:
-        say(f"Warning: {problem} `trexcmd history keep 500` sets it anew.")
+        say(f"Warning: {problem} Set it again with `trexcmd history keep 500`.")

@@ -11,7 +11,7 @@ from enum import StrEnum
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-INVALID_RAW = 0xFFFF  # what 0x86 answers for a channel whose last pulse was bad or is missing
+INVALID_RAW = 0xFFFF  # reply to 0x86 for a channel without a valid pulse
 CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 FULL_SCALE = 127
 NEARLY_NEUTRAL = 8
@@ -98,7 +98,7 @@ class Calibration:
 
     @classmethod
     def from_reply(cls, reply: bytes) -> "Calibration":
-        """Read the eight bytes that 0x90-0x94 answer: plain little-endian words."""
+        """Read the eight bytes of the reply to 0x90-0x94: plain little-endian words."""
         values = [int.from_bytes(reply[i : i + 2], "little") for i in range(0, 8, 2)]
         return cls(*values)
 

@@ -1,4 +1,4 @@
-"""Sentences about one channel: what it does now, and what stands in the way."""
+"""Sentences about one channel: what it does, and why its calibration may not work."""
 
 from trex_gui.core.errors import StudioError, sentence
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -95,7 +95,7 @@ def why_not_stored(error: StudioError) -> str:
 
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:
-    """Say why the board would refuse a calibration, in units; empty when it would take it."""
+    """Say why the board would reject a calibration, in units; empty if it would not."""
     lowest, middle, highest = (
         source.text(count)
         for count in (calibration.minimum, calibration.neutral, calibration.maximum)
@@ -107,7 +107,7 @@ def wrong_order(calibration: Calibration, source: InputSource) -> str:
     if calibration.minimum == calibration.maximum:
         return f"Minimum and maximum cannot both be {lowest}."
     problem = calibration.problem()
-    return f"The board would not take this: {problem}." if problem else ""
+    return f"The board would reject this: {problem}." if problem else ""
 
 
 def beyond_input(calibration: Calibration, source: InputSource) -> str:
@@ -146,7 +146,7 @@ def _exactly(count: int, source: InputSource) -> str:
 
 
 def concern(calibration: Calibration, source: InputSource) -> str:
-    """Say what the board would take, but nobody would want; empty when there is nothing."""
+    """Warn of a calibration that the board accepts but that makes no sense; may be empty."""
     if wrong := wrong_order(calibration, source):
         return wrong
     if beyond := beyond_input(calibration, source):

@@ -109,7 +109,7 @@ class TrexRequestError(TrexError, BadRequest):
 
 
 class TrexNoReplyError(TrexError, NoReply):
-    """The board does not answer, or does not confirm."""
+    """The board does not respond, or does not confirm."""
 
 
 class TrexBadReplyError(TrexError, BadReply):

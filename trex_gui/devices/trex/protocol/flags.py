@@ -62,15 +62,15 @@ STATUS_MEANING: dict[Status, tuple[str, str]] = {
 UART_MEANING: dict[UartError, tuple[str, str]] = {
     UartError.TIMEOUT: (
         "Serial timeout",
-        "No byte came for the time of Serial Timeout, so the motors were shut down.",
+        "No byte arrived for the time of Serial Timeout, so the motors were shut down.",
     ),
     UartError.FORMAT: (
         "Format error",
-        "A packet had an unknown command, a command byte inside it or a bad data byte.",
+        "A packet had an unknown command, a command byte inside it or an invalid data byte.",
     ),
     UartError.CRC: (
         "CRC error",
-        "The CRC byte of a packet did not fit it; the packet was discarded.",
+        "The CRC byte of a packet was wrong; the packet was discarded.",
     ),
     UartError.FRAMING: (
         "Framing error",
@@ -78,19 +78,19 @@ UART_MEANING: dict[UartError, tuple[str, str]] = {
     ),
     UartError.DATA_OVERRUN: (
         "Data overrun",
-        "A byte came while the receive register was still full.",
+        "A byte arrived while the receive register was still full.",
     ),
     UartError.PARITY: (
         "Parity error",
-        "A byte came with the wrong parity: the parity settings differ, or the line is noisy.",
+        "A byte had the wrong parity: the parity settings differ, or the line is noisy.",
     ),
     UartError.READ_OVERRUN: (
         "Read buffer overrun",
-        "More bytes came than the board could take; something talks while the board answers.",
+        "More bytes arrived than the board can buffer; something sends while the board replies.",
     ),
     UartError.SEND_OVERRUN: (
         "Send buffer overrun",
-        "The board had more to answer than its buffer holds.",
+        "A reply was longer than the send buffer.",
     ),
 }
 """Name and explanation of each UART error bit, highest bit first."""
@@ -150,7 +150,7 @@ class InputSource(Enum):
 
 
 class Mode(Enum):
-    """The mode as the mode jumper set it at power-up, as 0x82 answers it."""
+    """The mode that the mode jumper set at power-up; the values are replies to 0x82."""
 
     RC = "R"
     ANALOG = "A"

@@ -185,7 +185,7 @@ class PacketParser:
 
 @dataclass(slots=True)
 class ReplyParser(Generic[ReplyT_co]):
-    """Collects the answer to one command.
+    """Collects the reply to one command.
 
     With `echo`, the bytes of the packet itself come back first, as they do on RS-232.
     """

@@ -66,7 +66,7 @@ def other_motor_key(key: str) -> str | None:
 
 
 def motor_name(key: str) -> str:
-    """Return what people call the motor of a key, such as `Motor 1`; empty for none."""
+    """Return the name of the motor of a key, such as `Motor 1`; empty for none."""
     return _NAMES.get(key.partition("_")[0], "")
 
 
@@ -117,7 +117,7 @@ class ParameterSpec:
 
     @property
     def readable(self) -> bool:
-        """Whether 0x9F answers it; the factory reset can only be written."""
+        """Whether 0x9F reads it; the factory reset can only be written."""
         return self.kind is not ParameterKind.RESET
 
     @property

@@ -229,5 +229,5 @@ class Channels:
 
     @property
     def raw(self) -> tuple[int | None, ...]:
-        """The raw counts of channels 1-5; `None` where the board answers 0xFFFF."""
+        """The raw counts of channels 1-5; `None` where the board replies 0xFFFF."""
         return tuple(self._raw[channel] for channel in CHANNELS)

@@ -133,7 +133,7 @@ def _eeprom(path: Path | None, device: DeviceOption, model: str, count: int) -> 
 
 SIMULATOR = SimulatorPlugin(
     help="Control lines: channel, jumper, power, load, current, fault, battery, eeprom, factory, "
-    "line, show, quit; with missing arguments each answers with its usage. With several "
+    "line, show, quit; with missing arguments each replies with its usage. With several "
     'devices a control line begins with one of them, as in "@9 power cycle".',
     options=(
         click.Option(
