@@ -45,8 +45,6 @@ from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import PromptAnswer
 
-GUIDE_URL = "https://www.pololu.com/docs/0J1"
-
 
 class TrexWorkspace(Workspace):
     """Everything of the window that is about a TReX; it holds no state of the device.
@@ -140,7 +138,7 @@ class TrexWorkspace(Workspace):
 
     @property
     def help_url(self) -> str:
-        return GUIDE_URL
+        return "https://www.pololu.com/docs/0J1"
 
     @property
     def file_kinds(self) -> Sequence[FileKind]:

@@ -55,15 +55,13 @@ class ChannelList(QListWidget):
         return CHANNELS[max(self.currentRow(), 0)]
 
     def set_input(self, channel: int, text: str) -> None:
-        if text != self._inputs[channel]:
-            self._inputs[channel] = text
-            self._show_text(channel)
+        self._inputs[channel] = text
+        self._show_text(channel)
 
     def set_mark(self, channel: int, *, edited: bool, problem: str) -> None:
-        if (edited, problem) != self._marks[channel]:
-            self._marks[channel] = (edited, problem)
-            self._show_text(channel)
-            self._show_icons()
+        self._marks[channel] = (edited, problem)
+        self._show_text(channel)
+        self._show_icons()
 
     def _show_text(self, channel: int) -> None:
         edited, problem = self._marks[channel]

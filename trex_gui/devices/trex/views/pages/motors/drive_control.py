@@ -208,6 +208,7 @@ class DriveControl(QWidget):
 
     Attributes:
         slider: its signals report whether the user holds it.
+        brake: its button.
         reported: what the board reports of this motor.
     """
 
@@ -234,7 +235,7 @@ class DriveControl(QWidget):
             tip=self.tr("Speed 0: the motor is not driven and coasts"),
             on_click=lambda: self.speed_wanted.emit(0),
         )
-        self._brake = ui.button(self, f"{name}Brake", self.tr("Brake"), on_click=self.brake_wanted)
+        self.brake = ui.button(self, f"{name}Brake", self.tr("Brake"), on_click=self.brake_wanted)
         self._bar = ui.named(OutputBar(self, bipolar=two_way), f"{name}Channel")
         self._bar.hide()
         self._setpoint_label = ui.label(self, f"{name}Setpoint")
@@ -242,19 +243,19 @@ class DriveControl(QWidget):
             ElidedLabel(self.tr("Board: serial in control, 10.00 A…"), self), f"{name}Reported"
         )
         self.reported.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        for button in (self._zero, self._brake):
+        for button in (self._zero, self.brake):
             button.setMinimumWidth(button.fontMetrics().horizontalAdvance(button.text()) + 20)
         if not two_way:
-            self._brake.hide()
+            self.brake.hide()
 
         layout = ui.grid(self, margins=0, spacing=(8, 2), stretch=[(0, 1)])
         words = ui.row(self._title, self._setpoint_label, 1, self.reported, spacing=10)
         layout.addLayout(words, 0, 0, 1, 4)
-        for place, widget in enumerate((self.slider, self._entry, self._zero, self._brake)):
+        for place, widget in enumerate((self.slider, self._entry, self._zero, self.brake)):
             layout.addWidget(widget, 1, place, Qt.AlignmentFlag.AlignTop)
         layout.addWidget(self._bar, 2, 0, 1, 4)
         # The room of the brake is kept without it, so that all sliders have the same length.
-        layout.setColumnMinimumWidth(3, self._brake.sizeHint().width())
+        layout.setColumnMinimumWidth(3, self.brake.sizeHint().width())
 
         self.slider.valueChanged.connect(self._on_slider_changed)
         self._entry.chosen.connect(self._on_entry_chosen)
@@ -265,7 +266,7 @@ class DriveControl(QWidget):
         self.slider.setAccessibleName(self.tr("{0}, speed").format(title))
         self._entry.setAccessibleName(self.tr("{0}, speed as a number").format(title))
         self._zero.setAccessibleName(self.tr("{0}, speed zero").format(title))
-        self._brake.setAccessibleName(self.tr("{0}, brake").format(title))
+        self.brake.setAccessibleName(self.tr("{0}, brake").format(title))
         self._bar.setAccessibleName(self.tr("{0}, channel command").format(title))
 
     def set_ceiling(self, ceiling: int) -> None:
@@ -273,14 +274,10 @@ class DriveControl(QWidget):
         self.slider.set_ceiling(ceiling)
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
 
-    def set_brake_text(self, tip: str) -> None:
-        self._brake.setToolTip(tip)
-        self._brake.setAccessibleDescription(tip)
-
     def set_channel_driven(self, driven: bool) -> None:
         for widget in (self.slider, self._entry, self._zero):
             widget.setVisible(not driven)
-        self._brake.setVisible(self._two_way and not driven)
+        self.brake.setVisible(self._two_way and not driven)
         self._bar.setVisible(driven)
 
     def show_channel(self, value: int | None) -> None:

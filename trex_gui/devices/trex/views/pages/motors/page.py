@@ -184,7 +184,7 @@ class MotorsPage(QWidget):
         for number, control in self._controls.items():
             control.setEnabled(motors.armed and not self._is_unused(number))
             control.set_ceiling(motors.ceiling)
-            control.set_brake_text(brake)
+            control.brake.setToolTip(brake)
         self._on_telemetry_updated()
 
     def _is_unused(self, number: int) -> bool:
