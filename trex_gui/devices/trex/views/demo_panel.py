@@ -23,7 +23,6 @@ from trex_gui.ui.devices.demo_panel import (
 )
 from trex_gui.ui.widgets.builders import button, label, named
 from trex_gui.ui.widgets.leds import Leds
-from trex_gui.ui.widgets.sliders import StickSlider
 
 BoardRows = Rows[DemoSnapshot]
 
@@ -311,51 +310,47 @@ def _input_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRow
 
 def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
     source = InputSource.RC
+    value = label(rows, f"demoValue{channel}")
 
-    def show_value() -> None:
+    def show(position: float) -> None:
         decimals = 0 if source is InputSource.RC else 2
-        position = slider.value() / _STEPS[source]
-        value.setText(f"{position:.{decimals}f}\u00a0{source.unit}")
+        value.setText(f"{position / _STEPS[source]:.{decimals}f}\u00a0{source.unit}")
 
-    def move(position: int) -> None:
-        show_value()
-        board.hold_stick(channel, position / _STEPS[source])
-
-    def set_source(new: InputSource) -> None:
-        nonlocal source
-        source = new
-        low, high = (round(end * _STEPS[new]) for end in STICK_ENDS[new])
+    def set_scale() -> None:
+        low, high = (round(end * _STEPS[source]) for end in STICK_ENDS[source])
         slider.set_scale(low, high, (low + high) // 2)
-        slider.setSingleStep(_SINGLE_STEP[new])
+        slider.setSingleStep(_SINGLE_STEP[source])
         slider.setPageStep((high - low) // 10)
+
+    def read(snapshot: DemoSnapshot) -> float:
+        nonlocal source
+        if snapshot.source is not source:
+            source = snapshot.source
+            set_scale()
+        stick = snapshot.channels[channel - 1].stick(source)
+        return slider.value() if stick is None else stick * _STEPS[source]
 
     def update(snapshot: DemoSnapshot) -> None:
         seen = snapshot.channels[channel - 1]
         name.setText(f"<b>{channel}</b>&ensp;{_input_roles(snapshot)[channel - 1]}")
-        if snapshot.source is not source:
-            set_source(snapshot.source)
         slider.setEnabled(seen.has_signal)
-        position = seen.stick(source)
-        if position is None:
+        if seen.stick(source) is None:
             value.setText(tr("invalid"))
-        else:
-            slider.follow(round(position * _STEPS[source]))
-            show_value()
 
-    low, high = (round(end) for end in STICK_ENDS[source])
-    slider = named(
-        StickSlider(low, high, (low + high) // 2, "bar", rows),
+    slider = rows.slider(
         f"demoInput{channel}",
-        accessible=tr("Stick of input {0}").format(channel),
+        tr("Stick of input {0}").format(channel),
+        highest=0,  # until set_scale
+        steps=1,
+        on_move=lambda position: board.hold_stick(channel, position / _STEPS[source]),
+        read=read,
+        show=show,
         tip=tr(
             "Input {0}: {1} in RC and analog mode, only measured in serial mode. "
             "A double click centres it."
         ).format(channel, CHANNEL_ROLES[channel]),
     )
-    slider.setSingleStep(_SINGLE_STEP[source])
-    slider.valueChanged.connect(move)
-    rows.controls.append(slider)
-    value = label(rows, f"demoValue{channel}")
+    set_scale()
     silent = rows.check_box(
         f"demoNoSignal{channel}",
         "",
