@@ -1,7 +1,7 @@
 """Setpoints of the motors, arming, the lock after a stop, and controls that are held."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from enum import Enum
 
 from PySide6.QtCore import QObject, QSettings, Signal, Slot
@@ -81,7 +81,7 @@ class Motors(QObject):
     requested = Signal(object)
     stop_requested = Signal()
 
-    def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.accelerate = True
         self.lockout = remembered_lockout()
@@ -95,7 +95,6 @@ class Motors(QObject):
         self.release_brake = FULL_SCALE
         self._drives: dict[int, Drive] = {}
         self._held: set[int] = set()
-        self._clock = clock
         self._locked_until = -math.inf
         self._announced = 0
         self._lockout_timer = new_timer(self, _STEP_MS, self._on_lockout_step)
@@ -174,7 +173,7 @@ class Motors(QObject):
 
     def press_stop(self, *, reason: str = "") -> None:
         """Stop for the user, or for a `reason`; no arming for `lockout` seconds."""
-        self._locked_until = max(self._locked_until, self._clock() + self.lockout)
+        self._locked_until = max(self._locked_until, now() + self.lockout)
         self._announced = math.ceil(self.locked_for)
         self._lockout_timer.start()
         self.stop(reason)
@@ -183,7 +182,7 @@ class Motors(QObject):
     @property
     def locked_for(self) -> float:
         """Seconds for which the motors cannot be armed because stop was pressed, or 0."""
-        return max(0.0, self._locked_until - self._clock())
+        return max(0.0, self._locked_until - now())
 
     @Slot()
     def _on_lockout_step(self) -> None:

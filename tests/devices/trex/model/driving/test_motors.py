@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.driving.requests import (
     SetAuxiliary,
@@ -213,40 +214,31 @@ def test_first_setpoint_is_sent_even_if_it_is_a_brake(armed: RequestRecorder) ->
 # --- The lock after a stop --------------------------------------------------------------
 
 
-class Clock:
-    """A time that a test sets."""
-
-    def __init__(self) -> None:
-        self.now = 100.0
-
-    def __call__(self) -> float:
-        return self.now
-
-
-def test_pressed_stop_prevents_arming_during_the_lockout(qtbot: QtBot) -> None:
-    clock = Clock()
-    motors = Motors(clock=clock)
+def test_pressed_stop_prevents_arming_during_the_lockout(
+    qtbot: QtBot, virtual_time: VirtualRuntime
+) -> None:
+    motors = Motors()
     motors.set_available(True)
     motors.lockout = 3.0
     motors.arm()
     motors.press_stop()
-    assert motors.locked_for == 3.0
-    clock.now += 2.9
+    assert motors.locked_for == pytest.approx(3.0)
+    virtual_time.advance(2.9)
     motors.arm()
     assert not motors.armed
-    clock.now += 0.2
     with qtbot.waitSignal(motors.lockout_changed):  # the end of the lock is announced
-        pass
+        virtual_time.advance(0.2)
     assert motors.locked_for == 0
     motors.arm()
     assert motors.armed
 
 
-def test_second_stop_extends_but_never_shortens_the_lockout(qtbot: QtBot) -> None:
-    clock = Clock()
-    motors = Motors(clock=clock)
+def test_second_stop_extends_but_never_shortens_the_lockout(
+    qtbot: QtBot, virtual_time: VirtualRuntime
+) -> None:
+    motors = Motors()
     motors.press_stop()
-    clock.now += 1
+    virtual_time.advance(1.0)
     motors.lockout = 1.0
     motors.press_stop()
     assert motors.locked_for == pytest.approx(LOCKOUT - 1)
