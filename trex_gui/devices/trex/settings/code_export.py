@@ -2,7 +2,6 @@
 
 import textwrap
 import unicodedata
-from collections.abc import Sequence
 from enum import Enum
 
 from trex_gui import __version__
@@ -22,7 +21,7 @@ from trex_gui.devices.trex.settings.writer import calibration_text, check_keys, 
 
 _COMMENT_WIDTH = 86
 
-_COMMENT_COLUMN = 42
+_COMMENT_COLUMN = 46
 """Where comments begin at the latest, unless the code before them is longer."""
 
 _SOURCE_LETTERS = {mode.source: mode.value for mode in Mode if mode.is_serial}
@@ -110,10 +109,8 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
         signature=plain(product.signature.decode("ascii")),
         ampere=product.current_unit,
         power_cycle=min(spec.number for spec in settings.specs if spec.needs_power_cycle),
-        parameters=_aligned(language, [_row(language, *item) for item in parameters]),
-        calibrations=_aligned(
-            language, [_calibration_row(language, *item) for item in valid.calibration_items()]
-        ),
+        parameters=[_parameter_row(*item) for item in parameters],
+        calibrations=[_calibration_row(*item) for item in valid.calibration_items()],
         left_out="\n".join(map(plain, left_out)),
     )
 
@@ -127,7 +124,7 @@ def _render(name: str, **values: object) -> str:
         undefined=StrictUndefined,
         autoescape=False,  # noqa: S701 - source code, not HTML; `plain` makes text safe
     )
-    environment.filters["hex"] = _hexadecimal
+    environment.filters |= {"hex": _hexadecimal, "aligned": _aligned}
     template = environment.from_string(resource(name).read_text(encoding="utf-8"))
     return template.render(values)
 
@@ -151,35 +148,31 @@ def plain(text: str) -> str:
 _ASCII = str.maketrans({"µ": "u", "μ": "u", "−": "-", "–": "-", "—": "-", "×": "x", "…": "..."})
 
 
-def _row(language: Language, spec: ParameterSpec, wire: int) -> tuple[str, str]:
-    number, name = _hexadecimal(spec.number), plain(spec.name)
-    comment = plain(parameter_text(spec, wire))
-    match language:
-        case Language.PYTHON:
-            return f'({number}, {wire}, "{name}"),', comment
-        case Language.C:
-            return f'{{{number}, {wire}, "{name}"}},', comment
-        case Language.ARDUINO:  # names would take a quarter of an Uno's memory
-            return f"{{{number}, {wire}}},", f"{name}: {plain(spec.text(wire))}"
+def _parameter_row(spec: ParameterSpec, wire: int) -> dict[str, object]:
+    return {
+        "number": spec.number,
+        "wire": wire,
+        "name": plain(spec.name),
+        "text": plain(spec.text(wire)),
+        "comment": plain(parameter_text(spec, wire)),
+    }
 
 
-def _calibration_row(
-    language: Language, key: CalibrationKey, calibration: Calibration
-) -> tuple[str, str]:
-    letter = _SOURCE_LETTERS[key.source]
-    values = ", ".join(str(getattr(calibration, name)) for name in CALIBRATION_FIELDS)
-    comment = plain(calibration_text(key.source, calibration))
-    if language is Language.PYTHON:
-        return f'("{letter}", {key.channel}, ({values})),', comment
-    return f"{{'{letter}', {key.channel}, {{{values}}}}},", comment
+def _calibration_row(key: CalibrationKey, calibration: Calibration) -> dict[str, object]:
+    return {
+        "source": _SOURCE_LETTERS[key.source],
+        "channel": key.channel,
+        "counts": ", ".join(str(getattr(calibration, name)) for name in CALIBRATION_FIELDS),
+        "comment": plain(calibration_text(key.source, calibration)),
+    }
 
 
-def _aligned(language: Language, rows: Sequence[tuple[str, str]]) -> str:
-    """Return rows of code and comment, in C and Arduino with aligned comments."""
-    if language is Language.PYTHON:
-        return "\n".join(f"{code}  # {comment}" if comment else code for code, comment in rows)
-    width = min(max((len(code) for code, _ in rows), default=0), _COMMENT_COLUMN)
-    return "\n".join(f"{code:{width}} // {comment}" if comment else code for code, comment in rows)
+def _aligned(rows: str) -> str:
+    """Align the comments of rows of code in C, and drop empty ones."""
+    pairs = [line.partition(" // ")[::2] for line in rows.splitlines()]
+    width = min(max(len(code) for code, _ in pairs), _COMMENT_COLUMN)
+    lines = [f"{code:{width}} // {comment}" if comment else code for code, comment in pairs]
+    return "".join(f"{line}\n" for line in lines)
 
 
 def _stem(settings: Settings) -> str:
