@@ -1,5 +1,6 @@
 """The window of bench tests: hold a button, see what the motor draws, tune, hold it again."""
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
@@ -79,39 +80,32 @@ class BenchDialog(QDialog):
         self._band.setKeyboardTracking(True)
         self._figures = FiguresTable(self)
         tuning = TuningForm(device, bench, self)
-        self._run = ui.button(
-            self,
+        button = partial(ui.button, self, default=False)
+        self._run = button(
             "benchRunButton",
             self.tr("Run motor"),
             tip=self.tr("Let tests move the motors"),
-            default=False,
             on_click=device.motors.arm,
         )
         set_icon(self._run, "run", "run_text")
         for run_button in (self._hold, self._run):
             ui.set_bold(run_button)
             tint(run_button, "run")
-        self._save = ui.button(
-            self,
+        self._save = button(
             "benchSaveButton",
             self.tr("Sa&ve…"),
             icon="save",
             tip=self.tr("Save this test to compare with later, or a picture of it"),
-            default=False,
             on_click=lambda: self.files.ask_and_save(bench.runs[-1]),
         )
-        self._open = ui.button(
-            self,
+        self._open = button(
             "benchOpenButton",
             self.tr("&Open…"),
             icon="open",
             tip=self.tr("Open a saved test"),
-            default=False,
             on_click=self.files.ask_and_open,
         )
-        close = ui.button(
-            self, "benchCloseButton", self.tr("Close"), default=False, on_click=self.close
-        )
+        close = button("benchCloseButton", self.tr("Close"), on_click=self.close)
 
         left = ui.named(QWidget(self), "benchLeft")
         ui.column(PlanForm(device, bench, left), tuning, 1, into=left, margins=0)
