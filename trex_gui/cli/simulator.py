@@ -74,7 +74,6 @@ def main(
     rfc2217: tuple[str, int] | None,
     **_options: object,
 ) -> None:
-    """Simulate a device until `quit`."""
     if sum(option is not None for option in (link, tcp, rfc2217)) > 1:
         raise click.UsageError("only one of --link, --tcp and --rfc2217")
     try:

@@ -31,7 +31,6 @@ class UsageError(click.UsageError):
 
 
 def say(message: object) -> None:
-    """Print a message beside the data, to standard error."""
     click.echo(str(message), err=True)
 
 

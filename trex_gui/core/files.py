@@ -56,7 +56,6 @@ class SettingsError(StudioError):
 
     @classmethod
     def of(cls, name: object, message: str, line: int | None = None) -> "SettingsError":
-        """Return an error with one finding."""
         return cls(str(name), [Finding(line, None, message)])
 
     def __str__(self) -> str:
@@ -173,7 +172,6 @@ def save(path: Path, text: str) -> None:
 
 
 def save_new(path: Path, text: str) -> bool:
-    """Write a text file under a free name; return `False` if it is taken."""
     with _sentences(path, "written"):
         try:
             with atomic_file(path, overwrite=False) as file:
@@ -185,7 +183,6 @@ def save_new(path: Path, text: str) -> bool:
 
 @contextlib.contextmanager
 def _sentences(path: Path, verb: str) -> Iterator[None]:
-    """Turn errors of the operating system into a `SettingsError`."""
     try:
         yield
     except FileNotFoundError:

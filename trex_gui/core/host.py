@@ -30,6 +30,5 @@ class Host:
 
 
 def host() -> Host:
-    """Return the host of the running command."""
     context = click.get_current_context(silent=True)
     return (context and context.find_object(Host)) or Host()

@@ -134,7 +134,6 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
             self._database.execute("PRAGMA wal_checkpoint(PASSIVE)")
 
     def finish(self) -> None:
-        """Complete the file: one file, marked as ended."""
         self.write([])
         with _reported(self._path, "It cannot be written"):
             self._database.execute(
@@ -328,7 +327,6 @@ class Recording(Generic[HeaderT, RecordT]):
         return cast("list[RecordT]", [record for _, record in found])
 
     def export_rows(self, first: int, last: int, start: float, end: float) -> list[ExportRow]:
-        """Return the exported values of records from `start` to `end` (session's clock)."""
         found: list[tuple[int, ExportRow]] = []
         for index, kind in enumerate(self.kinds):
             names = ", ".join(("record", "clock_s", "time_s", *kind.exported))

@@ -86,7 +86,6 @@ WIRE_USAGE = (
 
 
 def wire(line: SimulatedLine, *words: str) -> str:
-    """Execute what follows `line`."""
     faults = line.faults
     match words:
         case ["mute", ("on" | "off") as state]:

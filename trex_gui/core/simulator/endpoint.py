@@ -59,8 +59,6 @@ class Endpoint(Protocol):
 
 
 class TcpEndpoint:
-    """Raw bytes over TCP, for one host at a time."""
-
     scheme = "socket"
 
     def __init__(self, host: str, port: int) -> None:
@@ -150,5 +148,4 @@ class TcpEndpoint:
 
 
 def default_endpoint_is_tcp() -> bool:
-    """Whether this system has no pseudo-terminals."""
     return sys.platform == "win32"

@@ -59,7 +59,6 @@ class WireFaults:
             self._plugged_at = now
 
     def on_way_to_device(self, byte: int, begun: float) -> tuple[int, ReceiveError | None] | None:
-        """Return a byte from the host as it arrives; `None` if it is lost."""
         self.counters["sent"] += 1
         if not self._is_whole(begun):
             return None
@@ -77,7 +76,6 @@ class WireFaults:
         return byte ^ 1 << bit, ReceiveError.PARITY
 
     def on_way_to_host(self, byte: int, begun: float) -> int | None:
-        """Return a byte to the host as it arrives; `None` if it is lost."""
         if self.mute or not self._is_whole(begun):
             return None
         if self.to_drop:
@@ -199,13 +197,11 @@ class SimulatedLine:
 
     @property
     def unsaved(self) -> Sequence[str]:
-        """Reasons why the memory of a device is not in its file."""
         return ()
 
     # --- Host ---------------------------------------------------------------------------
 
     def send(self, data: bytes) -> None:
-        """Queue bytes from the host."""
         host, at = self.host, self.timeline.at
         is_sampled = host is not None and any(
             is_other_rate(host.baud, station.baud) for station in self.stations
@@ -233,7 +229,6 @@ class SimulatedLine:
         return data
 
     def read(self, size: int, seconds: float) -> bytes:
-        """Let time pass until `size` bytes have arrived or `seconds` have passed; return them."""
         end = self.now + seconds
         while len(self._received) < size and self.timeline.step(end):
             pass
@@ -245,7 +240,6 @@ class SimulatedLine:
 
     @property
     def backlog(self) -> float:
-        """Seconds that the queued bytes from the host need to get onto the wire."""
         return max(0.0, self._host_busy_until - self.now)
 
     def _is_host_turn(self, turn: int) -> bool:
@@ -260,12 +254,10 @@ class SimulatedLine:
 
     @property
     def now(self) -> float:
-        """Seconds since the line was created."""
         return self.timeline.now
 
     @property
     def next_event(self) -> float | None:
-        """Moment of the next event on the line; `None` when nothing is pending."""
         return self.timeline.next_event
 
     def advance(self, seconds: float) -> None:
@@ -318,7 +310,6 @@ class SimulatedLine:
         self._put(_Frame(self.now, end, byte, station.line_format, station.baud, is_alive))
 
     def arrive(self, byte: int, begun: float) -> None:
-        """Let a byte that began at `begun` reach the host."""
         arriving = self.faults.on_way_to_host(byte, begun)
         if arriving is not None:
             self._received.append(arriving)
@@ -339,7 +330,6 @@ class SimulatedLine:
         self.faults.plug(self.now)
 
     def _host_receiver(self) -> tuple[SerialFormat, float]:
-        """Return how the host receives, and its bit rate."""
         if self.host is not None:
             return self.host, self.host.baud
         return self.stations[0].line_format, self.stations[0].baud
@@ -379,7 +369,6 @@ class SimulatedLine:
             self._resolve([each for each in collided if each.is_alive()])
 
     def _resolve(self, frames: Sequence[_Frame]) -> None:
-        """Let the host sample bytes that overlap."""
         if not frames:
             return
         begin = min(frame.start for frame in frames)

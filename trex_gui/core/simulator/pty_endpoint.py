@@ -113,7 +113,6 @@ def _set_speed(terminal: int, baud: int) -> None:
 
 
 def _settings(terminal: int) -> HostSettings | None:
-    """Return how the host has set the terminal; `None` if that cannot be seen."""
     try:
         if sys.platform == "linux":
             with contextlib.suppress(OSError):  # other request number on some processors

@@ -27,8 +27,6 @@ _PARITIES = {Parity.EVEN: 0, Parity.ODD: 1}
 
 
 class ReceiveError(Enum):
-    """Error that a UART detects in a byte."""
-
     FRAMING = "framing"
     PARITY = "parity"
     OVERRUN = "overrun"
@@ -99,12 +97,10 @@ class Receiver:
     def receive_isolated(
         self, byte: int, sender: SerialFormat, baud: float
     ) -> Iterator[SampledByte]:
-        """Sample a byte followed by silence; yield every byte received."""
         yield from self.receive(self.known_until, byte, sender, baud)
         yield from self.idle(self.known_until + self._bits_per_byte * self._bit)
 
     def idle(self, until: float) -> Iterator[SampledByte]:
-        """Keep the wire high until a moment; yield the bytes that are complete by then."""
         yield from self.sample(_HIGH, until)
 
     def sample(self, level: int, until: float) -> Iterator[SampledByte]:
@@ -170,6 +166,5 @@ class RateConverter:
             timeline.at(due, partial(self._end, due))
 
     def _end(self, due: float) -> None:
-        """Complete a byte that is followed by silence."""
         for each in self._receiver.idle(nextafter(due, inf)):
             self._deliver(each.value, each.error, each.begun)

@@ -35,8 +35,6 @@ core at 115200 baud."""
 
 
 class Server:
-    """Runs one line behind one endpoint until it ends."""
-
     def __init__(self, simulation: Simulation, endpoint: Endpoint) -> None:
         self._line = simulation.line
         self._control = simulation.control
@@ -67,7 +65,6 @@ class Server:
             self._waker.close()
 
     def _turn(self) -> None:
-        """Process what is due, then wait for what comes next."""
         self._catch_up()
         if data := self._line.receive():
             self._endpoint.write(data)
@@ -125,7 +122,6 @@ class Server:
         self._line.advance_to(now)
 
     def _host_format(self, settings: HostSettings | None) -> SerialFormat | None:
-        """Complete the settings of the host's port; what cannot be seen fits the device."""
         if settings is None:
             return None
         parity = settings.parity or self._line.host_format.parity
@@ -206,7 +202,6 @@ class Server:
             self._wake.send(b"!")
 
     def _catch_signals(self) -> dict[int, "signal._HANDLER"]:
-        """Let signals end the loop; return the previous handlers."""
         names = ("SIGINT", "SIGTERM", "SIGHUP")
         numbers = [getattr(signal, name) for name in names if hasattr(signal, name)]
         previous = {

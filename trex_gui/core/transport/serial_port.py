@@ -87,8 +87,6 @@ class Transport(Protocol):
 
 
 class SerialTransport:
-    """A port of pyserial; `clock` returns seconds and is monotonic."""
-
     def __init__(self, settings: PortSettings, clock: Callable[[], float] = time.monotonic) -> None:
         self._url = settings.url
         self._name = settings.label
@@ -268,7 +266,6 @@ def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -
 
 
 def why_not_open(url: str, line: SerialFormat, error: Exception) -> str:
-    """Return why a port does not open, and what to do about it."""
     number = _errno(error)
     if "://" in url:
         return f"{url} cannot be reached: {_plain(error)}."
@@ -312,7 +309,6 @@ def _plain(error: Exception) -> str:
 
 
 def _permission_cure(url: str) -> str:
-    """Return the command that gives access to this port."""
     try:
         import grp  # noqa: PLC0415 - only on POSIX
 

@@ -41,7 +41,6 @@ class SerialFormat:
         return f"{'no' if self.parity is Parity.NONE else self.parity.name.lower()} parity"
 
     def text(self) -> str:
-        """Return a text such as `19200 baud, even parity, 1 stop bit`."""
         stop = "1 stop bit" if self.stop_bits == 1 else "2 stop bits"
         return f"{self.baud} baud, {self.check_text}, {stop}"
 
@@ -68,7 +67,6 @@ class PortSettings:
 
     @property
     def short(self) -> str:
-        """How the line is set, such as `57600 8E1`."""
         return self.line.short
 
     def text(self) -> str:

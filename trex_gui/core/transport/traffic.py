@@ -194,8 +194,6 @@ class Transaction:
 
 
 class Decoder(ABC):
-    """Decodes the bytes of one kind of device."""
-
     @abstractmethod
     def shown(self, data: bytes) -> str:
         """Return bytes as they are displayed: hexadecimal, or text."""
@@ -231,8 +229,6 @@ class Decoder(ABC):
 
 
 class TransactionAssembler:
-    """Builds transactions from the events of a line."""
-
     def __init__(self, decoder: Decoder) -> None:
         self._decoder = decoder
         self._count = 0
@@ -245,7 +241,6 @@ class TransactionAssembler:
         self._settings, self._echo = settings, echo
 
     def forget_echo(self) -> None:
-        """Reset what was known of the line: another one is opened."""
         self._echo = None
 
     def feed(self, events: Iterable[TrafficEvent]) -> list[Transaction]:
@@ -269,7 +264,6 @@ class TransactionAssembler:
         return list(touched.values())
 
     def _continues(self, row: Transaction, event: TrafficEvent) -> bool:
-        """Whether an event belongs to the pending row."""
         match event.way:
             case TrafficDirection.SENT:
                 return self._decoder.goes_with(row, event.data)

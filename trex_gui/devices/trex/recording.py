@@ -126,7 +126,6 @@ class Header:
         return f"{self.model.name} {self.firmware}"
 
     def values(self) -> dict[str, Value]:
-        """Return the rows of the header table."""
         return {
             "device_name": self.board,
             "started_utc": self.started.astimezone(UTC).isoformat(),
@@ -144,7 +143,6 @@ class Header:
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> "Header":
-        """Return the header of the rows of a header table; ValueError if they are damaged."""
         try:
             number = values["device_number"]
             return cls(
@@ -162,7 +160,7 @@ class Header:
 
 
 def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, ...]:
-    """Return the kinds of samples; `current_unit` is in A for each count."""
+    """Return the kinds of samples; `current_unit` is in A per count."""
     unit, digits = ("us", 1) if source is InputSource.RC else ("V", 4)
     scale = 1 / source.counts_per_unit
     bits: list[tuple[str, Status | UartError, str]] = [
@@ -292,7 +290,6 @@ def _setpoint(  # noqa: PLR0917 - a value for each column
 
 
 def measured_columns(kinds: Sequence[SampleKind]) -> list[str]:
-    """Return the columns of everything measured, without mode and status."""
     measured = {Raw, Remapped, Currents, Control}
     return [name for kind in kinds if kind.type in measured for name in kind.exported]
 

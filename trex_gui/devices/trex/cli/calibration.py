@@ -118,7 +118,6 @@ def set_command(channel: int, **options: Any) -> None:
 
 
 def _parse(name: str, text: str) -> tuple[float, str]:
-    """Read a number and its unit, which may be empty."""
     found = _VALUE.fullmatch(text.strip())
     unit = found[2].lower() if found else ""
     if found is None or (unit and unit not in _UNITS) or (not unit and "." in found[1]):

@@ -105,7 +105,6 @@ _LINK_OPTIONS = (
 
 
 def link_options(function: FunctionT) -> FunctionT:
-    """Add the options with which a board is reached."""
     for option in reversed(_LINK_OPTIONS):
         function = option(function)
     return function

@@ -75,7 +75,6 @@ def read_file(file: str) -> Settings:
 
 
 def save_file(file: str, text: str) -> None:
-    """Write a settings file, whole or not at all."""
     if file == "-":
         click.echo(text, nl=False)
         return

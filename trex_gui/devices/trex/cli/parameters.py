@@ -40,7 +40,6 @@ from trex_gui.devices.trex.settings.rules import Context
 
 
 def spec_of(client: TrexClient, name: str) -> ParameterSpec:
-    """Return the parameter with a name or key, for the connected board."""
     signature = identify(client)
     return parameters_of(signature.model.key, signature.firmware)[name]
 
@@ -134,7 +133,6 @@ def restore_defaults(yes: bool, **options: Any) -> None:
 
 
 def _announce(result: Comparison, specs: ParameterSet) -> None:
-    """Report the changes, and the defaults that no source confirms."""
     if not result.changed:
         say("Every parameter already has its default, as far as defaults are known.")
         return

@@ -99,7 +99,6 @@ class _ModeChanged(Exception):  # noqa: N818 - no error, an event
 
 @contextlib.contextmanager
 def _target(file: str | None) -> Iterator[TextIO]:
-    """Open the file that is written to."""
     if file is None or file == "-":
         yield sys.stdout
         return
@@ -111,8 +110,6 @@ def _target(file: str | None) -> Iterator[TextIO]:
 
 
 class _Table:
-    """The newest values, as one row."""
-
     def __init__(self, mode: Mode, unit: float) -> None:
         self.mode = mode
         kinds = sample_kinds(mode.source, unit)

@@ -33,5 +33,4 @@ class ConnectionSettings(PortSettings):
 
     @property
     def framing(self) -> Framing:
-        """How packets are wrapped under these settings."""
         return Framing(self.device_number, self.polynomial if self.line.has_crc else None)

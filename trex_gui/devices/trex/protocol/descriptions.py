@@ -141,7 +141,6 @@ def who_controls(mode: Mode, by_serial: bool, *, joint: bool) -> str:
 
 
 def is_refusal(value: object) -> bool:
-    """Whether a reply rejects its request."""
     return isinstance(value, ResultCode) and value is not ResultCode.OK
 
 

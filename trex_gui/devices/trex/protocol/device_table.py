@@ -68,7 +68,6 @@ _NAMES = {"TReX": "TReX", "TReXJr": "TReX Jr"}
 
 
 def read_table(text: str) -> DeviceTable:
-    """Read the table from the text of its TOML file."""
     data = tomllib.loads(text)
     models = tuple(
         Model(

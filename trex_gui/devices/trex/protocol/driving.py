@@ -49,5 +49,4 @@ class Drive:
 
     @property
     def is_brake(self) -> bool:
-        """Whether the motor is braked (or coasts) rather than driven."""
         return self.direction in {Direction.BRAKE, Direction.BRAKE_TOO}

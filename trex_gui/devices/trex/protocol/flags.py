@@ -97,7 +97,6 @@ UART_MEANING: dict[UartError, tuple[str, str]] = {
 
 
 def bit_names(bits: Status | UartError) -> list[str]:
-    """Return the names of the bits that are set, highest bit first."""
     if isinstance(bits, Status):
         return [name for bit, (name, _) in STATUS_MEANING.items() if bit & bits]
     return [name for bit, (name, _) in UART_MEANING.items() if bit & bits]
@@ -139,7 +138,6 @@ class InputSource(Enum):
         return count / self.counts_per_unit
 
     def counts(self, physical: float) -> int:
-        """Turn µs or V into the nearest raw count."""
         return round(physical * self.counts_per_unit)
 
     def text(self, count: float) -> str:

@@ -139,7 +139,6 @@ class PacketParser:
         return events
 
     def flush(self) -> list[Packet | Malformed]:
-        """Return what is held back as malformed: no more bytes will come."""
         return [self._give_up("the packet is not complete")] if self._held else []
 
     def _give_up(self, reason: str) -> Malformed:

@@ -19,8 +19,6 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 
 class ParameterKey(StrEnum):
-    """A parameter's key in the table and in settings files."""
-
     AUX_ACCELERATION = "aux_acceleration"
     CHANNEL_INPUT_SOURCE = "channel_input_source"
     CRC7_POLYNOMIAL = "crc7_polynomial"
@@ -49,7 +47,6 @@ class MotorParameter(StrEnum):
     PWM_PRESCALER = "pwm_prescaler"
 
     def of(self, motor: int) -> str:
-        """Return the key for motor 1 or 2."""
         return f"motor{motor}_{self}"
 
 
@@ -129,7 +126,6 @@ class ParameterSpec:
         return "default" not in self.inferred
 
     def problem(self, wire: int) -> str | None:
-        """Return why this wire value is not allowed; `None` if it is."""
         return None if wire in self.valid else f"{self.name} is {self.range_text()}, not {wire}"
 
     def check(self, wire: int) -> int:
@@ -254,7 +250,6 @@ class ParameterSpec:
         return value / self.scale
 
     def _unit_factor(self, given: str) -> float | None:
-        """Return what a number in the given unit must be multiplied with; `None`: not ours."""
         if not given or given.casefold() == self.unit.casefold():
             return 1
         if self.kind is ParameterKind.ACCELERATION:
@@ -309,7 +304,6 @@ class ParameterSet:
 
     @property
     def readable(self) -> tuple[ParameterSpec, ...]:
-        """All but the factory reset, which only can be written."""
         return tuple(spec for spec in self.specs if spec.readable)
 
     def __getitem__(self, key: str) -> ParameterSpec:

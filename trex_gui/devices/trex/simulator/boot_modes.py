@@ -52,7 +52,6 @@ class BootMode(Protocol):
 
 
 def boot_mode(board: BootHost) -> BootMode | None:
-    """Return the boot mode that the jumpers select at power-up."""
     if not (board.mix and board.so_ground):
         return None
     return BootLoader(board) if board.mode.is_serial else LearningMode(board)
@@ -198,8 +197,6 @@ class LearningMode:
 
 
 class _Watched:
-    """Measurements of one channel."""
-
     def __init__(self) -> None:
         self._values: list[int] = []
         self._is_bad = False

@@ -110,7 +110,6 @@ class Signal:
 
     @property
     def text(self) -> str:
-        """Text that `parse` reads as this signal."""
         for word, kind in _WORDS.items():
             if self.kind is kind:
                 return word
@@ -172,7 +171,6 @@ class Channels:
         self._signals = dict.fromkeys(CHANNELS, Signal(SignalKind.REST))
 
     def begin(self, source: InputSource) -> None:
-        """Discard all measurements, as at power-up."""
         self.source = source
         unknown = 0 if source is InputSource.ANALOG else None
         self._raw: dict[int, int | None] = dict.fromkeys(CHANNELS, unknown)

@@ -51,7 +51,6 @@ class Demo:
         self._timeline.at(self._timeline.now + _PERIOD, self._move_sticks)
 
     def _stick(self, position: float) -> Signal:
-        """Return the signal of a stick at a position from -1 to 1."""
         if self._board.channels.source is InputSource.RC:
             return Signal.pulses(1500 + 500 * position)
         return Signal.voltage(2.5 + 2.5 * position)
@@ -66,7 +65,6 @@ class DeviceOption:
 
 
 def _read_device(text: str) -> DeviceOption:
-    """Read NUMBER[:MODEL]."""
     number, _, model = text.partition(":")
     if not (number.isascii() and number.isdigit() and int(number) <= 127):
         raise click.BadParameter(f"a device number is 0 to 127, not {number!r}")
@@ -96,7 +94,6 @@ def simulate(
     seed: int = 0,
     demo: bool = False,
 ) -> Simulation:
-    """Create one TReX, or several on one wire, from the command-line options."""
     boards = [
         Board(
             device.model or model,

@@ -50,7 +50,6 @@ def leds(board: Board) -> dict[str, str]:
 
 
 def _learned_flash(board: Board, since: float) -> tuple[str, str]:
-    """Return one flash for each channel: green if learned, red for a default."""
     if since % _FLASH > _FLASH / 2:
         return "off", "off"
     learned = board.eeprom.learned(board.mode.source) >> int(since / _FLASH) & 1
@@ -113,7 +112,6 @@ def report(board: Board) -> dict[str, Any]:
 
 
 def _calibrations(board: Board) -> dict[str, dict[str, int]]:
-    """Return both sets in counts, keyed `rc_channel_1` … `analog_channel_5`."""
     return {
         f"{source.value.lower()}_channel_{channel}": asdict(
             board.eeprom.calibration(source, channel)

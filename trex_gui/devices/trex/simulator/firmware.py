@@ -154,7 +154,6 @@ class Board:
 
     @property
     def is_running(self) -> bool:
-        """Whether it has power and is in normal operation."""
         return self.powered and self.boot_mode is None
 
     # Time
@@ -202,7 +201,6 @@ class Board:
             self.power_on()
 
     def _update(self) -> None:
-        """Run the control loop, 100 times a second."""
         if self.boot_mode is not None:
             self.boot_mode.update(TICK * _UPDATE_TICKS)
             if self.boot_mode.is_over:
@@ -268,7 +266,6 @@ class Board:
     # Environment
 
     def set_fault(self, number: int, *, fault: bool) -> None:
-        """Shut down the driver of motor 1 or 2, or let it recover."""
         self.physics[number - 1].fault = fault
         if self.powered:
             self._latch_faults()

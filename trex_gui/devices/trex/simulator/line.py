@@ -110,7 +110,6 @@ class BoardStation:
     # --- Transmitting -------------------------------------------------------------------
 
     def _attend(self) -> None:
-        """Begin the pause or the reply that the last byte caused."""
         line = self._line
         if self.port.pause and not self._is_pausing:
             self._is_pausing = True
@@ -161,7 +160,6 @@ class BoardStation:
         self._transmit()
 
     def _transmit(self) -> None:
-        """Put the next byte of the send buffer on the wire."""
         line = self._line
         if not self.port.outgoing:
             self._is_transmitting = False

@@ -68,7 +68,6 @@ class Eeprom:
         return eeprom
 
     def __getitem__(self, which: str | int) -> int:
-        """Return a parameter by key or number, or raise KeyError."""
         return self._values[self._spec(which).key]
 
     def write(self, which: str | int, value: int) -> None:
@@ -105,7 +104,6 @@ class Eeprom:
         self.write_calibration_value(source, channel, field, value)
 
     def factory_reset(self) -> None:
-        """Reset parameters and calibrations to factory defaults, and save."""
         self._values = self._factory_values()
         self._calibrations = _factory_calibrations()
         self.reset_pending = False
@@ -268,7 +266,6 @@ class Memory:
         self.load()
 
     def load(self) -> None:
-        """Activate the stored settings, at power-up."""
         self.lose_write()
         self.eeprom.reset_if_pending()
         self.active = self.stored()
@@ -297,7 +294,6 @@ class Memory:
         return 0x80 | self.active[ParameterKey.CRC7_POLYNOMIAL]
 
     def pwm_frequency(self, number: int) -> float:
-        """Return the frequency in Hz of motor 1 or 2."""
         prescaler = self.active[MotorParameter.PWM_PRESCALER.of(number)]
         maximum = self.active[MotorParameter.PWM_MAXIMUM.of(number)]
         return device_table().pwm.frequency(prescaler, maximum)
@@ -308,7 +304,6 @@ class Memory:
         return 0.001 if self.active.get(ParameterKey.UART_RESPONSE_DELAY) else 0.0
 
     def get(self, number: int) -> int | None:
-        """Return the stored value of a parameter; `None` if this firmware does not know it."""
         spec = self.parameters.number(number)
         return self.eeprom[spec.key] if spec is not None and spec.readable else None
 
@@ -347,7 +342,6 @@ class Memory:
     def store_calibration(
         self, source: InputSource, channel: int, calibration: Calibration
     ) -> None:
-        """Begin to write a calibration, after pending writes."""
         for field, value in asdict(calibration).items():
             store = partial(self.eeprom.write_calibration_value, source, channel, field, value)
             lose = partial(self.eeprom.lose_calibration_value, source, channel, field)

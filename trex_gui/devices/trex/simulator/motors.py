@@ -25,7 +25,6 @@ class MotorDirection(Enum):
 
     @property
     def opposite(self) -> "MotorDirection":
-        """The reverse direction; braking stays braking."""
         if self is MotorDirection.BRAKE:
             return self
         return MotorDirection.REVERSE if self is MotorDirection.FORWARD else MotorDirection.FORWARD
@@ -144,7 +143,6 @@ class AuxiliaryMotor:
         self.target_speed = speed
 
     def update(self, acceleration: int) -> None:
-        """Run one update of 10 ms."""
         self._tenths = _ramp(self._tenths, self.target_speed * 10, acceleration)
 
 
@@ -257,12 +255,10 @@ class SerialControl:
             self._shut_down()
 
     def take_status(self) -> Status:
-        """Return the status bits and clear them (0x84)."""
         status, self.status = self.status, Status(0)
         return status
 
     def take_uart_errors(self) -> UartError:
-        """Return the UART error bits and clear them (0x85)."""
         errors, self.uart_errors = self.uart_errors, UartError(0)
         return errors
 

@@ -94,7 +94,6 @@ class MotorPhysics:
         self.factory_reset()
 
     def factory_reset(self) -> None:
-        """Restore the first load, clear fault and forced current, and stop."""
         self.load = self.load_at_first
         self.forced: float | None = None
         self.fault = False
@@ -124,7 +123,6 @@ class MotorPhysics:
         self._turn(seconds, current)
 
     def _turn(self, seconds: float, current: float) -> None:
-        """Change the speed; friction only slows down."""
         gain = self.constants.back_emf / self.constants.inertia * seconds
         friction = gain * max(self.load, self.constants.free)
         speed = self.speed + gain * current
@@ -185,11 +183,9 @@ class Machine:
 
     @property
     def is_too_low(self) -> bool:
-        """Whether the board browns out."""
         return self.volts < self.constants.brown_out
 
     def advance(self, seconds: float, drives: Sequence[DriverOutput]) -> None:
-        """Let time pass with a drive for each motor."""
         self.volts = self._volts(drives)
         for motor, drive in zip(self.motors, drives, strict=True):
             motor.advance(seconds, drive.share * self.volts, drive.brake)

@@ -60,7 +60,6 @@ class SerialPort:
         self._start_over()
 
     def feed(self, byte: int) -> None:
-        """Take a byte; a reply is put into `outgoing`, after a `pause` by `resume`."""
         if not self._listens():
             if self.board.boot_mode is not None:
                 self._send(self.board.boot_mode.reply(byte))
@@ -143,7 +142,6 @@ class SerialPort:
         self._go_on()
 
     def _go_on(self) -> None:
-        """Execute the packet if it is complete."""
         head = 1
         command = self._packet[0]
         if command == _EXPANDED:
@@ -221,12 +219,10 @@ class _Command:
 
 
 def _read(reply: Callable[[Board], bytes]) -> _Command:
-    """Return a command without data bytes."""
     return _Command(0, lambda board, _command, _data: reply(board))
 
 
 def _selected(data: bytes) -> list[int]:
-    """Return the indices (0-4) of the channels in a mask."""
     if data[0] > 0b11111:
         raise _IllogicalData  # inferred: there are five channels
     return [index for index in range(5) if data[0] & 1 << index]
