@@ -27,7 +27,7 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
         self.recording = recording
         self._states = [initial]
         self._starts: list[float] = []  # latest time before each chunk: they rise
-        self._latest = -math.inf
+        self.latest = -math.inf  # time of any record read so far
         self._cached: tuple[int, Sequence[RecordT]] = (-1, ())
 
     @property
@@ -46,9 +46,9 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
         records = self._read(index)
         state = copy(self._states[-1])
         result = take(state, records)
-        self._starts.append(self._latest)
+        self._starts.append(self.latest)
         self._states.append(state)
-        self._latest = max(self._latest, *(record.time for record in records), -math.inf)
+        self.latest = max(self.latest, *(record.time for record in records), -math.inf)
         return records, result
 
     def at(self, time: float) -> StateT:

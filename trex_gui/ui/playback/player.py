@@ -1,9 +1,9 @@
 """A recording that is played back: loaded by a thread, then shown at any position."""
 
-from bisect import insort
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from operator import attrgetter
 from pathlib import Path
 from typing import Any, Generic
 
@@ -74,7 +74,7 @@ def load_recording(
     replay = Replay(recording, initial)
     capacity = min(curves.max_rows, max(4096, recording.count))
     history = SampleHistory(curves.columns, capacity=capacity, max_gap=curves.max_gap)
-    events, last_time, end, rows = list[Event](), -np.inf, recording.header.clock, 0
+    events, last_time, rows = list[Event](), -np.inf, 0
     while replay.progress < 1:
         records, found = replay.read_next(curves.rows_of)
         if found:
@@ -83,11 +83,10 @@ def load_recording(
             last_time = float(times[-1])
             history.extend(times, columns)
             rows += len(found)
-        for record in records:
-            end = max(end, record.time)
-            if isinstance(record, Marker):
-                insort(events, _event(record), key=lambda event: event.time)
+        events += [_event(record) for record in records if isinstance(record, Marker)]
         progress(replay.progress)
+    events.sort(key=attrgetter("time"))
+    end = max(recording.header.clock, replay.latest)
     return LoadedRecording(replay, history, tuple(events), end, rows)
 
 
