@@ -63,7 +63,11 @@ class Package:
 
 def mutants_of(root: Path, package: Package, operators: Sequence[str]) -> Iterator[Mutant]:
     """Return every change of a package."""
-    files = [file for path in package.paths for file in sorted((root / path).rglob("*.py"))]
+    files = [
+        file
+        for path in package.paths
+        for file in sorted((root / path).rglob("*.py")) or [root / path]
+    ]
     for file in files:
         lines = file.read_text(encoding="utf-8").splitlines()
         tree = get_ast_from_path(file)
