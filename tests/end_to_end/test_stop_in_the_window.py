@@ -187,5 +187,5 @@ def test_stop_is_not_reported_while_rc_channels_drive(
     page.press_escape()
     page.wait_for_text("bannerText", "Release the sticks, or cut the power.")
     assert quick_simulator.show()["motors"][0]["speed"] > 50
-    page.wait_for_text("motorStateLabel", "Stop does not stop what they drive")
+    page.wait_for_text("motorStateLabel", "Stop does not affect them")
     assert "Stopped" not in page.text("motorStateLabel")

@@ -184,7 +184,7 @@ class ActionBar(QWidget):
                 return self.tr("The connection was lost: motors may still turn. Cut their power.")
             return self.tr("Unknown: motors may still turn. The stop is being repeated.")
         if link is ConnectionState.CONNECTED and not motors.is_available and motors.locked_for:
-            return self.tr("Channels control the motors: Stop does not stop what they drive.")
+            return self.tr("Channels control the motors: Stop does not affect them.")
         if motors.locked_for:
             left = math.ceil(motors.locked_for)
             return self.tr("Stopped. Motors are locked for {0} s.").format(left)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QCursor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import (
     QGraphicsObject,
     QGraphicsSceneHoverEvent,
@@ -61,6 +61,7 @@ class HandleLayer(QGraphicsObject):
         }
         self._font = font
         self._metrics = QFontMetricsF(font)
+        self._width = self._metrics.horizontalAdvance
         self._frame = QRectF()
         self._places: dict[Handle, float] = {}
         self._threshold: Threshold | None = None
@@ -117,9 +118,7 @@ class HandleLayer(QGraphicsObject):
     def hoverMoveEvent(self, event: QGraphicsSceneHoverEvent) -> None:
         handle = self._handle_at(event.pos())
         self._set_active(handle)
-        shape = Qt.CursorShape.ArrowCursor if handle is None else Qt.CursorShape.SizeHorCursor
-        if self.cursor().shape() is not shape:
-            self.setCursor(QCursor(shape))
+        self.setCursor(Qt.CursorShape.SizeHorCursor if handle else Qt.CursorShape.ArrowCursor)
 
     def hoverLeaveEvent(self, event: QGraphicsSceneHoverEvent) -> None:  # noqa: ARG002 - Qt's
         if self.held is None:
@@ -213,9 +212,6 @@ class HandleLayer(QGraphicsObject):
         output = QRectF(0, top, frame.left() - 4, height)
         painter.drawText(output, Qt.AlignmentFlag.AlignRight, self.tr("Output"))
 
-    def _width(self, text: str) -> float:
-        return self._metrics.horizontalAdvance(text)
-
     def _paint_text(
         self, painter: QPainter, box: QRectF, text: str, pen: QPen, *, filled: bool = False
     ) -> None:
@@ -238,7 +234,10 @@ class HandleLayer(QGraphicsObject):
 
     def _paint_message(self, painter: QPainter, x: float) -> None:
         frame = self._frame
-        width, height = self._width(self.message) + 16, self._metrics.height() + 8
+        width, height = (
+            self._width(self.message) + 16,
+            self._metrics.height() + 8,
+        )
         left = x + 10 if x + 10 + width < frame.right() else x - 10 - width
         box = QRectF(max(left, frame.left() + 4), frame.top() + GRIP * 2, width, height)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
