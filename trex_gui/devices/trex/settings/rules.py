@@ -74,7 +74,7 @@ def lint(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFind
         LintFinding(
             rule,
             found.keys,
-            LINT_MESSAGES[rule + found.variant].format(**found.fields),
+            _MESSAGES[rule + found.variant].format(**found.fields),
             found.change,
             _proposal_text(case, found.change),
         )
@@ -320,7 +320,7 @@ RULES: Mapping[str, Callable[[_Case], Iterator[_Match]]] = {
     "line_will_change": _line_will_change,
 }
 
-LINT_MESSAGES: Mapping[str, str] = {
+_MESSAGES: Mapping[str, str] = {
     "no_serial_timeout": (
         "{name} is off while a computer drives the motors: if the cable or the computer fails, "
         "the motors keep running at their last setpoint."

@@ -15,8 +15,6 @@ from PySide6.QtGui import (
     QPageSize,
     QPainter,
     QPdfWriter,
-    QTextCharFormat,
-    QTextCursor,
     QTextDocument,
 )
 from PySide6.QtWidgets import QDialog, QWidget
@@ -110,21 +108,17 @@ class PrintedSettings(QObject):
         document.setDefaultFont(font)
         document.setDocumentMargin(0)
         document.setMetaInformation(QTextDocument.MetaInformation.DocumentTitle, self._name)
-        document.setHtml(self.html())
         # Paper is white, whatever the colours of the theme.
-        black = QTextCharFormat()
-        black.setForeground(Qt.GlobalColor.black)
-        everything = QTextCursor(document)
-        everything.select(QTextCursor.SelectionType.Document)
-        everything.mergeCharFormat(black)
+        document.setDefaultStyleSheet("body { color: black }")
+        document.setHtml(f"<body>{self.html()}</body>")
         return document
 
-    def print_to(self, device: QPagedPaintDevice) -> int:
-        """Draw every page with its number below; return the number of pages."""
+    def print_to(self, device: QPagedPaintDevice) -> None:
+        """Draw every page with its number below."""
         document = self.document()
         painter = QPainter()
         if not painter.begin(device):
-            return 0
+            return
         painter.setPen(Qt.GlobalColor.black)
         document.documentLayout().setPaintDevice(device)
         font = QFont(document.defaultFont())
@@ -145,7 +139,6 @@ class PrintedSettings(QObject):
             corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
             painter.drawText(below, corner, text)
         painter.end()
-        return count
 
     def save_pdf(self, path: Path) -> None:
         """Write the pages into a PDF file.
