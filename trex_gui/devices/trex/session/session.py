@@ -357,20 +357,14 @@ class TrexSession:
             self._driver.stop_without_reply()
             if not self._liveness.is_scanning(self._line):
                 self._line.request(GetMode())
-            elif not self._probe_next_candidate():
+            elif (found := self._liveness.look(self._line)) is not None:
+                self._client = self._driver.client = found
+            else:
                 return
             self._stop_if_moving()
             self._read_everything(ReadReason.RETURNED)
         except (NoReply, BadReply):
             self._liveness.retry_later(self._now())
-
-    def _probe_next_candidate(self) -> bool:
-        """Send one probe; continue there if the board replies, and return whether it did."""
-        found = self._liveness.look(self._line)
-        if found is None:
-            return False
-        self._client = self._driver.client = found
-        return True
 
 
 class TrexRequestQueue:
