@@ -10,11 +10,9 @@ from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QDockWidget,
-    QFrame,
     QGroupBox,
     QLabel,
     QPushButton,
-    QScrollArea,
     QSizePolicy,
     QWidget,
 )
@@ -23,6 +21,7 @@ from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.simulator import DemoDevice, SnapshotT
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.scroll_box import ScrollBox
 from trex_gui.ui.widgets.sliders import StickSlider
 
 _NAME, _SLIDER, _VALUE, _TICK = range(4)
@@ -297,15 +296,7 @@ class DemoDock(QDockWidget):
 
     def hold(self, view: QWidget) -> None:
         """Show `view` at its minimum width at least; it scrolls on a low screen."""
-        scroll = QScrollArea(self)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setWidgetResizable(True)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        scroll.setWidget(view)
-        bar = scroll.verticalScrollBar().sizeHint().width()
-        scroll.setMinimumWidth(view.minimumSizeHint().width() + bar)
-        self.setWidget(scroll)
+        self.setWidget(ScrollBox(view, self))
 
     def set_wanted(self, wanted: bool) -> None:
         if wanted != self.wanted:

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QPushButton,
-    QScrollArea,
     QSizePolicy,
     QWidget,
 )
@@ -18,6 +17,7 @@ from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import ScanFinding
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _PORT = Qt.ItemDataRole.UserRole
 _ENABLED = Qt.ItemFlag.ItemIsEnabled
@@ -101,11 +101,6 @@ class FindDialog(QDialog):
             ),
             self,
         )
-        scroll = QScrollArea(self)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setWidgetResizable(True)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidget(self._results)
         close = ui.button(
             self, "findCloseButton", self.tr("Close"), default=False, on_click=self.close
         )
@@ -117,7 +112,7 @@ class FindDialog(QDialog):
             self._full,
             ui.row(self._start, self._cancel, (self._progress, 1)),
             self._tried,
-            (scroll, 1),
+            (ScrollBox(self._results, self), 1),
             ui.row(1, close),
             into=self,
         )
