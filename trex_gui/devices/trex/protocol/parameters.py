@@ -173,7 +173,7 @@ class ParameterSpec:
             case ParameterKind.PWM_MAXIMUM:
                 return str(device_table().pwm.maximum(wire))
             case ParameterKind.UART:
-                return _uart_text(wire)
+                return line.text() if (line := _line_settings(wire)) else f"wire {wire}"
         if wire == 0 and self.zero:
             return self.zero
         number = f"{wire * self.scale:.{self.decimals}f}"
@@ -281,11 +281,11 @@ def _channels_text(mask: int) -> str:
     return f"{word} {', '.join(map(str, channels))}"
 
 
-def _uart_text(wire: int) -> str:
+def _line_settings(wire: int) -> LineSettings | None:
     try:
-        return LineSettings.from_wire(wire).text()
+        return LineSettings.from_wire(wire)
     except BadRequest:
-        return f"wire {wire}"
+        return None
 
 
 @dataclass(frozen=True, slots=True)
@@ -354,11 +354,9 @@ def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
     if default_source == "inferred":
         inferred.add("default")
     kind = ParameterKind(row["kind"])
-    valid = range(row["min"], row["max"] + 1)
+    valid = frozenset(range(row["min"], row["max"] + 1))
     if kind is ParameterKind.UART:
-        valid_wires = frozenset(wire for wire in valid if _is_line_setting(wire))
-    else:
-        valid_wires = frozenset(valid)
+        valid = frozenset(filter(_line_settings, valid))
     return ParameterSpec(
         number=row["number"],
         key=row["key"],
@@ -374,16 +372,8 @@ def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
         scale=scale[model.key] if isinstance(scale, dict) else scale,
         zero=row.get("zero", ""),
         choices={int(wire, 0): word for wire, word in row.get("values", {}).items()},
-        valid=valid_wires,
+        valid=valid,
         needs_power_cycle=row["needs_reset"],
         since=row["since"],
         inferred=frozenset(inferred),
     )
-
-
-def _is_line_setting(wire: int) -> bool:
-    try:
-        LineSettings.from_wire(wire)
-    except BadRequest:
-        return False
-    return True
