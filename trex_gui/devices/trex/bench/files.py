@@ -22,6 +22,9 @@ from typing import TypeVar
 
 from trex_gui.devices.trex.bench.run import End, Profile, Run, Shape
 
+MAX_LENGTH = 10_000_000
+"""Characters; two minutes of readings are half a megabyte."""
+
 _TITLE = "# TReX Studio bench test"
 _COLUMNS = ["time_s", "setpoint", "current_a"]
 _SETTING = "stored "
@@ -72,6 +75,8 @@ def from_csv(text: str) -> Run:
     Raises:
         BenchFileError: the text is something else, or damaged.
     """
+    if len(text) > MAX_LENGTH:
+        raise BenchFileError("the file is too large")
     lines = text.removeprefix("\ufeff").splitlines()
     if not lines or lines[0].strip() != _TITLE:
         raise BenchFileError(f"line 1: a bench test begins with {_TITLE!r}")

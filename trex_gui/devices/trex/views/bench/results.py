@@ -15,15 +15,12 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.trex.bench.figures import BAND, Figures, figures
-from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, to_csv
+from trex_gui.devices.trex.bench.files import MAX_LENGTH, BenchFileError, from_csv, to_csv
 from trex_gui.devices.trex.bench.run import Run
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.behaviour import name_headers
 from trex_gui.ui.widgets.file_questions import last_folder, remember_folder
-
-_MAX_LENGTH = 10_000_000
-"""Characters; two minutes of readings are half a megabyte."""
 
 
 def _rows(band: float = BAND) -> tuple[tuple[str, str, str, str], ...]:
@@ -149,28 +146,27 @@ class BenchFiles(QObject):
 
     def save(self, run: Run, path: Path) -> None:
         """Write a test, or a picture if the name ends in .png; replaces an older file."""
+        reason = ""
         try:
-            if path.suffix.lower() == ".png":
+            if path.suffix.lower() != ".png":
+                path.write_text(to_csv(run), encoding="utf-8", newline="")
+            else:
                 path.touch()  # for the reason of a failure, which Qt does not give
                 if not self._picture().save(str(path), "PNG"):
-                    raise OSError(self.tr("The picture could not be written"))  # noqa: TRY301
-            else:
-                path.write_text(to_csv(run), encoding="utf-8", newline="")
+                    reason = self.tr("The picture could not be written.")
         except OSError as error:
-            text = self.tr("{0} was not saved. {1}")
-            self.reported.emit(text.format(path.name, error.strerror or error))
-            return
-        remember_folder(self._store, path)
-        self.reported.emit(self.tr("Saved as {0}.").format(path.name))
+            reason = error.strerror or str(error)
+        if reason:
+            self.reported.emit(self.tr("{0} was not saved. {1}").format(path.name, reason))
+        else:
+            remember_folder(self._store, path)
+            self.reported.emit(self.tr("Saved as {0}.").format(path.name))
 
     def open(self, path: Path) -> None:
         """Read a test and add it to those that were run."""
         try:
             with path.open(encoding="utf-8") as file:
-                text = file.read(_MAX_LENGTH + 1)
-            if len(text) > _MAX_LENGTH:
-                raise BenchFileError(self.tr("the file is too large"))  # noqa: TRY301
-            run = from_csv(text)
+                run = from_csv(file.read(MAX_LENGTH + 1))
         except OSError as error:
             reason = error.strerror or str(error)
         except UnicodeDecodeError:

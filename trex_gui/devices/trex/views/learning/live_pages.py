@@ -1,7 +1,7 @@
 """The pages that show live inputs: at rest, in motion, and in the test of the sticks."""
 
 from collections.abc import Sequence
-from enum import Enum, auto
+from enum import Enum
 
 from PySide6.QtCore import QCoreApplication, QMargins, QSize, Qt, Slot
 from PySide6.QtGui import QResizeEvent
@@ -182,18 +182,12 @@ class RestRow(ChannelRow):
 
 
 class EndState(Enum):
-    OPEN = auto()
-    HOLD = auto()
-    DONE = auto()
-    NEEDLESS = auto()  # a switch or a throttle that has shown its other end
+    """The state of an end; the values are its icon and the colour of that."""
 
-
-_ICONS = {
-    EndState.OPEN: ("todo", "muted"),
-    EndState.HOLD: ("run", "icon"),
-    EndState.DONE: ("ok", "good"),
-    EndState.NEEDLESS: ("", "icon"),
-}
+    OPEN = "todo", "muted"
+    HOLD = "run", "icon"
+    DONE = "ok", "good"
+    NEEDLESS = "", "icon"  # a switch or a throttle that has shown its other end
 
 
 class EndSign(QWidget):
@@ -213,7 +207,7 @@ class EndSign(QWidget):
 
     def show_state(self, state: EndState) -> None:
         """Show the state, also to screen readers."""
-        self._sign.show_sign(*_ICONS[state])
+        self._sign.show_sign(*state.value)
         self._label.setVisible(state is not EndState.NEEDLESS)
         texts = {
             EndState.OPEN: self.tr("{0} end: not reached yet"),
