@@ -295,10 +295,10 @@ class Travel:
         return problems
 
     def _length_problem(self) -> Problem | None:
-        up, down = self.length(Way.UP), self.length(Way.DOWN)
+        shorter, longer = sorted(Way, key=self.length)
+        shortest, longest = self.length(shorter), self.length(longer)
         text, least = self.source.text, least_travel(self.deadband)
         needed = text(least), FULL_SCALE
-        longest, shortest = max(up, down), min(up, down)
         if longest <= self.deadband:
             return self._never_moved()
         if shortest < -self.deadband:
@@ -308,16 +308,15 @@ class Travel:
             return Problem(ProblemKind.TOO_LITTLE, values=(text(longest), *needed))
         if self.task is not Task.STICK:
             return self._not_held()
-        where = "BELOW" if up > down else "ABOVE"
         if shortest <= self.deadband:
-            return Problem(ProblemKind.ONE_DIRECTION, where)
+            return Problem(ProblemKind.ONE_DIRECTION, shorter.name)
         if shortest < least:
-            return Problem(ProblemKind.END_TOO_NEAR, where, (text(shortest), *needed))
+            return Problem(ProblemKind.END_TOO_NEAR, shorter.name, (text(shortest), *needed))
         if (passed := self._not_held()) is not None:
             return passed
         if shortest < _UNEVEN * longest:
             lengths = text(longest), text(shortest)
-            return Problem(ProblemKind.UNEVEN, where, lengths, fatal=False)
+            return Problem(ProblemKind.UNEVEN, shorter.name, lengths, fatal=False)
         return None
 
     def _never_moved(self) -> Problem:
@@ -329,8 +328,7 @@ class Travel:
 
     def _not_held(self) -> Problem | None:
         """Return which ends were only passed."""
-        names = {Way.UP: "ABOVE", Way.DOWN: "BELOW"}
-        ends = [names[way] for way in Way if self.reached(way) and not self.held(way)]
+        ends = [way.name for way in Way if self.reached(way) and not self.held(way)]
         if not ends:
             return None
         variant = ends[0] if len(ends) == 1 else "BOTH"

@@ -85,24 +85,24 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             unmoved,
         ],
         (kind.TOO_LITTLE, ""): [_tr("It went only {0} from its rest position."), needed],
-        (kind.ONE_DIRECTION, "BELOW"): [
+        (kind.ONE_DIRECTION, "DOWN"): [
             _tr("It went one way only, never below its rest position."),
             other_way,
         ],
-        (kind.ONE_DIRECTION, "ABOVE"): [
+        (kind.ONE_DIRECTION, "UP"): [
             _tr("It went one way only, never above its rest position."),
             other_way,
         ],
-        (kind.END_TOO_NEAR, "BELOW"): [
+        (kind.END_TOO_NEAR, "DOWN"): [
             _tr("The low end is only {0} from the rest position."),
             needed,
         ],
-        (kind.END_TOO_NEAR, "ABOVE"): [
+        (kind.END_TOO_NEAR, "UP"): [
             _tr("The high end is only {0} from the rest position."),
             needed,
         ],
-        (kind.NOT_HELD, "BELOW"): [_tr("The low end was only passed, not held."), hold],
-        (kind.NOT_HELD, "ABOVE"): [_tr("The high end was only passed, not held."), hold],
+        (kind.NOT_HELD, "DOWN"): [_tr("The low end was only passed, not held."), hold],
+        (kind.NOT_HELD, "UP"): [_tr("The high end was only passed, not held."), hold],
         (kind.NOT_HELD, "BOTH"): [
             _tr("Both ends were only passed, not held."),
             _tr("They may be further out: go back, push it to each and hold it for {0:.1f} s."),
@@ -111,11 +111,11 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             _tr("Its rest position ({0}) is not between its ends ({1} and {2})."),
             _tr("Was a trim moved? Begin again with the sticks at rest."),
         ],
-        (kind.UNEVEN, "BELOW"): [
+        (kind.UNEVEN, "DOWN"): [
             _tr("It went {0} to one side, but only {1} below its rest position."),
             _tr("Was it pushed all the way?"),
         ],
-        (kind.UNEVEN, "ABOVE"): [
+        (kind.UNEVEN, "UP"): [
             _tr("It went {0} to one side, but only {1} above its rest position."),
             _tr("Was it pushed all the way?"),
         ],
