@@ -1,4 +1,4 @@
-"""What happened while a board was connected, for marks in a plot, a recording and a list."""
+"""Events while a board is connected, for marks in a plot, a recording and a list."""
 
 from bisect import bisect_right
 from collections.abc import Callable
@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from trex_gui.ui.runtime import now
 
 MOST_EVENTS = 10_000
-"""Events that are kept; the oldest go."""
+"""Events kept; the oldest are dropped."""
 
 
 class EventKind(StrEnum):
@@ -32,7 +32,7 @@ class Event:
 
     time: float
     kind: EventKind
-    text: str  # one line, for people
+    text: str  # one line, for the user
 
 
 class EventLog(QObject):

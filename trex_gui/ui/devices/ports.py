@@ -1,4 +1,4 @@
-"""The ports that a device may be on, and the simulated ones."""
+"""Serial ports, typed addresses and simulated devices to connect to."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,15 +12,13 @@ from trex_gui.ui.runtime import new_timer
 
 _INTERVAL_MS = 1500
 _MANY = 20
-"""Ports of which it is remembered that they lead to something else than a TReX."""
+"""Ports remembered to lead to another kind than the first."""
 _REMEMBERED = "ports/typed"
 _LAST = "ports/last"
 _LEADS_TO = "ports/kinds"
 
 
 class PortKind(Enum):
-    """Where a port comes from."""
-
     SERIAL = auto()
     TYPED = auto()
     DEMO = auto()
@@ -42,12 +40,12 @@ class Port:
 class Ports(QObject):
     """A list that refreshes itself.
 
-    Serial ports of this computer come first, then addresses that were typed in (pseudo
-    terminals and network ports are in no list), then a simulated device of each kind. A port
-    leads to the first kind unless another one was found there, or chosen.
+    Serial ports of this computer come first, then typed addresses (pseudo-terminals and network
+    ports are in no list), then a simulated device of each kind. A port leads to the first kind
+    unless another one was found there, or chosen.
 
     Signals:
-        changed: the entries are others.
+        changed: `entries`.
     """
 
     changed = Signal()
@@ -95,7 +93,7 @@ class Ports(QObject):
             self.changed.emit()
 
     def add_typed(self, url: str) -> Port:
-        """Remember an address that a person typed, and return its entry."""
+        """Remember an address that the user typed; return its entry."""
         url = url.strip()
         if url not in self._typed and all(port.url != url for port in self.entries):
             self._typed = (*self._typed, url)[-8:]
@@ -104,7 +102,7 @@ class Ports(QObject):
         return self.find(url) or self._entry(PortKind.TYPED, url, url)
 
     def lead_to(self, port: Port, device: str) -> Port:
-        """Remember which kind of device a port leads to, and return its entry."""
+        """Remember which kind of device a port leads to; return its entry."""
         if port.kind is PortKind.DEMO or device == port.device:
             return port
         known = {url: key for url, key in self._known_kinds().items() if url != port.url}

@@ -41,7 +41,7 @@ class MainWindow(QMainWindow):
     """Shows the workspace of the device that is connected, or was last.
 
     Attributes:
-        question: asks for itself and for the workspaces.
+        question: for questions of the window and of the workspaces.
     """
 
     def __init__(

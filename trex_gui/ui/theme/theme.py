@@ -133,7 +133,7 @@ class Theme(QObject):
                 return "dark"
             case Qt.ColorScheme.Light:
                 return "light"
-            case _:  # a desktop that does not say: go by the palette it gave us
+            case _:  # the desktop does not report it: its palette does
                 return "dark" if self._system_was_dark else "light"
 
     def _show(self) -> None:

@@ -93,7 +93,7 @@ class PressSlider(PaintedSlider):
             self._monitor.begin()
             self.grabbed.emit()
 
-    # --- Hands --------------------------------------------------------------------------
+    # --- Mouse --------------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take the left button only: a middle one would make Qt jump to where it is."""
@@ -104,7 +104,7 @@ class PressSlider(PaintedSlider):
         super().mousePressEvent(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self.held:  # one that was let go meanwhile is not to follow the mouse
+        if self.held:  # a released handle must not follow the mouse
             super().mouseMoveEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
