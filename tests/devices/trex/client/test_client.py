@@ -153,7 +153,7 @@ def test_bytes_before_request_are_discarded_as_stale(stage: Stage) -> None:
     stage.line.inject(b"A\x2a\x55")
     stage.line.advance(0.1)
     assert client.request(GetMode()) is Mode.SERIAL_RC
-    assert client.counters.stale == 3
+    assert client.counters.unsolicited == 3
 
 
 def test_late_reply_before_next_request_is_discarded(stage: Stage) -> None:
@@ -178,7 +178,7 @@ def test_late_reply_during_next_request_is_discarded(
     stage.line.faults.mute = False
     stage.line.timeline.at(stage.line.now + 0.03, lambda: stage.line.inject(b"\x05"))
     assert client.request(GetParameter(0)) == 7
-    assert client.counters.stale == 1
+    assert client.counters.unsolicited == 1
 
 
 def silenced(stage: Stage, questions: int) -> TrexClient:
@@ -204,7 +204,7 @@ def test_burst_of_late_replies_is_rejected(
     with pytest.raises(BadReply, match="Late replies"):
         client.request(GetParameter(0))
     assert client.request(GetParameter(0)) == 7
-    assert client.counters.stale >= 3
+    assert client.counters.unsolicited >= 3
 
 
 def test_reply_after_lost_replies_is_accepted(stage: Stage) -> None:
@@ -322,7 +322,7 @@ def test_echo_of_motor_command_is_consumed(board: Board) -> None:
     client = stage.client()
     client.request(DriveBoth(Drive.at(1), Drive.at(2)))
     assert client.request(GetSerialControl()) is True
-    assert client.counters.stale == 0
+    assert client.counters.unsolicited == 0
 
 
 def test_corrupted_echo_raises_bad_reply(board: Board) -> None:
@@ -372,8 +372,8 @@ def test_counters_count_requests_timeouts_and_bad_replies(stage: Stage) -> None:
     with pytest.raises(NoReply):
         client.request(GetMode())
     counters = client.counters
-    assert (counters.requests, counters.silences, counters.damaged) == (4, 1, 1)
-    assert counters.stale == 1
+    assert (counters.requests, counters.missing, counters.corrupted) == (4, 1, 1)
+    assert counters.unsolicited == 1
 
 
 def test_slowest_round_trip_ignores_timeouts(stage: Stage) -> None:

@@ -61,7 +61,7 @@ def test_lost_reply_costs_one_retry(stage: Stage) -> None:
     client = stage.client()
     state = read_everything(client.request)
     assert state.parameters == stage.board.memory.stored()
-    assert client.counters.silences == 1
+    assert client.counters.missing == 1
 
 
 def test_noisy_line_with_crc_yields_no_wrong_value() -> None:

@@ -126,7 +126,7 @@ def test_write_without_replies_is_confirmed_by_read_back(stage: Stage) -> None:
     stage.line.faults.to_drop = 3
     client = stage.client()
     assert write_parameter(client.request, TIMEOUT, 33) == 33
-    assert client.counters.silences == 3
+    assert client.counters.missing == 3
 
 
 def test_lost_write_is_resent(stage: Stage) -> None:
@@ -326,7 +326,7 @@ def test_write_ends_when_board_stops_responding(stage: Stage) -> None:
     assert [result.error is None for result in results[:5]] == [True] * 5
     assert all(isinstance(result.error, NoReply) for result in results[5:])
     assert len(results) == len(wanted)
-    assert client.counters.silences <= 6
+    assert client.counters.missing <= 6
 
 
 def test_rejected_value_does_not_end_write(stage: Stage) -> None:

@@ -82,7 +82,7 @@ def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
         stage.script.at(moment, lose)
     run_for(stage, 3.0)
     assert not among(stage.reports, NotResponding)
-    assert among(stage.reports, Batch)[-1].counters.silences == 4
+    assert among(stage.reports, Batch)[-1].counters.missing == 4
 
 
 def test_unresponsive_board_is_polled_slowly(stage: Stage) -> None:

@@ -53,19 +53,19 @@ class Counters:
     """Statistics since the line was opened.
 
     Attributes:
-        silences: missing or incomplete replies.
-        damaged: corrupted replies.
-        stale: unsolicited bytes, discarded.
+        missing: missing or incomplete replies.
+        corrupted: corrupted replies.
+        unsolicited: bytes that belong to no reply, discarded.
         slowest: the longest successful round trip in seconds.
-        answers: complete replies.
+        replies: complete replies.
     """
 
     requests: int = 0
-    silences: int = 0
-    damaged: int = 0
-    stale: int = 0
+    missing: int = 0
+    corrupted: int = 0
+    unsolicited: int = 0
     slowest: float = 0.0
-    answers: int = 0
+    replies: int = 0
 
 
 class TrexClient:
@@ -118,9 +118,9 @@ class TrexClient:
         packet = framing.encode(command)
         parser = ReplyParser(command, framing, self.echo)
         self.drain()
-        stale = self._drain_late_reply() + self.transport.discard()
+        late = self._drain_late_reply() + self.transport.discard()
         self.counters.requests += 1
-        self.counters.stale += len(stale)
+        self.counters.unsolicited += len(late)
         begun = self.transport.clock()
         self.transport.write(packet)
         self._free_at = begun + line.seconds(len(packet))
@@ -136,7 +136,7 @@ class TrexClient:
             received += chunk
             state = parser.feed(chunk)
             if isinstance(state, NeedData) and len(chunk) < missing:
-                self.counters.silences += 1
+                self.counters.missing += 1
                 self._is_unanswered = True
                 self._unanswered += 1
                 if received:
@@ -145,7 +145,7 @@ class TrexClient:
                 raise TrexNoReplyError(ErrorCode.NO_REPLY, _hex(packet))
         match state:
             case Malformed(raw, reason):
-                self.counters.damaged += 1
+                self.counters.corrupted += 1
                 # Bytes that still arrive belong to the same corrupted reply.
                 self.transport.wait(line.seconds(_LONGEST_REPLY))
                 raise TrexBadReplyError(ErrorCode.CORRUPTED_REPLY, _hex(raw), reason)
@@ -153,7 +153,7 @@ class TrexClient:
                 took = self.transport.clock() - begun
                 if self._unanswered and command.reply_size():
                     self._reject_late_reply(raw)
-                self.counters.answers += bool(command.reply_size())
+                self.counters.replies += bool(command.reply_size())
                 if command.reply_size() or self.echo:
                     self.counters.slowest = max(self.counters.slowest, took)
                     self._free_at = min(self._free_at, self.transport.clock())
@@ -208,7 +208,7 @@ class TrexClient:
             self._unanswered = 0
         return late.removesuffix(_NULL) if self.echo and self.keepalive_while_waiting else late
 
-    def _reject_late_reply(self, answer: bytes) -> None:
+    def _reject_late_reply(self, reply: bytes) -> None:
         """Accept a reply as that of the last request only if no other one follows it.
 
         Missing replies may have been delayed by an adapter or the system, and all arrive now: then
@@ -227,7 +227,7 @@ class TrexClient:
             more += self.transport.discard()
         self._unanswered = 0
         if more:
-            self.counters.stale += len(answer) + len(more)
+            self.counters.unsolicited += len(reply) + len(more)
             raise TrexBadReplyError(ErrorCode.LATE_REPLIES)
 
     def _read_echo(self, packet: bytes) -> bytes:

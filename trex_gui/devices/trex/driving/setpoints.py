@@ -181,10 +181,10 @@ class LineQuality:
 
     def observe(self, counters: Counters, *, has_crc: bool) -> None:
         """Take the counters of the client, which show failed transactions."""
-        self.answers = counters.answers
+        self.answers = counters.replies
         self._has_crc = has_crc
         self._is_observed = True
-        failures = counters.silences + counters.damaged + counters.stale
+        failures = counters.missing + counters.corrupted + counters.unsolicited
         if failures != self._failures:
             self._failures = failures
             self._note_damage()

@@ -149,7 +149,7 @@ class StatusPage(QWidget):
             return
         counters = self._device.connection.counters
         self._values["control"].setText(self._device.control_text)
-        failures = counters.silences + counters.damaged
+        failures = counters.missing + counters.corrupted
         good = 100 * (1 - failures / max(counters.requests, 1))
         self._values["traffic"].setText(
             self.tr("{0} of {1} answered ({2:.2f} %)").format(
@@ -158,7 +158,7 @@ class StatusPage(QWidget):
         )
         self._values["quality"].setText(
             self.tr("{0} timeouts, {1} corrupted, slowest reply {2:.0f}\u00a0ms").format(
-                counters.silences, counters.damaged, 1000 * counters.slowest
+                counters.missing, counters.corrupted, 1000 * counters.slowest
             )
         )
 
