@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.model.settings.document import put_calibrations, take_calibrations
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import (
@@ -90,14 +91,21 @@ def test_export_to_new_file_writes_only_calibrations(factory: Settings, tmp_path
 
 def test_export_keeps_other_content_of_an_existing_file(factory: Settings, tmp_path: Path) -> None:
     path = tmp_path / "mine.txt"
-    before = "product: TReX\n# my robot\nserial_timeout: 15\n"
+    before = "\ufeffproduct: TReX\n# my robot\nserial_timeout: 15\n"
     path.write_text(before, encoding="utf-8")
     put_calibrations(factory, path, "Calibrations.")
     text = path.read_text(encoding="utf-8")
-    assert "# my robot" in text
+    assert text.startswith(before)
     written, _ = read_settings(text, path.name)
     assert written.parameters == {"serial_timeout": 15}
     assert written.calibrations == factory.calibrations
+
+
+def test_export_rejects_file_that_is_not_utf_8(factory: Settings, tmp_path: Path) -> None:
+    path = tmp_path / "old.txt"
+    path.write_bytes("product: TReX\n# für mich\n".encode("cp1252"))
+    with pytest.raises(SettingsError, match="not UTF-8"):
+        put_calibrations(factory, path, "Calibrations.")
 
 
 def test_export_rejects_file_of_another_model(factory: Settings, tmp_path: Path) -> None:

@@ -254,9 +254,9 @@ def put_calibrations(shown: Settings, path: Path, title: str) -> None:
         only = replace(shown, parameters={})
         save(path, write_settings(only, title_lines=[title]))
         return
-    before = load(path).decode("utf-8-sig")
+    before = load(path)
     old, _ = read_settings(before, path.name)
     if old.product.key != shown.product.key:
         raise BadRequest(f"it holds settings of a {old.product.name}")
     whole = replace(old, calibrations={**old.calibrations, **shown.calibrations})
-    save(path, amend(before, whole, path.name))
+    save(path, amend(before.decode("utf-8"), whole, path.name))
