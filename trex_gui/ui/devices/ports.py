@@ -54,7 +54,7 @@ class Ports(QObject):
         super().__init__(parent)
         self.plugins = tuple(plugins)
         self._settings = QSettings(self)
-        self._typed = self._read_typed()
+        self._typed = tuple(str(self._settings.value(_REMEMBERED, "")).splitlines())
         self.entries: tuple[Port, ...] = ()
         self._timer = new_timer(self, _INTERVAL_MS, self.refresh)
         self.refresh()
@@ -68,12 +68,9 @@ class Ports(QObject):
     @property
     def preferred(self) -> Port | None:
         """The port to offer first: the one used last, or the only serial one."""
-        last = self._settings.value(_LAST, "")
-        for port in self.entries:
-            if port.url == last and port.url:
-                return port
         serial = [port for port in self.entries if port.kind is PortKind.SERIAL]
-        return serial[0] if len(serial) == 1 else None
+        last = self.find(str(self._settings.value(_LAST, "")))
+        return last or (serial[0] if len(serial) == 1 else None)
 
     @Slot()
     def refresh(self) -> None:
@@ -134,10 +131,6 @@ class Ports(QObject):
         """Remember the port of a connection that worked; a simulated device is none."""
         if port.url:
             self._settings.setValue(_LAST, port.url)
-
-    def _read_typed(self) -> tuple[str, ...]:
-        text = str(self._settings.value(_REMEMBERED, ""))
-        return tuple(line for line in text.splitlines() if line)
 
 
 def _label(device: str, description: str) -> str:
