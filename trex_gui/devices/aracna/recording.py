@@ -18,6 +18,7 @@ from trex_gui.core.recording.kinds import (
 )
 from trex_gui.devices.aracna.poses.project import MOST_MOTORS
 from trex_gui.devices.aracna.protocol.joints import DEGREES_PER_SECOND, DEGREES_PER_UNIT
+from trex_gui.devices.aracna.protocol.replies import UNREADABLE
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Moved,
@@ -29,8 +30,6 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-
-_NO_ANSWER = -1
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,12 +84,11 @@ class Header:
 
 
 def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
-    degrees = {"goal": 1, "present": 1}
-
     def columns(quantity: str, description: str, *, optional: bool = False) -> tuple[Column, ...]:
         def column(motor: int) -> Column:
             name = f"motor_{motor}_{quantity}"
-            physical = Physical(f"{name}_deg", DEGREES_PER_UNIT, 1) if quantity in degrees else None
+            is_position = quantity in {"goal", "present"}
+            physical = Physical(f"{name}_deg", DEGREES_PER_UNIT, 1) if is_position else None
             text = f"motor {motor}: {description}"
             return Column(f"{name}_units", "INTEGER", text, physical, optional=optional)
 
@@ -98,6 +96,8 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
 
     goals = columns("goal", "commanded position, 0 to 1023 (300 degrees)")
     present = columns("present", "reported position; NULL without an answer", optional=True)
+
+    clears = frozenset({"progress", "speeds"})
 
     def passed(time: float, answered: int, *places: int | None) -> Passed:
         return Passed(time, _answers(places[:answered]))
@@ -183,15 +183,10 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
             (Column("pending_lost", "INTEGER", "1: a pending command was lost"),),
             lambda r: (int(r.voided),),
             lambda time, voided: Restarted(time, bool(voided)),
-            clears=frozenset({"progress", "speeds"}),
+            clears=clears,
         ),
         SampleKind(
-            "not_responding",
-            StoppedResponding,
-            (),
-            lambda _: (),
-            StoppedResponding,
-            clears=frozenset({"progress", "speeds"}),
+            "not_responding", StoppedResponding, (), lambda _: (), StoppedResponding, clears=clears
         ),
         MARKERS,
     )
@@ -199,12 +194,12 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
 
 def _cells(values: Sequence[int], motors: int) -> tuple[int | None, ...]:
     """Return a value for each motor, `None` for those that did not answer."""
-    cells = tuple(None if value == _NO_ANSWER else value for value in values[:motors])
+    cells = tuple(None if value == UNREADABLE else value for value in values[:motors])
     return cells + (None,) * (motors - len(cells))
 
 
 def _answers(cells: Sequence[int | None]) -> tuple[int, ...]:
-    return tuple(_NO_ANSWER if cell is None else cell for cell in cells)
+    return tuple(UNREADABLE if cell is None else cell for cell in cells)
 
 
 FORMAT = RecordingFormat("aracna", Header.from_values, lambda header: sample_kinds(header.motors))
