@@ -157,7 +157,7 @@ class CalibrationFiles(QObject):
         title = f"Calibrations, saved by TReX Studio, {now}."
         try:
             put_calibrations(shown, path, title)
-        except (SettingsError, BadRequest, UnicodeDecodeError) as error:
+        except (SettingsError, BadRequest) as error:
             text = self.tr("{0} could not be saved: {1}")
             self._notifier.error.emit(text.format(path.name, sentence(error)))
             return
