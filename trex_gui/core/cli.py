@@ -6,7 +6,7 @@ import signal
 import sys
 from collections.abc import Iterator
 from types import FrameType
-from typing import TYPE_CHECKING, Any, NoReturn, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import click
 
@@ -26,20 +26,12 @@ class CommandFailed(click.ClickException):
         super().__init__(str(message))
 
 
-class UsageError(click.UsageError):
-    """Wrong usage: exit code 2."""
-
-
 def say(message: object) -> None:
     click.echo(str(message), err=True)
 
 
 def print_json(value: object) -> None:
     click.echo(json.dumps(value, indent=2, ensure_ascii=False))
-
-
-def refuse(message: object) -> NoReturn:
-    raise CommandFailed(message)
 
 
 @contextlib.contextmanager
@@ -126,13 +118,15 @@ def hexadecimal(text: str) -> int:
     try:
         return int(text, 16)
     except ValueError:
-        raise UsageError(f"{text!r} is not a hexadecimal number such as 89.") from None
+        raise click.UsageError(f"{text!r} is not a hexadecimal number such as 89.") from None
 
 
 def required_port(port: str | None) -> str:
     """Return the URL given with `--port`; UsageError if none was given."""
     if not port:
-        raise UsageError("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
+        raise click.UsageError(
+            "Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them."
+        )
     return port
 
 

@@ -7,7 +7,6 @@ import click
 from trex_gui.core.cli import (
     CommandFailed,
     Interruption,
-    UsageError,
     json_option,
     port_option,
     print_json,
@@ -105,9 +104,9 @@ def pose(
     are rejected; those of a pose are cropped. Prints the final positions.
     """
     if bool(values) == (name is not None):
-        raise UsageError("Give either one position for each motor, or --pose NAME.")
+        raise click.UsageError("Give either one position for each motor, or --pose NAME.")
     if file is not None and name is None:
-        raise UsageError("--file needs --pose NAME.")
+        raise click.UsageError("--file needs --pose NAME.")
     target = None if name is None else _pose_named(name, file)
     if target is None and not no_limits:
         _check_limits(values)
@@ -182,7 +181,7 @@ def _joined(values: tuple[int, ...]) -> str:
 
 def _check_count(values: tuple[int, ...], motors: int, quantity: str) -> None:
     if len(values) != motors:
-        raise UsageError(
+        raise click.UsageError(
             f"The robot has {motors} motors, which need {motors} {quantity}, not {len(values)}."
         )
 
@@ -195,7 +194,7 @@ def _check_limits(goals: tuple[int, ...]) -> None:
         if not limit.allow(goal)
     ]
     if wrong:
-        raise UsageError(f"Joint limits: {'; '.join(wrong)}. --no-limits lifts them.")
+        raise click.UsageError(f"Joint limits: {'; '.join(wrong)}. --no-limits lifts them.")
 
 
 def _read_project(file: str) -> Project:
@@ -212,7 +211,7 @@ def _pose_named(name: str, file: str | None) -> Pose:
         if pose.name == name:
             return pose
     known = ", ".join(pose.name for pose in poses) or "none"
-    raise UsageError(f"There is no pose {name!r}. Known poses: {known}.")
+    raise click.UsageError(f"There is no pose {name!r}. Known poses: {known}.")
 
 
 def _sequence_named(project: Project, name: str | None) -> Sequence:
@@ -221,10 +220,10 @@ def _sequence_named(project: Project, name: str | None) -> Sequence:
         raise CommandFailed("The file has no sequence.")
     if name is None:
         if len(project.sequences) > 1:
-            raise UsageError(f"Which sequence? Give --sequence. The file has: {names}.")
+            raise click.UsageError(f"Which sequence? Give --sequence. The file has: {names}.")
         return project.sequences[0]
     if (found := project.sequence(name)) is None:
-        raise UsageError(f"There is no sequence {name!r}. The file has: {names}.")
+        raise click.UsageError(f"There is no sequence {name!r}. The file has: {names}.")
     return found
 
 

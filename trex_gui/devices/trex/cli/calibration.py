@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import UsageError, json_option, print_json
+from trex_gui.core.cli import json_option, print_json
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.changes import change_one, read_board
 from trex_gui.devices.trex.cli.common import (
@@ -121,7 +121,9 @@ def _parse(name: str, text: str) -> tuple[float, str]:
     found = _VALUE.fullmatch(text.strip())
     unit = found[2].lower() if found else ""
     if found is None or (unit and unit not in _UNITS) or (not unit and "." in found[1]):
-        raise UsageError(f"{name.upper()} is counts (3750), or like 1500us or 2.5V, not {text!r}.")
+        raise click.UsageError(
+            f"{name.upper()} is counts (3750), or like 1500us or 2.5V, not {text!r}."
+        )
     return float(found[1]), unit
 
 

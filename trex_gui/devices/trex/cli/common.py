@@ -7,14 +7,7 @@ from typing import Any, TypeVar
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli import (
-    UsageError,
-    hexadecimal,
-    port_option,
-    refusals,
-    required_port,
-    timeout_option,
-)
+from trex_gui.core.cli import hexadecimal, port_option, refusals, required_port, timeout_option
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.host import host
 from trex_gui.core.plugin import PortAnswer, PortReports
@@ -114,7 +107,7 @@ def link_settings(options: Mapping[str, Any], url: str | None = None) -> Connect
     """Make settings of the common options; UsageError if they contradict each other."""
     url = url or required_port(options["port"])
     if options["crc"] and options["parity"] != "none":
-        raise UsageError("A TReX has either CRC or parity, not both.")
+        raise click.UsageError("A TReX has either CRC or parity, not both.")
     detection = Detection["CRC7" if options["crc"] else options["parity"].upper()]
     line = LineSettings(options["baud"], detection, options["stop_bits"])
     number = options["device"] if options["protocol"] == "expanded" else None
@@ -123,7 +116,7 @@ def link_settings(options: Mapping[str, Any], url: str | None = None) -> Connect
         polynomial = hexadecimal(options["polynomial"])
         Framing(number, polynomial)
     except BadRequest as error:
-        raise UsageError(str(error)) from error
+        raise click.UsageError(str(error)) from error
     return ConnectionSettings(
         url, line, number, polynomial, timeouts=Timeouts(extra=options["extra_timeout"])
     )

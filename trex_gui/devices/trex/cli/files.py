@@ -9,13 +9,12 @@ import click
 
 from trex_gui import __version__
 from trex_gui.core.cli import (
+    CommandFailed,
     Interruption,
     ProgressLine,
-    UsageError,
     json_option,
     print_json,
     refusals,
-    refuse,
     say,
 )
 from trex_gui.core.files import LARGEST_FILE, Finding, SettingsError, Severity, load, save
@@ -149,7 +148,7 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
     and order are kept; only repairable faults are changed, such as a last line without an end.
     """
     if as_json and out == "-":
-        raise UsageError("--json and OUT cannot both have standard output.")
+        raise click.UsageError("--json and OUT cannot both have standard output.")
     settings: Settings | None = None
     with refusals():
         data = content_of(file)
@@ -174,7 +173,7 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
         print_json(report)
     if settings is None:
         errors = sum(finding.severity is Severity.ERROR for finding in findings)
-        refuse(f"{name_of(file)} has {errors} error{'' if errors == 1 else 's'}.")
+        raise CommandFailed(f"{name_of(file)} has {errors} error{'' if errors == 1 else 's'}.")
     if out is not None:
         save_file(out, _repaired(data, settings))
 
@@ -282,7 +281,7 @@ def _write(
     say_what_follows(client, chosen, state, after)
     if failed:
         begun = "Interrupted: not" if interrupted else "Not"
-        refuse(f"{begun} all settings were stored; the others are unchanged.")
+        raise CommandFailed(f"{begun} all settings were stored; the others are unchanged.")
 
 
 def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli import UsageError, json_option, print_json, refusals, refuse, say
+from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
 from trex_gui.devices.trex.cli.common import link_options
 from trex_gui.devices.trex.cli.files import read_file
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
@@ -43,7 +43,7 @@ def history(ctx: click.Context, as_json: bool) -> None:
     if ctx.invoked_subcommand is None:
         _list(as_json)
     elif as_json:
-        raise UsageError(f"Write --json after {ctx.invoked_subcommand}.")
+        raise click.UsageError(f"Write --json after {ctx.invoked_subcommand}.")
 
 
 def _list(as_json: bool) -> None:
@@ -117,7 +117,7 @@ def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) 
 def path(number: str) -> None:
     """Print the path of a snapshot's file."""
     if not number.isdecimal() or len(number) > 9:
-        raise UsageError(f"{number!r} is not a number such as 1, the newest snapshot.")
+        raise click.UsageError(f"{number!r} is not a number such as 1, the newest snapshot.")
     click.echo(_path_of(number))
 
 
@@ -133,7 +133,7 @@ def keep(count: str | None, yes: bool) -> None:
     if count is None:
         bound = history.bound()
         if bound.problem:
-            refuse(bound.problem)
+            raise CommandFailed(bound.problem)
         click.echo("all" if bound.kept is None else bound.kept)
         return
     kept = _count(count)
@@ -152,7 +152,7 @@ def _count(word: str) -> int | None:
     if word.casefold() == "all":
         return None
     if not word.isascii() or not word.isdecimal() or not 1 <= int(word[:8]) < 10**7:
-        raise UsageError(f"{word!r} is neither a number of snapshots, at least 1, nor all.")
+        raise click.UsageError(f"{word!r} is neither a number of snapshots, at least 1, nor all.")
     return int(word)
 
 
@@ -165,8 +165,10 @@ def _path_of(word: str) -> Path:
     if 1 <= int(word) <= len(snapshots):
         return snapshots[int(word) - 1].path
     if not snapshots:
-        refuse(f"There are no snapshots in {history.folder} yet.")
-    return refuse(f"There is no snapshot {word}; snapshots are numbered 1 to {len(snapshots)}.")
+        raise CommandFailed(f"There are no snapshots in {history.folder} yet.")
+    raise CommandFailed(
+        f"There is no snapshot {word}; snapshots are numbered 1 to {len(snapshots)}."
+    )
 
 
 def _cells(number: int, snapshot: Snapshot) -> tuple[str, ...]:

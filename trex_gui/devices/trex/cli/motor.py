@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, Interruption, UsageError, say
+from trex_gui.core.cli import CommandFailed, Interruption, say
 from trex_gui.core.errors import (
     BadReply,
     BadRequest,
@@ -131,7 +131,7 @@ def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpo
     try:
         if which == "aux":
             if brake:
-                raise UsageError("The auxiliary motor has no brake.")
+                raise click.UsageError("The auxiliary motor has no brake.")
             setpoint: Setpoint = SetAuxiliary(speed, accelerate)
         else:
             drive = Drive.brake(speed) if brake else Drive.at(speed)
@@ -139,7 +139,7 @@ def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpo
         for command in packets([setpoint]):
             command.data()
     except BadRequest as error:
-        raise UsageError(str(error)) from error
+        raise click.UsageError(str(error)) from error
     return setpoint
 
 

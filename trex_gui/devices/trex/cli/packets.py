@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, UsageError, hexadecimal
+from trex_gui.core.cli import CommandFailed, hexadecimal
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.common import (
     crc_option,
@@ -26,9 +26,9 @@ def _bytes(words: tuple[str, ...]) -> bytes:
     try:
         data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
     except ValueError as error:
-        raise UsageError(f'"{text}" is not hexadecimal bytes such as "86 1F".') from error
+        raise click.UsageError(f'"{text}" is not hexadecimal bytes such as "86 1F".') from error
     if not data:
-        raise UsageError('Which bytes? Give them in hexadecimal, such as "86 1F".')
+        raise click.UsageError('Which bytes? Give them in hexadecimal, such as "86 1F".')
     return data
 
 
@@ -63,7 +63,7 @@ def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
     try:
         parser = PacketParser(hexadecimal(polynomial) if crc else None)
     except BadRequest as error:
-        raise UsageError(str(error)) from error
+        raise click.UsageError(str(error)) from error
     events = parser.feed(data) + parser.flush()
     rows = [_row(event) for event in events]
     widths = [max(len(row[column]) for row in rows) for column in (0, 1)]

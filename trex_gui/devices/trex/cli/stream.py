@@ -10,7 +10,7 @@ from typing import Any, TextIO
 
 import click
 
-from trex_gui.core.cli import CommandFailed, Interruption, UsageError, say
+from trex_gui.core.cli import CommandFailed, Interruption, say
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.recording.kinds import SampleKind
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
@@ -61,7 +61,9 @@ def stream(file: str | None, seconds: float | None, as_json: bool, **options: An
     the first row after they were read, which clears them in the board.
     """
     if as_json and file is not None:
-        raise UsageError("--json and --csv exclude each other; --json writes to standard output.")
+        raise click.UsageError(
+            "--json and --csv exclude each other; --json writes to standard output."
+        )
     settings = link_settings(options)
     with open_line(settings) as client, _target(file) as target, Interruption() as interrupted:
         unit = identify(client).model.current_unit
