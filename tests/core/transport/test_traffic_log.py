@@ -27,12 +27,12 @@ from trex_gui.devices.trex.simulator.firmware import Board
 SETTINGS = ConnectionSettings("virtual")
 
 
-def bytes_of(pieces: list[TrafficEvent], way: TrafficDirection) -> bytes:
-    return b"".join(piece.data for piece in pieces if piece.way is way)
+def bytes_of(pieces: list[TrafficEvent], direction: TrafficDirection) -> bytes:
+    return b"".join(piece.data for piece in pieces if piece.direction is direction)
 
 
 def texts_of(pieces: list[TrafficEvent]) -> list[str]:
-    return [piece.text for piece in pieces if piece.way is TrafficDirection.LINE]
+    return [piece.text for piece in pieces if piece.direction is TrafficDirection.LINE]
 
 
 def run_taped(stage: Stage, seconds: float) -> list[TrafficEvent]:

@@ -34,7 +34,7 @@ class TrafficEvent:
     """
 
     time: float
-    way: TrafficDirection
+    direction: TrafficDirection
     data: bytes = b""
     text: str = ""
     settings: PortSettings | None = None
@@ -255,16 +255,16 @@ class TransactionAssembler:
                 self._settings = event.settings or self._settings
                 row = self._row(event)
                 self._pending = None if row.is_over else row
-            elif event.way is TrafficDirection.SENT:
+            elif event.direction is TrafficDirection.SENT:
                 row.sent += event.data
-            if event.way is TrafficDirection.RECEIVED:
+            if event.direction is TrafficDirection.RECEIVED:
                 row.received += event.data
                 row.ended = event.time
             touched[row.number] = row
         return list(touched.values())
 
     def _continues(self, row: Transaction, event: TrafficEvent) -> bool:
-        match event.way:
+        match event.direction:
             case TrafficDirection.SENT:
                 return self._decoder.goes_with(row, event.data)
             case TrafficDirection.RECEIVED:
@@ -273,7 +273,7 @@ class TransactionAssembler:
 
     def _row(self, event: TrafficEvent) -> Transaction:
         self._count += 1
-        sent = event.data if event.way is TrafficDirection.SENT else b""
+        sent = event.data if event.direction is TrafficDirection.SENT else b""
         return Transaction(
             self._count,
             event.time,
@@ -282,5 +282,5 @@ class TransactionAssembler:
             settings=self._settings,
             echo=self._echo,
             is_routine=bool(sent) and self._decoder.is_routine(sent),
-            is_over=event.way is TrafficDirection.LINE,
+            is_over=event.direction is TrafficDirection.LINE,
         )

@@ -121,10 +121,10 @@ def set_settings(file: str, dry_run: bool, **options: Any) -> None:
         identify(client)
         state = read_board(client)
         wanted = _fitted(file, wanted, state)
-        there = settings_of(state)
-        result = compare(there, wanted)
+        stored = settings_of(state)
+        result = compare(stored, wanted)
         say(f"{result.summary()}.")
-        after = replace(there, parameters={**there.parameters, **wanted.parameters})
+        after = replace(stored, parameters={**stored.parameters, **wanted.parameters})
         warn(after, Context(port_rates=rates, used_by_line=chosen.line))
         if dry_run:
             _print(result)
@@ -133,7 +133,7 @@ def set_settings(file: str, dry_run: bool, **options: Any) -> None:
             return
         require_serial_mode(state, "These settings")
         say_changes(result)
-        keep(there, chosen, f"trexcmd set-settings {name_of(file)}")
+        keep(stored, chosen, f"trexcmd set-settings {name_of(file)}")
         _write(client, chosen, state, [row for row in result.rows if row.changed])
 
 

@@ -138,9 +138,9 @@ def keep(count: str | None, yes: bool) -> None:
         return
     kept = _count(count)
     if (gone := len(history.beyond(kept))) and not yes:
-        there = len(history.snapshots())
+        total = len(history.snapshots())
         which = "the oldest one" if gone == 1 else f"the oldest {gone}"
-        click.confirm(f"Remove {which} of {there} snapshots for good?", abort=True, err=True)
+        click.confirm(f"Remove {which} of {total} snapshots for good?", abort=True, err=True)
     with refusals():
         removed = len(history.keep(kept))
     if removed:
