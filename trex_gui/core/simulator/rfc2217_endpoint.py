@@ -2,6 +2,7 @@
 
 import struct
 from collections.abc import Container, Iterable
+from types import SimpleNamespace
 
 import serial
 from serial.rfc2217 import PortManager
@@ -47,16 +48,6 @@ class _Port:
         return HostSettings(self.baudrate, int(self.stopbits), _PARITIES[self.parity])
 
 
-class _Connection:
-    """Where pyserial's server writes its own messages."""
-
-    def __init__(self, endpoint: "Rfc2217Endpoint") -> None:
-        self._endpoint = endpoint
-
-    def write(self, data: bytes) -> None:
-        self._endpoint.write_raw(data)
-
-
 class Rfc2217Endpoint(TcpEndpoint):
     """A serial port over TCP with visible baud rate, parity and stop bits."""
 
@@ -72,7 +63,7 @@ class Rfc2217Endpoint(TcpEndpoint):
         self._port_settings = _Port(self._baud)
         self._manager = PortManager(
             self._port_settings,  # type: ignore[arg-type] # the stubs want a real port here
-            _Connection(self),  # type: ignore[arg-type] # and here, where only write is used
+            SimpleNamespace(write=self.write_raw),  # type: ignore[arg-type] # and here
         )
 
     def arrivals(self, data: bytes) -> Iterable[Arrival]:
