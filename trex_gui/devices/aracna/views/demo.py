@@ -73,8 +73,8 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
 
     def absent_text(self, *, starting: bool) -> str:
         if starting:
-            return self.tr("The simulated robot is being started …")
-        return self.tr("The simulated robot does not run. Press Connect.")
+            return self.tr("The Demo Aracna is starting …")
+        return self.tr("The Demo Aracna is not running. Press Connect.")
 
     def state_text(self, snapshot: RobotSnapshot) -> str:
         return state_text(snapshot)
