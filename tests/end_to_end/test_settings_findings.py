@@ -7,7 +7,7 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 def findings(window: WindowDriver) -> list[str]:
     """Return what the window warns about."""
-    names = [f"advice{index}" for index in range(3)]
+    names = [f"parameterFinding{index}" for index in range(3)]
     return [window.text(name) for name in names if window.has(name)]
 
 
@@ -18,13 +18,13 @@ def test_settings_check_warns_while_settings_are_edited(
     quick_simulator.rates = frozenset({9600, 19200})
     window.connect(quick_simulator.url)
     window.open_page("parametersPage")
-    assert not window.has("adviceList"), "a new board has nothing odd"
+    assert not window.has("parameterFindings"), "a new board has no findings"
 
     edit("ignored_channels", 1)
     assert len(findings(window)) == 1
-    window.click("acceptAdvice0")
+    window.click("acceptFinding0")
     assert device.parameters.value_of("required_channels") == 0
-    window.wait(lambda: not window.has("adviceList"))
+    window.wait(lambda: not window.has("parameterFindings"))
     assert device.draft.pending == 2
     device.draft.undo.undo()
     assert device.draft.pending == 1
@@ -37,9 +37,9 @@ def test_settings_check_warns_while_settings_are_edited(
     assert "does not support" not in "\n".join(findings(window))
 
     edit("ignored_channels", 1)
-    assert window.has("adviceList")
+    assert window.has("parameterFindings")
     window.disconnect()
-    assert not window.has("adviceList")
+    assert not window.has("parameterFindings")
 
 
 def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -> None:
@@ -47,5 +47,5 @@ def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -
     window.open_page("parametersPage")
     window.wait(lambda: window.motors.is_available)
     window.motors.arm()
-    window.click("acceptAdvice0")
+    window.click("acceptFinding0")
     assert window.device.parameters.value_of("serial_timeout") == 5

@@ -272,7 +272,7 @@ def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> Non
     assert actions["restoreParameter"].text() == "Restore stored value: 0 (off)"
     assert actions["copyParameter"].text() == "Copy as “serial_timeout: 15”"
     assert "leaveOutParameter" not in actions
-    assert "copyToTwin" not in actions
+    assert "copyToOtherMotor" not in actions
     unchanged = menu_of(parameters, "device_number")
     assert not unchanged["resetParameter"].isEnabled()
     assert not unchanged["restoreParameter"].isEnabled()
@@ -283,10 +283,10 @@ def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> Non
 def test_menu_edits_resets_restores_and_copies(parameters: ParametersDriver) -> None:
     parameters.model.edit("motor1_current_limit", 25)
     actions = menu_of(parameters, "motor1_current_limit")
-    assert actions["copyToTwin"].text() == "Copy to Motor 2"
-    actions["copyToTwin"].trigger()
+    assert actions["copyToOtherMotor"].text() == "Copy to Motor 2"
+    actions["copyToOtherMotor"].trigger()
     assert parameters.model.value_of("motor2_current_limit") == 25
-    assert not menu_of(parameters, "motor1_current_limit")["copyToTwin"].isEnabled()
+    assert not menu_of(parameters, "motor1_current_limit")["copyToOtherMotor"].isEnabled()
     for key in ("motor1_current_limit", "motor2_current_limit"):
         parameters.model.restore(key)
 

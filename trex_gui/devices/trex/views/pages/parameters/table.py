@@ -205,7 +205,7 @@ class FindingsList(QWidget):
 
     def __init__(self, linter: SettingsLinter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("adviceList")
+        self.setObjectName("parameterFindings")
         self.setAccessibleName(self.tr("Findings about the settings"))
         self._linter = linter
         self._lines: list[QWidget] = []
@@ -234,13 +234,13 @@ class FindingsList(QWidget):
         sign = Sign(line)
         sign.show_sign("warning")
         message = finding.message
-        text = label(line, f"advice{number}", message, tip=message, wrap=True, expand=True)
+        text = label(line, f"parameterFinding{number}", message, tip=message, wrap=True, expand=True)
         text.setMinimumHeight(2 * text.fontMetrics().lineSpacing() + 4)
         layout = row(sign, (text, 1), into=line, margins=0)
         if finding.change:
             accept = button(
                 line,
-                f"acceptAdvice{number}",
+                f"acceptFinding{number}",
                 finding.proposal,
                 tip=self.tr("Make this change an edit; nothing is written before Apply"),
                 on_click=partial(self._linter.accept, finding),

@@ -190,7 +190,7 @@ class ParameterView(QTreeView):
         self._leave_out = self._action(
             "leaveOutParameter", model.leave_out, self.tr("Leave out of the file")
         )
-        self._to_other_motor = self._action("copyToTwin", model.copy_to_other_motor)
+        self._to_other_motor = self._action("copyToOtherMotor", model.copy_to_other_motor)
         self._copy = self._action("copyParameter", self._copy_line, icon="copy", shortcut=copy)
         self._menu = QMenu(self)
         self._menu.setObjectName("parameterMenu")
