@@ -46,7 +46,7 @@ class ScrollBox(QScrollArea):
             self.updateGeometry()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if watched is self._content and event.type() == QEvent.Type.LayoutRequest:
+        if event.type() == QEvent.Type.LayoutRequest and watched is self._content:
             self._fit()
             self.updateGeometry()
         return super().eventFilter(watched, event)
