@@ -234,7 +234,9 @@ class FindingsList(QWidget):
         sign = Sign(line)
         sign.show_sign("warning")
         message = finding.message
-        text = label(line, f"parameterFinding{number}", message, tip=message, wrap=True, expand=True)
+        text = label(
+            line, f"parameterFinding{number}", message, tip=message, wrap=True, expand=True
+        )
         text.setMinimumHeight(2 * text.fontMetrics().lineSpacing() + 4)
         layout = row(sign, (text, 1), into=line, margins=0)
         if finding.change:
