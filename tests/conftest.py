@@ -33,7 +33,7 @@ from tests.support.window import WindowDriver
 from trex_gui.composition import build
 from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import use_runtime
 from trex_gui.ui.theme.theme import theme

@@ -15,7 +15,7 @@ from trex_gui.composition import PLUGINS
 from trex_gui.core.plugin import DevicePlugin, Lazy
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.scanner import DeviceScanner

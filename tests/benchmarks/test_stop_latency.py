@@ -25,7 +25,7 @@ from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.memory import Eeprom
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 _PRESSES = 1000
 _STOP_BYTES = STOP[0].opcode.to_bytes()

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.session.messages import Batch, Report
 from trex_gui.devices.trex.session.polling import rates
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.memory import Eeprom
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
 
 _SECONDS = 8.0

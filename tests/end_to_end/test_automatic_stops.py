@@ -11,7 +11,7 @@ from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import TIMEOUT_MS, WindowDriver
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 LOCKED = "The screen was locked"
 MISTAKEN = "Internal error (ValueError)"

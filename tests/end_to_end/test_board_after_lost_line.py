@@ -2,7 +2,7 @@
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 def lose(window: WindowDriver, board: SimulatedDevice) -> None:

@@ -13,7 +13,7 @@ from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.app import UNCONFIRMED_STOP
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import UnconfirmedStopWarning
 from trex_gui.ui.runtime import runtime
 

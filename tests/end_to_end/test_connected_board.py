@@ -11,7 +11,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now, open_transport
 
 

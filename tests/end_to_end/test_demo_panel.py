@@ -20,7 +20,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.demo import DemoSnapshot
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.sliders import StickSlider
 
 CONTROLS = {

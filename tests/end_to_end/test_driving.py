@@ -25,7 +25,7 @@ from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, Dri
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 BACK = ("reverse", 127)
 CURVE = (FULL, ("forward", 42))

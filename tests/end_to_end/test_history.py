@@ -11,7 +11,7 @@ from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.snapshots import take
 from tests.support.window import WindowDriver
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from tests.support.held_line import before_storing
 from tests.support.pages.motors import Gesture
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets.messages import InlinePrompt
 

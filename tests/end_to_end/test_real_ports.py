@@ -14,7 +14,7 @@ from tests.support.pages.robot import RobotWindow
 from tests.support.pages.settings import ReviewDialog
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 pytestmark = [
     pytest.mark.realtime,

@@ -30,7 +30,7 @@ from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.session.messages import Connected, Reload, Request, RunCommand, Write
 from trex_gui.devices.trex.session.polling import rates
 from trex_gui.devices.trex.simulator.motors import MotorDirection as EmulatedDirection
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.simulator import Simulator
 from trex_gui.ui.runtime import runtime
 

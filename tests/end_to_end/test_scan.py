@@ -13,7 +13,7 @@ from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.commands import SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.runtime import open_transport
 

@@ -13,7 +13,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.core.files import save
 from trex_gui.devices.trex.settings.writer import write_settings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 def open_playback(window: WindowDriver, folder: Path) -> QWidget:

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMessageBox, QSlider
 from tests.support.pages.motors import MotorsPage, is_stopped
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WindowDriver
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 class DrivingWindow(MotorsPage):

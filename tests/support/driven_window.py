@@ -21,7 +21,7 @@ from trex_gui import app, composition
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.session import session
 from trex_gui.supervisor import SuspendDetector
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
 
 SPEEDS = {1: 60, 2: -60}

@@ -16,7 +16,7 @@ from tests.support.program import trex
 from trex_gui import app, composition
 from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.core.timing import Timeouts
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
 
 ENOUGH = 100  # samples

@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication, QTimer
 
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import Controller, DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.scanner import DeviceScanner

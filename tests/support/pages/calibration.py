@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.views.pages.calibration import page
 from trex_gui.devices.trex.views.pages.calibration.curve_handles import GRIP
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 
 

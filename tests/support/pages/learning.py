@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import theme
 

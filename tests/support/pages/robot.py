@@ -23,7 +23,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.program import aracna
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.devices.aracna.session.messages import Moving, SpeedsHeld
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
 
 ROBOT_PAGE, POSES_PAGE, LOG_PAGE = range(3)

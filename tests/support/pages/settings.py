@@ -15,7 +15,7 @@ from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.messages import InlinePrompt
 
 

@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Signal
 
 from tests.support.program import new_plugin
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import Controller, DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.scanner import DeviceScanner

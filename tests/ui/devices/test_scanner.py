@@ -11,7 +11,7 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator import Simulator

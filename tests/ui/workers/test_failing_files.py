@@ -14,7 +14,7 @@ from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.recording import FORMAT
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.workers.file_worker import FileSaver, FileWorker
 from trex_gui.ui.workers.record_thread import RecordThread
 

@@ -1,5 +1,6 @@
 """Connection to one device: one line session after another, and its state."""
 
+from enum import Enum, auto
 from typing import Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -7,12 +8,21 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.session import Closed
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoder, logged
-from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.workers.session_thread import MakeSession, SessionThread
 
 SettingsT = TypeVar("SettingsT", bound=PortSettings)
+
+
+class ConnectionState(Enum):
+    """Whether a line is open and its device responds."""
+
+    DISCONNECTED = auto()
+    CONNECTING = auto()
+    CONNECTED = auto()
+    NOT_RESPONDING = auto()
+    DISCONNECTING = auto()
 
 
 class DeviceConnection(SessionThread, Generic[SettingsT]):

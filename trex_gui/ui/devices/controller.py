@@ -7,8 +7,7 @@ from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.ui.devices.connection import SettingsT
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState, SettingsT
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator import Simulator

@@ -7,7 +7,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.ports import Port
 from trex_gui.ui.devices.scanner import DeviceScanner

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui import __version__
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.frame.connection_bar import ConnectionBar

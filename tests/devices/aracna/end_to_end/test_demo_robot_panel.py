@@ -24,7 +24,7 @@ from tests.support.program import aracna
 from tests.support.window import WidgetDriver
 from trex_gui.devices.aracna.model.demo import FirmwareState, RobotSnapshot
 from trex_gui.devices.aracna.views.demo import DemoRobotView, ServoGauge
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.leds import Lamp
 from trex_gui.ui.widgets.sliders import StickSlider
 

@@ -10,7 +10,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 TREX_MENUS = ["File", "Edit", "Device", "Window", "Help"]
 ARACNA_MENUS = ["File", "Device", "Aracna", "Poses", "Window", "Help"]

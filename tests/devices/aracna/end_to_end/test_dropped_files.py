@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMessageBox
 
 from tests.support.pages.robot import POSES_PAGE, RobotWindow
 from tests.support.program import aracna, trex
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 POSES = "Test:8:1024:1024:1024:1024:1024:1024:1024:1024\nPose=low:100,100,100,100,100,100,100,100\n"
 OTHER_POSES = POSES.replace("low", "other")

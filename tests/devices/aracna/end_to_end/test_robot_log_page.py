@@ -1,7 +1,7 @@
 """The Log page shows the quality of the line to the robot."""
 
 from tests.support.pages.robot import LOG_PAGE, RobotWindow
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindow) -> None:

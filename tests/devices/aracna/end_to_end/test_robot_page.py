@@ -9,7 +9,7 @@ from tests.support.pages.robot import RobotWindow
 from tests.support.window import LEFT
 from trex_gui.devices.aracna.session.messages import Play, Step
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 def spin_box(window: RobotWindow, name: str) -> QSpinBox:

@@ -7,7 +7,7 @@ from serial.tools.list_ports_common import ListPortInfo
 from tests.support.pages.robot import RobotWindow
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui import app
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Ports
 
 DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"

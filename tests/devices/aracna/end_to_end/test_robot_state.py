@@ -1,7 +1,7 @@
 """The window says no more of the robot than is known, and refuses what could not be done."""
 
 from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 UNSURE = "Unknown: the last motion may still be running."
 AT_REST = "At rest: nothing is sent."

@@ -27,7 +27,7 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
 
 LONG_TIMEOUT = 15_000

@@ -15,7 +15,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.recordings import AracnaRecorder
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 def rows(path: Path) -> list[dict[str, str]]:

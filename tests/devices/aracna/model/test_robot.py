@@ -13,7 +13,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot import FIRST_SPEED, Robot
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Play, SpeedsHeld, Step
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
 LOW = (300,) * 8

@@ -13,7 +13,7 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Play, StepBegun
 from trex_gui.devices.aracna.views.poses.name_list import NameList
 from trex_gui.devices.aracna.views.poses.page import PosesPage
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 EIGHT = (100, 200, 101, 201, 102, 202, 103, 203)
 

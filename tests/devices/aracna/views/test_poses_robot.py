@@ -12,7 +12,7 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.project import SequenceStep
 from trex_gui.devices.aracna.session.messages import Ending, Moving, PlayEnded
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 class ConnectedPageDriver(PosesPageDriver):

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.simulator.physics import CONSTANTS, MotorPhysics
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
 STEP = 0.02

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.simulator import Simulator, simulator_command
 

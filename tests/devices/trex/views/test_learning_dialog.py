@@ -18,7 +18,7 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.learning.live_pages import ChannelRows
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox

@@ -9,7 +9,7 @@ from tests.support.pages.learning import LearningDialog, learning_dialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick
 from trex_gui.devices.trex.views.bars import ChannelBar
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.labels import Note
 

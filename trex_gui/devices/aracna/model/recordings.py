@@ -22,7 +22,7 @@ from trex_gui.devices.aracna.session.messages import (
     Passed,
     SpeedsHeld,
 )
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import SampleHistory

@@ -32,8 +32,7 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
-from trex_gui.ui.devices.connection import DeviceConnection
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
 from trex_gui.ui.event_log import EventKind, EventLog
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now

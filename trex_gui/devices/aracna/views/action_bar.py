@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Play, StepBegun
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.builders import RedButton

@@ -7,7 +7,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFormLayout, QGroupBox, QListWidget, QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import Event, EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import icon

@@ -19,7 +19,7 @@ from trex_gui.devices.aracna.views.help import help_text
 from trex_gui.devices.aracna.views.log_page import LogPage
 from trex_gui.devices.aracna.views.poses.page import PosesPage
 from trex_gui.devices.aracna.views.robot.page import RobotPage
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,

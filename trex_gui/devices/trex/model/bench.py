@@ -11,7 +11,7 @@ from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.runtime import new_timer, now
 

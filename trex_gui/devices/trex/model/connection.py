@@ -12,8 +12,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.session.messages import Batch, Connected, NotResponding, Write
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
-from trex_gui.ui.devices.connection import DeviceConnection
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
 from trex_gui.ui.workers.session_thread import NO_HANDLER, MakeSession
 
 log = logging.getLogger(__name__)

@@ -36,7 +36,7 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.session.reconnecting import reconnect_candidates
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT

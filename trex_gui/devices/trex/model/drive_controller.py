@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import new_timer, now
 

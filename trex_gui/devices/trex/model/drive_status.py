@@ -13,7 +13,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 _NO_ERROR = UartError(0)
 

@@ -5,7 +5,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.settings.rules import Context, LintFinding, lint
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 class SettingsLinter(QObject):

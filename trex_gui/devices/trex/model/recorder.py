@@ -15,7 +15,7 @@ from trex_gui.devices.trex.recording import (
     settings_snapshot,
 )
 from trex_gui.devices.trex.session.messages import Batch
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
 

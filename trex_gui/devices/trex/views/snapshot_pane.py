@@ -18,7 +18,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions

@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.model.drive_controller import why_the_board_stopped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
 
 NO_STATUS = Status(0)

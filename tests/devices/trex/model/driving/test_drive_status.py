@@ -18,7 +18,7 @@ from trex_gui.devices.trex.model.drive_status import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode, UartError
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.stick_tests import StickTest, StickTests, idle_side
 from trex_gui.devices.trex.protocol.calibration import Calibration, remap
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 THROTTLE = Calibration(minimum=2600, neutral=2750, maximum=4730, deadband=75)
 """Learned from a stick that rests at 1100 µs; below that is trim only."""

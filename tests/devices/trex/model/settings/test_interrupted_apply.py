@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.errors import Skipped
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings, settings_of
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 SPECS = parameters_of("trex", "1.2")
 LEARNED = Calibration(2400, 3700, 5100, 80)

@@ -16,7 +16,7 @@ from trex_gui.devices.aracna.model.texts import (
 )
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, degrees, position
 from trex_gui.devices.aracna.views.robot.joint_widgets import JointSlider, SpeedBox
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 

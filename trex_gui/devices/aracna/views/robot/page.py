@@ -17,7 +17,7 @@ from trex_gui.devices.aracna.protocol.joints import CENTRE
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.devices.aracna.views.robot.joint_table import JointTable
 from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders as ui

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channels import Choice
 from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 
 _REVERSED = ParameterKey.REVERSED_CHANNELS
 

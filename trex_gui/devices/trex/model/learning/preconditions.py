@@ -5,7 +5,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import runtime
 
 

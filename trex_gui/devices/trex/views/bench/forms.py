@@ -13,7 +13,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import motor_name
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.telemetry import board_traces
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets.builders import column

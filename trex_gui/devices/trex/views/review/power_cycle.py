@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QDialog, QFrame, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.builders import button, column, grid, label, named, row, set_bold
 from trex_gui.ui.widgets.labels import Note, Sign
 

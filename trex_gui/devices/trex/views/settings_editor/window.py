@@ -20,7 +20,7 @@ from trex_gui.devices.trex.views.settings_editor.compare_dialogs import CompareD
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.workspace import SEPARATOR, ActionInfo, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions

@@ -23,7 +23,7 @@ from trex_gui.devices.trex.views.pages.calibration.heading import (
     CurveLegend,
     OtherSource,
 )
-from trex_gui.ui.devices.connection_state import ConnectionState
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import only_when_visible
