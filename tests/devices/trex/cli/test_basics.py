@@ -9,6 +9,8 @@ from tests.devices.trex.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand
 from trex_gui.cli import main
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.recording import sample_kinds
 
 
 def test_list_prints_port_and_board(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
@@ -45,6 +47,17 @@ def test_status_text_shows_latched_errors(
     quick_simulator.do("fault 1 on")
     result = trexcmd("status")
     assert "Errors: Motor 1 fault" in result.stdout
+
+
+def test_status_json_names_latched_errors_as_recordings_do(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    assert json.loads(trexcmd("status", "--json").stdout)["errors"] == []
+    quick_simulator.do("fault 1 on")
+    errors = json.loads(trexcmd("status", "--json").stdout)["errors"]
+    assert errors == [{"name": "status_motor1_fault", "text": "Motor 1 fault"}]
+    columns = {name for kind in sample_kinds(InputSource.RC, 0.15) for name in kind.exported}
+    assert {row["name"] for row in errors} < columns
 
 
 def test_get_shows_wire_value_and_meaning(trexcmd: RunCommand) -> None:

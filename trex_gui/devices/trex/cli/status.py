@@ -15,7 +15,7 @@ from trex_gui.devices.trex.cli.common import (
 )
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything
-from trex_gui.devices.trex.client.telemetry import StatusReader
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
 from trex_gui.devices.trex.protocol.commands import GetCurrents, GetRawChannels, GetRemappedChannels
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT, who_controls
 from trex_gui.devices.trex.protocol.flags import CHANNELS, bit_names
@@ -40,8 +40,8 @@ def status(as_json: bool, **options: Any) -> None:
     With --json, measurements are numbers with the unit in the key, as in stream and in
     recordings: motor_1_current_A, motor_2_current_A; for each channel raw (counts), pulse_us or
     voltage_V, null without a valid signal, and remapped (-127 to 127). mode is R or A for RC and
-    analog mode, r or a for serial mode with these inputs. Each parameter has its wire value and
-    a text.
+    analog mode, r or a for serial mode with these inputs. Errors have the name of their column in
+    recordings and a text. Each parameter has its wire value and a text.
     """
     with open_line(link_settings(options)) as client:
         identify(client)
@@ -59,7 +59,7 @@ def status(as_json: bool, **options: Any) -> None:
         raw = row["raw"]
         text = "no signal" if raw is None else f"{state.source.text(raw)} ({raw})"
         click.echo(f"  {row['channel']}  {text}, remapped {row['remapped']}")
-    click.echo("Errors: " + (", ".join(report["errors"]) or "none"))
+    click.echo("Errors: " + (", ".join(row["text"] for row in report["errors"]) or "none"))
     click.echo("Parameters:")
     for key, row in report["parameters"].items():
         click.echo(f"  {key:28}{row['value']:>4}  {row['text']}")
@@ -90,9 +90,14 @@ def _report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
             }
             for channel in CHANNELS
         ],
-        "errors": [*bit_names(latched.status), *bit_names(latched.uart)] if latched else [],
+        "errors": _errors(latched) if latched else [],
         "parameters": {
             key: {"value": wire, "text": state.specs[key].text(wire)}
             for key, wire in state.parameters.items()
         },
     }
+
+
+def _errors(latched: LatchedStatus) -> list[dict[str, str]]:
+    rows = [("status", bit) for bit in latched.status] + [("uart", bit) for bit in latched.uart]
+    return [{"name": f"{byte}_{bit.name}".lower(), "text": bit_names(bit)[0]} for byte, bit in rows]
