@@ -185,7 +185,7 @@ def test_panel_guides_learning_and_resets_to_factory_state(panel: DemoPanel) -> 
     panel.click("demoSoGround")
     panel.wait(lambda: panel.text("demoHint") == "Power cycle to learn the inputs.")
     panel.click("demoPowerCycle")
-    panel.wait_for_text("demoState", "take the Mix jumper off")
+    panel.wait_for_text("demoState", "remove the Mix jumper")
     panel.click("demoMix")
     panel.wait_for_text("demoState", "leave the sticks")
 

@@ -62,7 +62,7 @@ def test_gamepad_drives_while_hold_button_is_pressed(page: GamepadPage) -> None:
     page.gamepad.move(Y, -1.0)
     page.wait(lambda: page.panel.gamepad.state is not None)
     page.motors.arm()
-    page.panel.wait_for_state("Let go")
+    page.panel.wait_for_state("Release")
     page.let_nothing_happen(0.1)
     assert all(page.target(motor)[0] == "brake" for motor in (1, 2)), "held before Run motor"
     page.motors.stop()

@@ -45,7 +45,7 @@ def test_all_channels_are_learned_and_tested(
         }
     )
     connected_window.trigger("learn")
-    learning.wait_for_head("Let go of every stick")
+    learning.wait_for_head("Release every stick")
     learning.sample_rest()
     learning.push(1, -1)
     learning.finish_travel()
@@ -123,7 +123,7 @@ def test_learning_can_be_cancelled_in_each_step(
     assert not learning.dialog.isModal()
     learning.start_learning(1)
     connected_window.click("stopButton")
-    learning.wait_for_head("Let go of every stick")
+    learning.wait_for_head("Release every stick")
 
 
 def test_reviewed_values_are_kept_when_learning_is_reopened(
@@ -151,7 +151,7 @@ def test_learning_does_not_start_in_rc_or_analog_mode(
         start_in(learning, mode)
         for action in ("learn", "test_sticks"):
             connected_window.trigger(action)
-            learning.wait_for_head("take the mode jumper off")
+            learning.wait_for_head("remove the mode jumper")
             learning.click("learnCancelButton")
     start_in(learning, "serial")
     connected_window.trigger("test_sticks")

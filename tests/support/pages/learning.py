@@ -157,7 +157,7 @@ class LearningDialog(WidgetDriver):
 
     def start_learning(self, *channels: int) -> None:
         self.dialog.learn(channels)
-        self.wait_for_head("Let go of every stick")
+        self.wait_for_head("Release every stick")
 
     def sample_rest(self) -> None:
         self.click("learnNextButton")

@@ -7,7 +7,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindow) -> None:
     window = connected_window
     window.show_page(LOG_PAGE)
-    window.wait(lambda: window.text("aracnaTrafficValue").endswith("answered (100.00 %)"))
+    window.wait(lambda: window.text("aracnaTrafficValue").endswith("requests (100.00 %)"))
     assert window.text("aracnaQualityValue").startswith(
         "0 timeouts, 0 corrupted, 0 unrecognized lines"
     )

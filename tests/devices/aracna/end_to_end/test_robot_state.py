@@ -150,7 +150,7 @@ def test_log_has_one_line_for_each_event(connected_window: RobotWindow) -> None:
     window.control("line mute on")
     window.wait(lambda: any("reply was lost" in text for text in window.logged()))
     lost = [text for text in window.logged() if "−1" in text or "reply was lost" in text]
-    assert lost == ["The reply was lost (or no motor answers): positions are not known."]
+    assert lost == ["The reply was lost (or no motor responds): positions are not known."]
     window.control("line mute off")
     window.wait_until_up()
 

@@ -402,7 +402,7 @@ def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, see
     assert wanted is not None
     (problem,) = Check(1, ChannelCurve(wanted), neutral, travel).problems
     assert problem.kind is ProblemKind.NEUTRAL_MOVED
-    assert problem_text(problem).startswith("After letting go it rests at 1500 µs, not at ")
+    assert problem_text(problem).startswith("After release it rests at 1500 µs, not at ")
     assert "sample it again, or use the new rest" in problem_text(problem)
     taken = replace(wanted, neutral=travel.rest)
     assert Check(1, ChannelCurve(taken), neutral, travel).problems == ()

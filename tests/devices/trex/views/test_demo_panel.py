@@ -81,7 +81,7 @@ def test_packet_led_is_shown_without_flicker(flicker: str) -> None:
         (
             replace(RC, boot_mode=BootStep.LEARN_READY),
             "blink 1/s",
-            "take the Mix jumper off",
+            "remove the Mix jumper",
         ),
     ],
 )

@@ -105,7 +105,7 @@ def test_rest_position_of_a_held_stick_can_be_corrected(learning: LearningDialog
     learning.transmitter.put(1, 0.2)
     learning.wait(lambda: learning.device.telemetry.raw_of(1) == 4000)
     learning.go_to_review(1)
-    words = "After letting go it rests at 1500 µs, not at 1600 µs"
+    words = "After release it rests at 1500 µs, not at 1600 µs"
     assert words in learning.problem(1)
     assert learning.button("learnUseRest1").text() == "Use 1500 µs as neutral"
 
@@ -149,7 +149,7 @@ def test_problem_of_each_travel_is_shown(learning: LearningDialog) -> None:
     learning.push(1, -1)
     learning.finish_travel()
     assert learning.problem(1) == ""
-    words = "After letting go it rests at 1550 µs, not at 1500 µs"
+    words = "After release it rests at 1550 µs, not at 1500 µs"
     assert words in learning.problem(2)
     learning.assert_nothing_changed()
 
@@ -192,7 +192,7 @@ def test_ends_are_marked_when_they_are_reached(learning: LearningDialog) -> None
     learning.wait_for_text("learnTravel1", "Both ends reached")
     assert list(learning.bar(1).marks) == ["min", "neutral", "max"]
     learning.click("learnBackButton")
-    learning.wait_for_head("Let go of every stick")
+    learning.wait_for_head("Release every stick")
 
 
 def test_buttons_say_what_they_do_in_each_step(learning: LearningDialog) -> None:
@@ -500,7 +500,7 @@ def test_unconfirmed_stop_blocks_learning(learning: LearningDialog, fault: str) 
     learning.simulator.do("line noise 0")
     learning.wait(lambda: learning.device.link is ConnectionState.CONNECTED)
     learning.click("learnAgainButton")
-    learning.wait_for_head("Let go of every stick")
+    learning.wait_for_head("Release every stick")
     assert_braked(learning)
 
 
@@ -526,7 +526,7 @@ def test_current_after_the_stop_has_to_be_checked(learning: LearningDialog) -> N
     learning.simulator.do("current 1 auto")
     learning.click("learnAgainButton")
     assert "Stopping the motors" in learning.head
-    learning.wait_for_head("Let go of every stick")
+    learning.wait_for_head("Release every stick")
     assert learning.button("learnNextButton").text() == "Next"
 
 
@@ -535,10 +535,10 @@ def test_unplugging_ends_each_step_and_changes_nothing(learning: LearningDialog)
     settings = learning.device.settings
     assert settings is not None
     for step, reason in (
-        (learning.start_learning, "The line to the board is gone. Nothing was changed"),
-        (learning.go_to_travel, "The line to the board is gone. Nothing was changed"),
-        (learning.go_to_review, "The line to the board is gone. Nothing was changed"),
-        (learning.start_test, "The line to the board is gone. The test has ended"),
+        (learning.start_learning, "The connection to the board was lost. Nothing was changed"),
+        (learning.go_to_travel, "The connection to the board was lost. Nothing was changed"),
+        (learning.go_to_review, "The connection to the board was lost. Nothing was changed"),
+        (learning.start_test, "The connection to the board was lost. The test has ended"),
     ):
         step(1)
         learning.simulator.do("line unplug")
@@ -564,4 +564,4 @@ def test_learning_can_be_restarted_after_the_board_was_mute(learning: LearningDi
     learning.simulator.do("line mute off")
     learning.wait(lambda: learning.device.link is ConnectionState.CONNECTED)
     learning.click("learnAgainButton")
-    learning.wait_for_head("Let go of every stick")
+    learning.wait_for_head("Release every stick")

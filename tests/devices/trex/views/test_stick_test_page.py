@@ -38,7 +38,7 @@ def test_stick_test_says_what_holds_the_motors(learning: LearningDialog) -> None
     assert note.palette().color(note.foregroundRole()) == theme().color("window_text")
 
     learning.transmitter.put(1, 0.3)
-    learning.wait_for_text("learnTest1", "Let go: at rest the output must be 0")
+    learning.wait_for_text("learnTest1", "Release it: at rest the output must be 0")
     learning.wait_for_head("Push every stick")
     learning.simulator.do("channel 1 silent")
     learning.wait_for_text("learnTest1", "No signal.")
@@ -59,7 +59,7 @@ def test_channel_failing_the_test_can_be_learned_again(learning: LearningDialog)
     learning.wait_for_text("learnTest1", "Good.")
     assert learning.button("learnChannelAgainButton").text() == "Learn channel 2 again"
     learning.click("learnChannelAgainButton")
-    learning.wait_for_head("Let go of every stick")
+    learning.wait_for_head("Release every stick")
     bars = learning.find_all(ChannelBar)
     assert [bar.accessibleName()[-1] for bar in bars] == ["2"]
 

@@ -356,8 +356,8 @@ class Robot(DeviceConnection[PortSettings]):
         if (stuck := self.state.stuck) is None:
             return ""
         if stuck.motor is None:
-            return self.tr("The robot does not answer.")
-        text = self.tr("The robot waits for motor {0} and reads nothing until it answers.")
+            return self.tr("The robot does not respond.")
+        text = self.tr("The robot waits for motor {0} and reads nothing until it responds.")
         return text.format(stuck.motor)
 
     def _can_move(self) -> bool:

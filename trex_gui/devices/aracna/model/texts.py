@@ -97,7 +97,7 @@ def missed_text(missed: MissedGoal) -> str:
 def missed_goals_text(state: RobotState) -> str:
     """Describe every motor that missed its goal; empty if none did."""
     if state.reply_lost:
-        return tr("The reply was lost (or no motor answers): positions are not known.")
+        return tr("The reply was lost (or no motor responds): positions are not known.")
     return " ".join(map(missed_text, state.missed_goals))
 
 
@@ -122,11 +122,11 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
 
 def stuck_text(motor: int | None) -> str:
     if motor is None:
-        return tr("The robot does not answer at all. Check its power and the cable.")
+        return tr("The robot does not respond at all. Check its power and the cable.")
     return tr(
-        "The robot waits for motor {0}, and reads nothing until it answers. Check the servo power, "
-        "the board's power, the cable of this servo, and whether it is blocked. A reset of the "
-        "board ends the wait; it does not stop the servos."
+        "The robot waits for motor {0}, and reads nothing until it responds. Check the servo "
+        "power, the board's power, the cable of this servo, and whether it is blocked. A reset "
+        "of the board ends the wait; it does not stop the servos."
     ).format(motor)
 
 
@@ -146,9 +146,9 @@ def _ending_text(why: Ending) -> str:
         Ending.HALTED: tr("The sequence was stopped."),
         Ending.RESTARTED: tr("The sequence was aborted: the board has restarted."),
         Ending.STUCK: tr("The sequence was aborted: the robot waits for a motor."),
-        Ending.SPEEDS: tr("The sequence was aborted: a motor did not take its speed."),
+        Ending.SPEEDS: tr("The sequence was aborted: a motor did not accept its speed."),
         Ending.MISSED: tr("The sequence was aborted: a motor was far from its goal."),
-        Ending.LOST: tr("The sequence was aborted: the robot does not answer."),
+        Ending.LOST: tr("The sequence was aborted: the robot does not respond."),
     }[why]
 
 

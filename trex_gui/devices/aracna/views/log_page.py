@@ -61,7 +61,7 @@ class LogPage(QWidget):
         traffic = failures = self.tr("N/A")
         if is_valid:
             finished = stats.replies + stats.timeouts + stats.corrupted
-            traffic = self.tr("{0} of {1} answered ({2:.2f} %)").format(
+            traffic = self.tr("{0} replies to {1} requests ({2:.2f} %)").format(
                 stats.replies, finished, 100 * stats.replies / max(finished, 1)
             )
             failures = self.tr(

@@ -206,7 +206,7 @@ def activity_text(state: RobotState, time: float) -> tuple[str, bool]:
     """Describe what the robot did at a time (session's clock), and whether that is alarming."""
     if state.stuck is not None:
         if (motor := state.stuck.motor) is None:
-            return _tr("The robot did not answer."), True
+            return _tr("The robot did not respond."), True
         text = _tr("Stuck: the robot waited for motor {0} and accepted no command.")
         return text.format(motor), True
     if state.moving is not None:
@@ -218,7 +218,7 @@ def activity_text(state: RobotState, time: float) -> tuple[str, bool]:
     if state.uncertain:
         return _tr("Positions are unknown; the last motion may still be running."), True
     if state.reply_lost:
-        return _tr("The answer was lost, or no motor answered: positions are unstate."), True
+        return _tr("The reply was lost, or no motor responded: positions are unknown."), True
     if all(place is None for place in state.present):
         return _tr("Positions are not known yet."), False
     return _with_step(_tr("At rest."), state.step), False

@@ -135,7 +135,7 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
         channels = _tr("The RC channels control the motors, not this program.")
     override = _tr(
         "To drive from here, turn on the override switch (channel 5), or switch the board off, "
-        "take the mode jumper off and switch it on."
+        "remove the mode jumper and switch it on."
     )
     if now.perhaps_held:
         held = _tr("Safe-start may be holding the motors: let the sticks rest once.")
@@ -180,7 +180,7 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
         ),
         DriveBlocker.SAFE_START: (
             missing.format(_listed(now.missing)),
-            _tr("Switch the transmitter on and let go of its sticks."),
+            _tr("Switch the transmitter on and release its sticks."),
         ),
         DriveBlocker.CHANNELS: (channels, override),
         DriveBlocker.LOCKED: (

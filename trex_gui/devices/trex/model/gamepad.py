@@ -255,19 +255,19 @@ class Gamepad(QObject):
         match self.request.waits:
             case Waits.REST:
                 return self.tr(
-                    "Let go of the sticks: nothing drives before both axes were at rest. "
+                    "Release the sticks: nothing drives before both axes were at rest. "
                     "A worn stick may need a wider dead zone."
                 )
             case Waits.RELEASE:
-                return self.tr("Let go of {0}, then hold it to drive.")
+                return self.tr("Release {0}, then hold it to drive.")
             case Waits.HOLD:
                 return self.tr("Hold {0} and move a stick to drive.")
             case Waits.MOVE:
                 return self.tr("Move a stick to drive.")
             case Waits.NOTHING if self.profile.hold is None:
-                return self.tr("Driving. Let go of the sticks to stop.")
+                return self.tr("Driving. Release the sticks to stop.")
             case Waits.NOTHING:
-                return self.tr("Driving. Let go of {0} to stop.")
+                return self.tr("Driving. Release {0} to stop.")
 
 
 def button_text(pad: Pad, number: int | None) -> str:

@@ -108,13 +108,13 @@ def _safe_start_text(snapshot: DemoSnapshot) -> str:
 
 def _boot_text(step: BootStep) -> str:
     return {
-        BootStep.LEARN_READY: tr("Learning: take the Mix jumper off to begin."),
+        BootStep.LEARN_READY: tr("Learning: remove the Mix jumper to begin."),
         BootStep.LEARN_WAITING: tr("Learning: waits for a signal on any input."),
         BootStep.LEARN_NEUTRALS: tr("Learning: leave the sticks centred for two seconds."),
         BootStep.LEARN_NEUTRALS_SHOWN: tr("Learning: one flash per input; green is learned."),
         BootStep.LEARN_EXTREMES: tr("Learning: hold each stick at both ends, ten seconds in all."),
-        BootStep.LEARN_DONE: tr("Learned; green is good. Take SO–G off, then power cycle."),
-        BootStep.UPGRADE_REQUESTED: tr("Boot loader: take Mix off, then SO–G."),
+        BootStep.LEARN_DONE: tr("Learned; green is good. Remove SO–G, then power cycle."),
+        BootStep.UPGRADE_REQUESTED: tr("Boot loader: remove Mix, then SO–G."),
         BootStep.UPGRADE_READY: tr("Boot loader: waits for firmware. Power cycle to leave."),
     }[step]
 

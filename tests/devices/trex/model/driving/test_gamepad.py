@@ -138,7 +138,7 @@ def test_button_held_before_arming_does_not_drive(setup: GamepadSetup) -> None:
     setup.pads.move(Y, -1.0)
     setup.wait_for("Press Run motor")
     setup.motors.arm()
-    setup.wait_for("Let go")
+    setup.wait_for("Release")
     assert setup.speeds() == (None, None)
     assert not setup.motors.holder
 
@@ -148,7 +148,7 @@ def test_stick_off_center_before_arming_does_not_drive(setup: GamepadSetup) -> N
     setup.pads.move(Y, 0.6)
     setup.motors.arm()
     setup.pads.press(HOLD)
-    setup.wait_for("Let go of the sticks")
+    setup.wait_for("Release the sticks")
     assert setup.speeds() == (None, None)
 
 
@@ -195,7 +195,7 @@ def test_replugged_gamepad_needs_arming_and_a_new_press(setup: GamepadSetup) -> 
     setup.pads.press(HOLD, again)
     setup.wait_for("Press Run motor")
     setup.motors.arm()
-    setup.wait_for("Let go")
+    setup.wait_for("Release")
     assert not setup.motors.holder
 
 
@@ -231,7 +231,7 @@ def test_blocked_gamepad_does_not_drive(setup: GamepadSetup) -> None:
     setup.qtbot.waitUntil(lambda: setup.gamepad.request.drives)
     assert setup.speeds() == (None, None)
     setup.gamepad.attend("")
-    setup.wait_for("Let go of the sticks")
+    setup.wait_for("Release the sticks")
     assert setup.speeds() == (None, None)
 
 
@@ -244,7 +244,7 @@ def test_control_held_elsewhere_blocks_the_gamepad(setup: GamepadSetup) -> None:
     assert setup.motors.holder == "pad"
     setup.motors.release("pad")
     setup.pads.move(Y, 0.0)
-    setup.wait_for("Let go of button")
+    setup.wait_for("Release button")
     assert not setup.motors.holder
 
 

@@ -37,7 +37,7 @@ def test_button_pressed_before_arming_does_not_drive(
     qtbot.waitUntil(lambda: gamepad.request.drives)
     device.motors.arm()
     pads.move(STICK, -1.0)
-    qtbot.waitUntil(lambda: "Let go" in gamepad.text)
+    qtbot.waitUntil(lambda: "Release" in gamepad.text)
     assert device.motors.text == ""
     assert not gamepad.drives
 

@@ -146,7 +146,7 @@ def test_rc_mode_is_refused_with_a_remedy(setup: LearningSetup) -> None:
     setup.learning.begin((1,))
     assert setup.learning.step is LearningStep.FAILED
     assert "sticks drive the motors" in setup.learning.trouble
-    assert "take the mode jumper off" in setup.learning.trouble
+    assert "remove the mode jumper" in setup.learning.trouble
 
 
 def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:

@@ -122,7 +122,7 @@ def test_passed_channel_held_off_neutral_fails_until_released(
     assert inputs.text(1) == "Good."
     assert inputs.passed()
     inputs.hold(1, 1650)
-    assert inputs.text(1).startswith("Full output reached. Let go: at rest the output must be 0")
+    assert inputs.text(1).startswith("Full output reached. Release it: at rest the output must")
     assert not inputs.passed()
     inputs.hold(1, 1500)
     assert inputs.passed()

@@ -68,13 +68,13 @@ class CalibrationPreconditions(QObject):
                 why = self.tr(
                     "The board is in {0} mode. Channel 5 has given the motors to the serial "
                     "line, but with the next move of its switch the sticks drive the motors "
-                    "again; and the board accepts no settings. Switch it off, take the mode jumper "
-                    "off and switch it on."
+                    "again; and the board rejects settings. Switch it off, remove the mode jumper "
+                    "and switch it on."
                 )
             else:
                 why = self.tr(
-                    "The board is in {0} mode: the sticks drive the motors, and it accepts no "
-                    "settings. Switch it off, take the mode jumper off and switch it on."
+                    "The board is in {0} mode: the sticks drive the motors, and it rejects "
+                    "settings. Switch it off, remove the mode jumper and switch it on."
                 )
             return why.format(state.mode.source.value)
         if self._device.applying:
@@ -92,7 +92,7 @@ class CalibrationPreconditions(QObject):
         if device.link is ConnectionState.NOT_RESPONDING:
             return self.tr("The board has stopped responding: its power or its cable was cut.")
         if device.link is not ConnectionState.CONNECTED or state is None:
-            return self.tr("The line to the board is gone.")
+            return self.tr("The connection to the board was lost.")
         if not state.mode.is_serial or state.source is not self._source:
             text = self.tr("The board was started in another mode.")
             return f"{text} {self.blocker}".rstrip()

@@ -17,9 +17,9 @@ def problems_text(problems: tuple[Problem, ...]) -> str:
 def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
     """Return the sentences by kind and variant; translated anew, since the language can change."""
     kind = ProblemKind
-    moved = _tr("It moved during sampling, between {0} and {1}. Let go of it and sample again.")
+    moved = _tr("It moved during sampling, between {0} and {1}. Release it and sample again.")
     worn = _tr(
-        "Let go of it and sample again; if it continues, the stick or the transmitter is warming "
+        "Release it and sample again; if it continues, the stick or the transmitter is warming "
         "up or worn."
     )
     weak = _tr("Bring the transmitter nearer, or check antenna and cable.")
@@ -125,7 +125,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             _tr("It rests at {0}: with this neutral it would give {1} there.")
         ],
         (kind.NEUTRAL_MOVED, "MEASURED"): [
-            _tr("After letting go it rests at {0}, not at {1}, and would give {2} there."),
+            _tr("After release it rests at {0}, not at {1}, and would give {2} there."),
             _tr("Was a hand on it during sampling, or was a trim moved?"),
             _tr("Go back and sample it again, or use the new rest position."),
         ],

@@ -109,7 +109,7 @@ class StickTest:
         if self.output == 0:
             return "Full output reached. Let it rest for a moment."
         now = f"{self.output:+d}".replace("-", "−")
-        return f"Full output reached. Let go: at rest the output must be 0, but it is {now}."
+        return f"Full output reached. Release it: at rest the output must be 0, but it is {now}."
 
 
 def idle_side(calibration: Calibration, *, reversed_: bool) -> int:

@@ -371,7 +371,7 @@ class LearnDialog(QDialog):
             return self.tr("Hands off. Sampling … {0:.1f} s").format(learning.seconds_left)
         if not learning.has_sampled:
             return self.tr(
-                "The motors are stopped. Let go of every stick and set every switch to off. Then "
+                "The motors are stopped. Release every stick and set every switch to off. Then "
                 "click Next to measure the rest positions."
             )
         bad = [str(channel.number) for channel in learning.channels if not channel.is_at_rest]
@@ -448,6 +448,6 @@ class LearnDialog(QDialog):
                 )
                 return text.format(tests.mode, "; ".join(tests.safe_start_reasons))
         return self.tr(
-            "Push every stick to all its ends, then let go. Move every switch to all its "
+            "Push every stick to all its ends, then release it. Move every switch to all its "
             "positions. The motors stay off: in serial mode the sticks do not drive them."
         )

@@ -152,7 +152,7 @@ class StatusPage(QWidget):
         failures = counters.missing + counters.corrupted
         good = 100 * (1 - failures / max(counters.requests, 1))
         self._values["traffic"].setText(
-            self.tr("{0} of {1} answered ({2:.2f} %)").format(
+            self.tr("{0} replies to {1} requests ({2:.2f} %)").format(
                 counters.requests - failures, counters.requests, good
             )
         )
