@@ -30,35 +30,12 @@ class BootHost(Protocol):
     memory: Memory
 
 
-class BootMode(Protocol):
-    """What the board does instead of normal operation.
-
-    `leds` are the patterns of the red and the green LED; after `is_over` normal operation begins
-    without a power cycle.
-    """
-
-    @property
-    def name(self) -> str: ...
-    @property
-    def leds(self) -> tuple[str, str]: ...
-    @property
-    def is_over(self) -> bool: ...
-
-    def update(self, seconds: float) -> None:
-        """Run one update, 100 times a second."""
-
-    def reply(self, byte: int) -> bytes:
-        """Return the reply to a byte on the serial line."""
-
-
-def boot_mode(board: BootHost) -> BootMode | None:
-    if not (board.mix and board.so_ground):
-        return None
-    return BootLoader(board) if board.mode.is_serial else LearningMode(board)
-
-
 class BootLoader:
-    """Waits for new firmware, and restores the default serial settings before."""
+    """Waits for new firmware, and restores the default serial settings before.
+
+    `leds` are the patterns of the red and the green LED; `update` runs 100 times a second, and
+    `reply` returns the reply to a byte on the serial line.
+    """
 
     is_over = False
 
@@ -103,9 +80,18 @@ class _Step(Enum):
     DONE = "learning: done"
 
 
+_LEDS = {
+    _Step.READY: ("blink 1/s", "blink 1/s"),
+    _Step.WAITING: ("blink 4/s", "blink 4/s"),
+    _Step.NEUTRALS: ("on", "off"),
+    _Step.EXTREMES: ("on", "on"),
+}
+
+
 class LearningMode:
     """Learns neutral and extremes of every channel from the sticks.
 
+    After `is_over` normal operation begins without a power cycle.
     Inferred: how steady a neutral must be, the deadband (the default, or the noise if that is
     larger), and that a channel that fails keeps its values.
     """
@@ -124,15 +110,8 @@ class LearningMode:
 
     @property
     def leds(self) -> tuple[str, str]:
-        match self._step:
-            case _Step.READY:
-                return "blink 1/s", "blink 1/s"
-            case _Step.WAITING:
-                return "blink 4/s", "blink 4/s"
-            case _Step.NEUTRALS:
-                return "on", "off"
-            case _Step.EXTREMES:
-                return "on", "on"
+        if self._step in _LEDS:
+            return _LEDS[self._step]
         channel = 1 + int(self._time / _FLASH) % len(CHANNELS)
         if self._time % _FLASH > _FLASH / 2:
             return "off", "off"
@@ -203,8 +182,8 @@ class _Watched:
         self._neutral = 0
         self._noise = 0
         self._recent: deque[int] = deque(maxlen=_HELD)
-        self._lowest: int | None = None
-        self._highest: int | None = None
+        self._lows: list[int] = []  # only held positions count
+        self._highs: list[int] = []
 
     def take(self, value: int | None) -> None:
         if value is None:
@@ -212,10 +191,9 @@ class _Watched:
             return
         self._values.append(value)
         self._recent.append(value)
-        if len(self._recent) == _HELD:  # only held positions count
-            lowest, highest = max(self._recent), min(self._recent)
-            self._lowest = lowest if self._lowest is None else min(self._lowest, lowest)
-            self._highest = highest if self._highest is None else max(self._highest, highest)
+        if len(self._recent) == _HELD:
+            self._lows.append(max(self._recent))
+            self._highs.append(min(self._recent))
 
     def settle(self, limit: int) -> bool:
         """Take the mean so far as neutral; return whether the signal was good and steady."""
@@ -228,11 +206,20 @@ class _Watched:
 
     def calibration(self, deadband: int) -> Calibration | None:
         """Return the calibration; `None` if the stick hardly moved or the signal was bad."""
-        if self._is_bad or self._lowest is None or self._highest is None:
+        if self._is_bad or not self._lows:
             return None
-        lowest = min(self._lowest, self._neutral)
-        highest = max(self._highest, self._neutral)
+        lowest = min(self._neutral, *self._lows)
+        highest = max(self._neutral, *self._highs)
         deadband = max(deadband, self._noise)
         if highest - lowest <= 2 * deadband:
             return None
         return Calibration(lowest, self._neutral, highest, deadband)
+
+
+BootMode = BootLoader | LearningMode
+
+
+def boot_mode(board: BootHost) -> BootMode | None:
+    if not (board.mix and board.so_ground):
+        return None
+    return BootLoader(board) if board.mode.is_serial else LearningMode(board)

@@ -1,8 +1,8 @@
 """Parameters and calibrations: in the EEPROM, and what the firmware keeps of them."""
 
+import contextlib
 import json
 import os
-import tempfile
 from collections import deque
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
@@ -139,9 +139,13 @@ class Eeprom:
         if self._path is None:
             return
         text = json.dumps(self._document(), indent=2) + "\n"
+        draft = self._path.with_name(f".{self._path.name}.{os.getpid()}")
         try:
-            _replace(self._path, text)
+            draft.write_text(text, encoding="utf-8")
+            draft.replace(self._path)
         except OSError as error:
+            with contextlib.suppress(OSError):
+                draft.unlink()
             message = f"the EEPROM file {self._path} cannot be written: {error}"
             raise EepromError(message) from error
 
@@ -216,18 +220,6 @@ def _read_calibration(name: str, row: object) -> Calibration:
 
 def _factory_calibrations() -> dict[InputSource, dict[int, Calibration]]:
     return {source: dict.fromkeys(CHANNELS, DEFAULT_CALIBRATION[source]) for source in InputSource}
-
-
-def _replace(path: Path, text: str) -> None:
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    temporary = Path(name)
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-        temporary.replace(path)
-    except OSError:
-        temporary.unlink(missing_ok=True)
-        raise
 
 
 PARAMETER_WRITE = 0.004
@@ -319,14 +311,17 @@ class Memory:
             return ResultCode.BAD_PARAMETER
         if value not in spec.valid:
             return ResultCode.BAD_VALUE
-        if not spec.readable:
+        if spec.readable:
+            self._begin_write(spec.key, value, at_once=not spec.needs_power_cycle)
+        else:
             # Inferred: 0x7F sets a mark, and the next power-up resets all parameters.
             step = _Step(PARAMETER_WRITE, self.eeprom.request_reset, lambda: None)
-        else:
-            store = partial(self._store, spec.key, value, at_once=not spec.needs_power_cycle)
-            step = _Step(PARAMETER_WRITE, store, partial(self.eeprom.lose, spec.key))
-        self._steps.append(step)
+            self._steps.append(step)
         return ResultCode.OK
+
+    def _begin_write(self, key: str, value: int, *, at_once: bool) -> None:
+        store = partial(self._store, key, value, at_once=at_once)
+        self._steps.append(_Step(PARAMETER_WRITE, store, partial(self.eeprom.lose, key)))
 
     def set_calibration(self, channel: int, calibration: Calibration, mode: Mode) -> ResultCode:
         if not mode.is_serial:
@@ -350,9 +345,7 @@ class Memory:
     def restore_line_settings(self) -> None:
         """Begin to write the default serial settings, for the recovery by jumpers."""
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL):
-            store = partial(self._store, key, self.parameters[key].default, at_once=False)
-            lose = partial(self.eeprom.lose, key)
-            self._steps.append(_Step(PARAMETER_WRITE, store, lose))
+            self._begin_write(key, self.parameters[key].default, at_once=False)
 
     @property
     def busy_for(self) -> float:

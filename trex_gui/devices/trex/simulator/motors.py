@@ -4,9 +4,10 @@ Ref: TReX 1.0 command documentation 0x84, 0x85, 0xC0-0xF1; User's Guide 5.b.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from functools import partial
 
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 
@@ -22,12 +23,6 @@ class MotorDirection(Enum):
     def from_bits(cls, bits: int) -> "MotorDirection":
         """Read the two direction bits of a motor command; 00 and 11 brake."""
         return (cls.BRAKE, cls.REVERSE, cls.FORWARD, cls.BRAKE)[bits & 3]
-
-    @property
-    def opposite(self) -> "MotorDirection":
-        if self is MotorDirection.BRAKE:
-            return self
-        return MotorDirection.REVERSE if self is MotorDirection.FORWARD else MotorDirection.FORWARD
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,18 +94,14 @@ class Motor:
             self._brake(self.target_speed)
             return
         if self.direction is not wanted:
-            if self._must_brake_before(wanted, settings.brake_duration):
+            # Inferred: earlier braking counts, and a motor that continues in its direction needs
+            # none. The duration is in updates of 10 ms.
+            reverses = self._driven not in {wanted, MotorDirection.BRAKE}
+            if reverses and self._braked < settings.brake_duration:
                 self._brake(FULL_SPEED)
                 return
             self._output(wanted, 0)
         self._output(wanted, _ramp(self._tenths, self.target_speed * 10, settings.acceleration))
-
-    def _must_brake_before(self, wanted: MotorDirection, brake_duration: int) -> bool:
-        """Whether a reversal needs more braking; the duration is in updates of 10 ms.
-
-        Inferred: earlier braking counts, and a motor that continues in its direction needs none.
-        """
-        return self._driven is wanted.opposite and self._braked < brake_duration
 
     def _brake(self, duty: int) -> None:
         self._output(MotorDirection.BRAKE, duty * 10)
@@ -153,23 +144,6 @@ def _ramp(tenths: int, target: int, acceleration: int) -> int:
     return min(tenths + acceleration, target)
 
 
-@dataclass(frozen=True, slots=True)
-class _Command:
-    direction: MotorDirection
-    speed: int
-    accelerate: bool
-
-    def apply(self, motor: Motor) -> None:
-        if self.accelerate:
-            motor.accelerate(self.direction, self.speed)
-        else:
-            motor.set(self.direction, self.speed)
-
-
-_STOP = _Command(MotorDirection.BRAKE, FULL_SPEED, accelerate=False)
-"""Inferred: a shut-down motor brakes fully."""
-
-
 class SerialControl:
     """The latest serial command to each motor, and the bits that are latched until read.
 
@@ -186,8 +160,11 @@ class SerialControl:
         self._motors = motors
         self._aux = aux
         self._joint = joint
-        self._commands = [_STOP] * len(motors)
-        self._aux_command = (0, False)
+        self._stops: tuple[Callable[[], None], ...] = (
+            *(partial(motor.set, MotorDirection.BRAKE, FULL_SPEED) for motor in motors),
+            partial(aux.set, 0),
+        )
+        self._commands = list(self._stops)  # for motors 1 and 2 and the auxiliary motor
         self._last_byte = math.inf  # inferred: the timeout runs from the first byte on
 
     def drive(
@@ -199,15 +176,18 @@ class SerialControl:
         """
         if self._joint and number == 2:
             return
-        command = _Command(direction, speed, accelerate)
-        self._commands[number - 1] = command
-        if self.in_control:
-            command.apply(self._motors[number - 1])
+        motor = self._motors[number - 1]
+        drive = motor.accelerate if accelerate else motor.set
+        self._command(number - 1, partial(drive, direction, speed))
 
     def drive_aux(self, speed: int, *, accelerate: bool = False) -> None:
-        self._aux_command = (speed, accelerate)
+        drive = self._aux.accelerate if accelerate else self._aux.set
+        self._command(2, partial(drive, speed))
+
+    def _command(self, index: int, command: Callable[[], None]) -> None:
+        self._commands[index] = command
         if self.in_control:
-            self._apply_aux_command()
+            command()
 
     def hand_over(self, now: float, timeout: int, *, in_control: bool) -> None:
         """Set who controls the motors; serial control applies the latest commands of any age.
@@ -219,15 +199,13 @@ class SerialControl:
         self.in_control = in_control
         if begins:
             self.check_timeout(now, timeout)
-            for command, motor in zip(self._commands, self._motors, strict=True):
-                command.apply(motor)
-            self._apply_aux_command()
+            for command in self._commands:
+                command()
 
     def stop_motors(self) -> None:
-        """Brake both motors fully and let the auxiliary motor coast, in either control."""
-        for motor in self._motors:
-            _STOP.apply(motor)
-        self._aux.set(0)
+        """Brake both motors fully (inferred) and let the auxiliary motor coast."""
+        for stop in self._stops:
+            stop()
 
     def restart_timeout(self, now: float) -> None:
         self._last_byte = now
@@ -264,14 +242,6 @@ class SerialControl:
 
     def _shut_down(self) -> None:
         """Stop serial control's motors; inferred: the next command restarts its motor."""
-        self._commands = [_STOP] * len(self._motors)
-        self._aux_command = (0, False)
+        self._commands = list(self._stops)
         if self.in_control:
             self.stop_motors()
-
-    def _apply_aux_command(self) -> None:
-        speed, accelerate = self._aux_command
-        if accelerate:
-            self._aux.accelerate(speed)
-        else:
-            self._aux.set(speed)
