@@ -1,11 +1,19 @@
 """Main window: connection bar, notifications, workspace of the device in use, menus."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QEvent, QObject, QSettings, Qt, QTimer, QUrl, Slot
-from PySide6.QtGui import QCloseEvent, QDesktopServices, QGuiApplication, QKeyEvent, QWindow
+from PySide6.QtGui import (
+    QActionGroup,
+    QCloseEvent,
+    QDesktopServices,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QWindow,
+)
 from PySide6.QtWidgets import (
     QApplication,
     QDialog,
@@ -24,7 +32,16 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.frame.connection_bar import ConnectionBar
-from trex_gui.ui.frame.workspace import Workspace, build_menus
+from trex_gui.ui.frame.workspace import (
+    SEPARATOR,
+    Entries,
+    Entry,
+    Menu,
+    Menus,
+    Workspace,
+    entries_of,
+    fill_menu_bar,
+)
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import application_icon
@@ -80,10 +97,12 @@ class MainWindow(QMainWindow):
             for dock in workspace.docks:
                 self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
             workspace.actions_changed.connect(self._on_actions_changed)
-        slots = self._slots()
-        for workspace in workspaces:
-            slots |= workspace.slots()
-        self._actions = build_menus(self, slots, [workspace.menus() for workspace in workspaces])
+        self._actions = fill_menu_bar(self, self._menus([one.menus() for one in workspaces]))
+        # Whatever window is in front; the others have their own keys.
+        self._actions["stop"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
+        schemes = QActionGroup(self)
+        for scheme in SCHEMES:
+            schemes.addAction(self._actions[scheme])
 
         self._connection.connecting.connect(self._notifier.cleared)
         self._connection.line_settings_requested.connect(self._edit_line_settings)
@@ -108,18 +127,53 @@ class MainWindow(QMainWindow):
         key = self._manager.current.plugin.key
         return next(workspace for workspace in self._workspaces if workspace.key == key)
 
-    def _slots(self) -> dict[str, Callable[[], object]]:
-        return {
-            "quit": self.close,
-            "connect": self._connection.connect_shown,
-            "disconnect": self._connection.leave,
-            "line": self._edit_line_settings,
-            "find": self._connection.find_board,
-            "stop": self._manager.press_stop,
-            **{scheme: partial(self._choose_scheme, scheme) for scheme in SCHEMES},
-            "guide": self._show_help,
-            "about": self._show_about,
+    def _menus(self, workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
+        """Yield titles and entries; menus that only one workspace has come before Window."""
+        tr, connection = self.tr, self._connection
+
+        def shared(menu: Menu) -> Entries:
+            return [entry for menus in workspaces for entry in (SEPARATOR, *menus.get(menu, ()))]
+
+        leave = Entry("quit", tr("E&xit"), self.close, QKeySequence.StandardKey.Quit)
+        yield tr("&File"), (*shared(Menu.FILE), SEPARATOR, leave)
+        yield tr("&Edit"), shared(Menu.EDIT)
+        yield (
+            tr("&Device"),
+            (
+                Entry("connect", tr("&Connect"), connection.connect_shown, "Ctrl+K", "connect"),
+                Entry("disconnect", tr("&Disconnect"), connection.leave, "Ctrl+D", "disconnect"),
+                Entry("line", tr("&Line settings…"), self._edit_line_settings, "", "settings"),
+                Entry("find", tr("&Find a board…"), connection.find_board, "Ctrl+Shift+F", "find"),
+                SEPARATOR,
+                Entry("stop", tr("&Stop motors"), self._manager.press_stop, "Esc", "stop"),
+                *shared(Menu.DEVICE),
+            ),
+        )
+        for menus in workspaces:
+            yield from ((own, menus[own]) for own in menus if isinstance(own, str))
+        colours = {
+            "system": tr("Colours of the s&ystem"),
+            "light": tr("L&ight colours"),
+            "dark": tr("Dar&k colours"),
         }
+        yield (
+            tr("&Window"),
+            (
+                *shared(Menu.WINDOW),
+                SEPARATOR,
+                *(
+                    Entry(key, colours[key], partial(self._choose_scheme, key), checkable=True)
+                    for key in SCHEMES
+                ),
+            ),
+        )
+        yield (
+            tr("&Help"),
+            (
+                Entry("guide", tr("Online &documentation…"), self._show_help, "F1", "help"),
+                Entry("about", tr("&About…"), self._show_about, "", "info"),
+            ),
+        )
 
     @Slot()
     def _edit_line_settings(self) -> None:
@@ -164,8 +218,8 @@ class MainWindow(QMainWindow):
         self._actions["guide"].setText(self._workspace.help_title)
         self._help.close()
         for workspace in self._workspaces:
-            for key in workspace.slots():
-                self._actions[key].setVisible(workspace is self._workspace)
+            for entry in entries_of(workspace.menus()):
+                self._actions[entry.key].setVisible(workspace is self._workspace)
         for menu_action in self.menuBar().actions():
             if isinstance(menu := menu_action.menu(), QMenu):
                 offered = (a.isVisible() and not a.isSeparator() for a in menu.actions())

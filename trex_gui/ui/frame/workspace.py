@@ -1,13 +1,13 @@
 """Workspace of a device, and the menus that it shares with the frame."""
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, Qt, Signal
-from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
 from trex_gui.ui.notifier import Notifier
@@ -18,17 +18,18 @@ SEPARATOR = ""
 
 
 @dataclass(frozen=True, slots=True)
-class ActionInfo:
+class Entry:
     """One entry of a menu; `shortcut` is a portable key sequence."""
 
     key: str
     text: str
+    slot: Callable[[], object]
     shortcut: str | QKeySequence.StandardKey = ""
     icon: str = ""
     checkable: bool = False
 
 
-Entries = Sequence[ActionInfo | str]
+Entries = Sequence[Entry | str]
 """Actions and separators of one menu."""
 
 
@@ -76,7 +77,6 @@ class PageInfo:
     key: str
     title: str
     page: QWidget
-    icon: str = ""
 
 
 class Workspace(QWidget):
@@ -136,22 +136,19 @@ class Workspace(QWidget):
         keys = [info.key for info in self._infos]
         self.pages.setCurrentIndex(keys.index(key))
 
-    def page_actions(self) -> tuple[ActionInfo, ...]:
-        return tuple(
-            ActionInfo(f"{self.key}_{info.key}", info.title, f"Ctrl+{number}", info.icon)
+    def page_entries(self) -> Entries:
+        return [
+            Entry(
+                f"{self.key}_{info.key}",
+                info.title,
+                partial(self.show_page, info.key),
+                f"Ctrl+{number}",
+            )
             for number, info in enumerate(self._infos, start=1)
-        )
-
-    def page_slots(self) -> Mapping[str, Callable[[], object]]:
-        return {f"{self.key}_{info.key}": partial(self.show_page, info.key) for info in self._infos}
+        ]
 
     def menus(self) -> Menus:
-        """Return its entries by shared menu, or by the title of one of its own."""
-        return {Menu.WINDOW: self.page_actions()}
-
-    def slots(self) -> Mapping[str, Callable[[], object]]:
-        """Return the function of each of its actions, by key."""
-        return self.page_slots()
+        return {Menu.WINDOW: self.page_entries()}
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         """Use the actions by key, once the menus are built."""
@@ -179,89 +176,12 @@ class Workspace(QWidget):
         """Let the user edit how this computer talks to the device."""
 
 
-def tr(text: str) -> str:
-    return QCoreApplication.translate("actions", text)
-
-
-@dataclass(frozen=True, slots=True)
-class _FrameMenu:
-    """A shared menu: its title, and the frame's entries above and below the workspaces'."""
-
-    title: str
-    above: Entries = ()
-    below: Entries = ()
-
-
-def _frame_menus() -> Mapping[Menu, _FrameMenu]:
-    return {
-        Menu.FILE: _FrameMenu(
-            tr("&File"),
-            below=(SEPARATOR, ActionInfo("quit", tr("E&xit"), QKeySequence.StandardKey.Quit)),
-        ),
-        Menu.EDIT: _FrameMenu(tr("&Edit")),
-        Menu.DEVICE: _FrameMenu(
-            tr("&Device"),
-            above=(
-                ActionInfo("connect", tr("&Connect"), "Ctrl+K", "connect"),
-                ActionInfo("disconnect", tr("&Disconnect"), "Ctrl+D", "disconnect"),
-                ActionInfo("line", tr("&Line settings…"), "", "settings"),
-                ActionInfo("find", tr("&Find a board…"), "Ctrl+Shift+F", "find"),
-                SEPARATOR,
-                ActionInfo("stop", tr("&Stop motors"), "Esc", "stop"),
-            ),
-        ),
-        Menu.WINDOW: _FrameMenu(
-            tr("&Window"),
-            below=(
-                SEPARATOR,
-                ActionInfo("system", tr("Colours of the s&ystem"), checkable=True),
-                ActionInfo("light", tr("L&ight colours"), checkable=True),
-                ActionInfo("dark", tr("Dar&k colours"), checkable=True),
-            ),
-        ),
-        Menu.HELP: _FrameMenu(
-            tr("&Help"),
-            above=(
-                ActionInfo("guide", tr("Online &documentation…"), "F1", "help"),
-                ActionInfo("about", tr("&About…"), "", "info"),
-            ),
-        ),
-    }
-
-
-def frame_actions() -> Iterator[ActionInfo]:
-    for menu in _frame_menus().values():
-        yield from (one for one in (*menu.above, *menu.below) if isinstance(one, ActionInfo))
-
-
-def _menu_bar(workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
-    """Yield titles and entries; menus that only one workspace has come before `WINDOW`."""
-    for key, menu in _frame_menus().items():
-        if key is Menu.WINDOW:
-            for menus in workspaces:
-                yield from ((own, menus[own]) for own in menus if isinstance(own, str))
-        middle = [entry for menus in workspaces for entry in (SEPARATOR, *menus.get(key, ()))]
-        yield menu.title, (*menu.above, *middle, *menu.below)
-
-
-def build_menus(
-    window: QMainWindow, slots: Mapping[str, Callable[[], object]], workspaces: Sequence[Menus]
-) -> dict[str, QAction]:
-    """Fill the main window's menu bar; return the actions by key."""
-    actions = fill_menu_bar(window, _menu_bar(workspaces), slots)
-    # Whatever window is in front; the others have their own keys.
-    actions["stop"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
-    schemes = QActionGroup(window)
-    for key in ("system", "light", "dark"):
-        schemes.addAction(actions[key])
-    return actions
+def entries_of(menus: Menus) -> list[Entry]:
+    return [one for entries in menus.values() for one in entries if isinstance(one, Entry)]
 
 
 def fill_menu_bar(
-    window: QMainWindow,
-    menus: Iterable[tuple[str, Entries]],
-    slots: Mapping[str, Callable[[], object]],
-    prefix: str = "",
+    window: QMainWindow, menus: Iterable[tuple[str, Entries]], prefix: str = ""
 ) -> dict[str, QAction]:
     """Add menus by title to a window; return the actions by key.
 
@@ -285,7 +205,7 @@ def fill_menu_bar(
                 icon=entry.icon,
                 shortcut=entry.shortcut,
                 checkable=entry.checkable,
-                on_trigger=partial(_call_without_state, slots[key]),
+                on_trigger=partial(_call_without_state, entry.slot),
             )
             menu.addAction(actions[key])
     return actions

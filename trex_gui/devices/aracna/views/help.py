@@ -1,12 +1,13 @@
 """Help on the Aracna: its pages, the limits of its link, and its keys."""
 
+from collections.abc import Mapping
 from html import escape
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QAction, QKeySequence
 
 from trex_gui.devices.aracna.protocol.commands import BAUD
-from trex_gui.ui.frame.workspace import ActionInfo, Menus, frame_actions
+from trex_gui.ui.frame.workspace import Menus, entries_of
 
 _OF_THE_FRAME = ("connect", "disconnect", "find")
 
@@ -41,14 +42,14 @@ counts.</p>""",
 )
 
 
-def help_text(menus: Menus) -> str:
-    """Return rich text; keys and names come from the `menus` of the workspace."""
+def help_text(menus: Menus, actions: Mapping[str, QAction]) -> str:
+    """Return rich text; keys and names come from the workspace's `menus` and all `actions`."""
     tr = QCoreApplication.translate
     esc = tr("AracnaHelp", "End the sequence and send nothing more; works in every window")
-    mine = [entry for entries in menus.values() for entry in entries]
     rows = [(tr("AracnaHelp", "Esc"), esc)]
-    rows += [_row(entry) for entry in mine if isinstance(entry, ActionInfo) and entry.shortcut]
-    rows += [_row(entry) for entry in frame_actions() if entry.key in _OF_THE_FRAME]
+    mine = [entry for entry in entries_of(menus) if entry.shortcut]
+    rows += [_row(QKeySequence(entry.shortcut), entry.text) for entry in mine]
+    rows += [_row(actions[key].shortcut(), actions[key].text()) for key in _OF_THE_FRAME]
     cells = "".join(
         f"<tr><td><b>{escape(key)}</b>&nbsp;&nbsp;</td><td>{escape(what)}</td></tr>"
         for key, what in rows
@@ -57,6 +58,6 @@ def help_text(menus: Menus) -> str:
     return tr("AracnaHelp", str(_TEXT)).format(keys=keys, baud=BAUD)
 
 
-def _row(entry: ActionInfo) -> tuple[str, str]:
-    keys = QKeySequence(entry.shortcut).toString(QKeySequence.SequenceFormat.NativeText)
-    return keys, entry.text.replace("&", "").removesuffix("…")
+def _row(keys: QKeySequence, text: str) -> tuple[str, str]:
+    native = keys.toString(QKeySequence.SequenceFormat.NativeText)
+    return native, text.replace("&", "").removesuffix("…")

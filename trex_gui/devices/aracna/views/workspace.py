@@ -23,7 +23,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
-    ActionInfo,
+    Entry,
     FileKind,
     Menu,
     Menus,
@@ -103,8 +103,6 @@ class AracnaWorkspace(Workspace):
         bar = ActionBar(robot, self)
         ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = RobotPanel(controller, frame)
-        self._slots: dict[str, Callable[[], object]] = {}
-        self._menus = self._make_menus()
 
         controller.demo_robot.rejected.connect(self.notifier.error)
         self._demo.wanted_changed.connect(self._on_demo_wanted)
@@ -130,7 +128,7 @@ class AracnaWorkspace(Workspace):
 
     @property
     def help_text(self) -> str:
-        return help_text(self.menus())
+        return help_text(self.menus(), self._actions)
 
     @property
     def file_kinds(self) -> Sequence[FileKind]:
@@ -147,70 +145,64 @@ class AracnaWorkspace(Workspace):
 
     # --- Menus --------------------------------------------------------------------------
 
-    def _make_menus(self) -> Menus:
-        def entry(
-            key: str,
-            text: str,
-            slot: Callable[[], object],
-            shortcut: str | QKeySequence.StandardKey = "",
-            icon: str = "",
-            *,
-            checkable: bool = False,
-        ) -> ActionInfo:
-            self._slots[f"aracna_{key}"] = slot
-            return ActionInfo(f"aracna_{key}", text, shortcut, icon, checkable)
-
+    def menus(self) -> Menus:
         tr, keys = self.tr, QKeySequence.StandardKey
         controls, robot = self._controls, self._robot
         files, undo = self._poses.files, self.library.undo
         record, open_recording = self.recordings.toggle, self.recordings.choose_and_open
         return {
             tr("&Aracna"): (
-                entry(
-                    "move", tr("&Move to the sliders' goals"), controls.move_now, "Ctrl+M", "run"
+                Entry(
+                    "aracna_move",
+                    tr("&Move to the sliders' goals"),
+                    controls.move_now,
+                    "Ctrl+M",
+                    "run",
                 ),
-                entry("present", tr("Sliders to the &present position"), controls.take_present),
-                entry("centre", tr("Sliders to the &centre"), controls.centre),
-                entry("stand", tr("Sliders to &stand"), controls.stand),
+                Entry(
+                    "aracna_present", tr("Sliders to the &present position"), controls.take_present
+                ),
+                Entry("aracna_centre", tr("Sliders to the &centre"), controls.centre),
+                Entry("aracna_stand", tr("Sliders to &stand"), controls.stand),
                 SEPARATOR,
-                entry("play", tr("Pla&y the current sequence or gait"), self._play, "Ctrl+R"),
-                entry("end", tr("&End sequence after this step"), robot.end_play, "Ctrl+E"),
+                Entry(
+                    "aracna_play", tr("Pla&y the current sequence or gait"), self._play, "Ctrl+R"
+                ),
+                Entry("aracna_end", tr("&End sequence after this step"), robot.end_play, "Ctrl+E"),
                 SEPARATOR,
-                entry("record", tr("&Record…"), record, "Ctrl+Shift+R", "record"),
-                entry(
-                    "open_recording", tr("Ope&n recording…"), open_recording, "Ctrl+Shift+O", "plot"
+                Entry("aracna_record", tr("&Record…"), record, "Ctrl+Shift+R", "record"),
+                Entry(
+                    "aracna_open_recording",
+                    tr("Ope&n recording…"),
+                    open_recording,
+                    "Ctrl+Shift+O",
+                    "plot",
                 ),
                 SEPARATOR,
-                entry("limits", tr("Reset the joints' &limits"), robot.limits.reset),
+                Entry("aracna_limits", tr("Reset the joints' &limits"), robot.limits.reset),
             ),
             tr("P&oses"): (
-                entry("new", tr("&New pose file"), files.new, keys.New, "new"),
-                entry("open", tr("&Open pose file…"), files.ask_and_open, "Ctrl+O", "open"),
-                entry("save", tr("&Save pose file"), files.save, "Ctrl+S", "save"),
-                entry("save_as", tr("Save pose file &as…"), files.ask_and_save),
+                Entry("aracna_new", tr("&New pose file"), files.new, keys.New, "new"),
+                Entry("aracna_open", tr("&Open pose file…"), files.ask_and_open, "Ctrl+O", "open"),
+                Entry("aracna_save", tr("&Save pose file"), files.save, "Ctrl+S", "save"),
+                Entry("aracna_save_as", tr("Save pose file &as…"), files.ask_and_save),
                 SEPARATOR,
-                entry("undo", tr("&Undo"), undo.undo, keys.Undo, "undo"),
-                entry("redo", tr("&Redo"), undo.redo, keys.Redo, "redo"),
+                Entry("aracna_undo", tr("&Undo"), undo.undo, keys.Undo, "undo"),
+                Entry("aracna_redo", tr("&Redo"), undo.redo, keys.Redo, "redo"),
                 SEPARATOR,
-                entry(
-                    "capture",
+                Entry(
+                    "aracna_capture",
                     tr("&Capture the present position as a pose"),
                     self._capture,
                     "Ctrl+P",
                 ),
             ),
             Menu.WINDOW: (
-                *self.page_actions(),
+                *self.page_entries(),
                 SEPARATOR,
-                entry("demo", tr("&Demo Aracna panel"), self._demo.toggle, checkable=True),
+                Entry("aracna_demo", tr("&Demo Aracna panel"), self._demo.toggle, checkable=True),
             ),
         }
-
-    def menus(self) -> Menus:
-        return self._menus
-
-    def slots(self) -> Mapping[str, Callable[[], object]]:
-        return {**self.page_slots(), **self._slots}
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         self._actions = actions

@@ -34,7 +34,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
-    ActionInfo,
+    Entry,
     FileKind,
     Menu,
     Menus,
@@ -132,8 +132,6 @@ class TrexWorkspace(Workspace):
             device.draft.pending_changed,
         ):
             changed.connect(self._on_actions_changed)
-        self._slots: dict[str, Callable[[], object]] = {}
-        self._menus = self._make_menus()
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
     @property
@@ -153,34 +151,22 @@ class TrexWorkspace(Workspace):
 
     # --- What its menus do --------------------------------------------------------------
 
-    def _make_menus(self) -> Menus:
-        def entry(
-            key: str,
-            text: str,
-            slot: Callable[[], object],
-            shortcut: str | QKeySequence.StandardKey = "",
-            icon: str = "",
-            *,
-            checkable: bool = False,
-        ) -> ActionInfo:
-            self._slots[key] = slot
-            return ActionInfo(key, text, shortcut, icon, checkable)
-
+    def menus(self) -> Menus:
         device, files, keys, tr = self._device, self.files, QKeySequence.StandardKey, self.tr
         factory = partial(self._defaults.preview, serial_only=False)
         serial = partial(self._defaults.preview, serial_only=True)
         return {
             Menu.FILE: (
-                entry("new", tr("&New settings file…"), files.ask_and_begin, keys.New, "new"),
-                entry("open", tr("&Open settings file…"), files.ask_and_open, "Ctrl+O", "open"),
-                entry("save", tr("&Save settings file…"), files.ask_and_save, "Ctrl+S", "save"),
-                entry("print", tr("Prin&t settings…"), files.preview, "", "print"),
-                entry("export", tr("&Export as code…"), files.ask_and_export, "", "console"),
+                Entry("new", tr("&New settings file…"), files.ask_and_begin, keys.New, "new"),
+                Entry("open", tr("&Open settings file…"), files.ask_and_open, "Ctrl+O", "open"),
+                Entry("save", tr("&Save settings file…"), files.ask_and_save, "Ctrl+S", "save"),
+                Entry("print", tr("Prin&t settings…"), files.preview, "", "print"),
+                Entry("export", tr("&Export as code…"), files.ask_and_export, "", "console"),
                 SEPARATOR,
-                entry("history", tr("&History…"), self._history.open_history, "Ctrl+H", "history"),
+                Entry("history", tr("&History…"), self._history.open_history, "Ctrl+H", "history"),
                 SEPARATOR,
-                entry("record", tr("&Record…"), self.recordings.toggle, "Ctrl+Shift+R", "record"),
-                entry(
+                Entry("record", tr("&Record…"), self.recordings.toggle, "Ctrl+Shift+R", "record"),
+                Entry(
                     "open_recording",
                     tr("Open recor&ding…"),
                     self.recordings.choose_and_open,
@@ -189,57 +175,37 @@ class TrexWorkspace(Workspace):
                 ),
             ),
             Menu.EDIT: (
-                entry("undo", tr("&Undo"), device.draft.undo.undo, keys.Undo, "undo"),
-                entry("redo", tr("&Redo"), device.draft.undo.redo, keys.Redo, "redo"),
+                Entry("undo", tr("&Undo"), device.draft.undo.undo, keys.Undo, "undo"),
+                Entry("redo", tr("&Redo"), device.draft.undo.redo, keys.Redo, "redo"),
                 SEPARATOR,
-                entry("discard", tr("&Discard all edits"), device.draft.discard_edits, "", "clear"),
+                Entry("discard", tr("&Discard all edits"), device.draft.discard_edits, "", "clear"),
             ),
             Menu.DEVICE: (
-                entry("run", tr("&Run motor"), device.motors.arm, "Ctrl+R", "run"),
+                Entry("run", tr("&Run motor"), device.motors.arm, "Ctrl+R", "run"),
                 SEPARATOR,
-                entry(
+                Entry(
                     "reload",
                     tr("Re&load settings from device"),
                     self._on_reload_requested,
                     "Ctrl+L",
                     "reload",
                 ),
-                entry("apply", tr("&Apply settings…"), self._review.review, "Ctrl+P", "apply"),
-                entry(
-                    "power",
-                    tr("Make stored settings acti&ve…"),
-                    self._power.guide,
-                    "",
-                    "power",
-                ),
+                Entry("apply", tr("&Apply settings…"), self._review.review, "Ctrl+P", "apply"),
+                Entry("power", tr("Make stored settings acti&ve…"), self._power.guide, "", "power"),
                 SEPARATOR,
-                entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
-                entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
-                entry("bench", tr("&Bench test…"), self._bench.open_bench, "Ctrl+B", "plot"),
+                Entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
+                Entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
+                Entry("bench", tr("&Bench test…"), self._bench.open_bench, "Ctrl+B", "plot"),
                 SEPARATOR,
-                entry(
-                    "defaults",
-                    tr("Restore &factory defaults…"),
-                    factory,
-                ),
-                entry(
-                    "serial_defaults",
-                    tr("Restore serial de&faults…"),
-                    serial,
-                ),
+                Entry("defaults", tr("Restore &factory defaults…"), factory),
+                Entry("serial_defaults", tr("Restore serial de&faults…"), serial),
             ),
             Menu.WINDOW: (
-                *self.page_actions(),
+                *self.page_entries(),
                 SEPARATOR,
-                entry("demo", tr("&Demo TReX panel"), self._demo.toggle, checkable=True),
+                Entry("demo", tr("&Demo TReX panel"), self._demo.toggle, checkable=True),
             ),
         }
-
-    def menus(self) -> Menus:
-        return self._menus
-
-    def slots(self) -> Mapping[str, Callable[[], object]]:
-        return {**self.page_slots(), **self._slots}
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         self._actions = actions

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsP
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.frame.workspace import SEPARATOR, ActionInfo, fill_menu_bar
+from trex_gui.ui.frame.workspace import SEPARATOR, Entry, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import column, named
@@ -96,43 +96,31 @@ class SettingsEditor(QMainWindow):
             self.tabs.setCurrentIndex(self._text_index)
 
     def _build_menus(self) -> dict[str, QAction]:
-        slots: dict[str, Callable[[], object]] = {}
-
-        def entry(
-            key: str,
-            text: str,
-            slot: Callable[[], object],
-            shortcut: str | QKeySequence.StandardKey = "",
-            icon: str = "",
-        ) -> ActionInfo:
-            slots[key] = slot
-            return ActionInfo(key, text, shortcut, icon)
-
         keys, tr = QKeySequence.StandardKey, self.tr
         menus = {
             tr("&File"): (
-                entry("new", tr("&New…"), self.new_requested.emit, keys.New, "new"),
-                entry("open", tr("&Open…"), self.open_requested.emit, keys.Open, "open"),
+                Entry("new", tr("&New…"), self.new_requested.emit, keys.New, "new"),
+                Entry("open", tr("&Open…"), self.open_requested.emit, keys.Open, "open"),
                 SEPARATOR,
-                entry("save", tr("&Save"), self.save, keys.Save, "save"),
-                entry("saveAs", tr("Save &as…"), self._ask_and_save, "Ctrl+Shift+S"),
+                Entry("save", tr("&Save"), self.save, keys.Save, "save"),
+                Entry("saveAs", tr("Save &as…"), self._ask_and_save, "Ctrl+Shift+S"),
                 SEPARATOR,
-                entry("print", tr("&Print…"), self.preview, keys.Print, "print"),
-                entry("pdf", tr("Save as P&DF…"), self._ask_and_save_pdf),
+                Entry("print", tr("&Print…"), self.preview, keys.Print, "print"),
+                Entry("pdf", tr("Save as P&DF…"), self._ask_and_save_pdf),
                 SEPARATOR,
-                entry("close", tr("&Close"), self.close, keys.Close),
+                Entry("close", tr("&Close"), self.close, keys.Close),
             ),
             tr("&Edit"): (
-                entry("undo", tr("&Undo"), self._undo, keys.Undo, "undo"),
-                entry("redo", tr("&Redo"), self._redo, keys.Redo, "redo"),
+                Entry("undo", tr("&Undo"), self._undo, keys.Undo, "undo"),
+                Entry("redo", tr("&Redo"), self._redo, keys.Redo, "redo"),
             ),
             tr("&Compare"): (
-                entry("compareFile", tr("With another &file…"), self._ask_and_compare),
-                entry("compareBoard", tr("With the &board"), self.compare_with_board),
-                entry("compareFactory", tr("With &factory defaults"), self._compare_with_factory),
+                Entry("compareFile", tr("With another &file…"), self._ask_and_compare),
+                Entry("compareBoard", tr("With the &board"), self.compare_with_board),
+                Entry("compareFactory", tr("With &factory defaults"), self._compare_with_factory),
             ),
             tr("&Device"): (
-                entry(
+                Entry(
                     "send",
                     tr("&Send to the board…"),
                     self.send_requested.emit,
@@ -141,7 +129,7 @@ class SettingsEditor(QMainWindow):
                 ),
             ),
         }
-        return fill_menu_bar(self, menus.items(), slots, "editor")
+        return fill_menu_bar(self, menus.items(), "editor")
 
     def _build_tool_bar(self) -> None:
         bar = named(QToolBar(self.tr("Tool bar"), self), "editorToolBar")
