@@ -7,20 +7,11 @@ from statistics import fmean
 
 from trex_gui.devices.trex.bench.run import Run
 
-LONGEST_GAP = 0.5
-"""Seconds between two readings over which no charge is counted."""
-
-BAND = 0.1
-"""How far from the steady current, as a share of it, counts as settled by default."""
-
-_TAIL = 0.3
-"""The share of a constant setpoint, at its end, whose current counts as steady."""
-
-_SHORTEST_PLATEAU = 0.4
-"""Seconds of a constant setpoint below which no current is steady: ten readings in its tail."""
-
-_NOISE_COUNTS = 2
-"""Counts from which a reading is a current; one alone may be noise."""
+LONGEST_GAP = 0.5  # seconds between two readings over which no charge is counted
+BAND = 0.1  # how far from the steady current, as a share of it, counts as settled by default
+_TAIL = 0.3  # the share of a constant setpoint, at its end, whose current counts as steady
+_SHORTEST_PLATEAU = 0.4  # seconds of a constant setpoint, with ten readings in its tail
+_NOISE_COUNTS = 2  # counts from which a reading is a current; one alone may be noise
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,9 +22,7 @@ from typing import TypeVar
 
 from trex_gui.devices.trex.bench.run import End, Profile, Run, Shape
 
-MAX_LENGTH = 10_000_000
-"""Characters; two minutes of readings are half a megabyte."""
-
+MAX_LENGTH = 10_000_000  # characters; two minutes of readings are half a megabyte
 _TITLE = "# TReX Studio bench test"
 _COLUMNS = ["time_s", "setpoint", "current_a"]
 _SETTING = "stored "

@@ -10,11 +10,8 @@ from operator import itemgetter
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
-SHORTEST = 0.2
-"""Seconds that a test or a period lasts at least: ten steps of the profile."""
-
-LONGEST = 120.0
-"""Seconds that a test lasts at most; the user holds a button all the while."""
+SHORTEST = 0.2  # seconds that a test or a period lasts at least: ten steps of the profile
+LONGEST = 120.0  # seconds that a test lasts at most; the user holds a button all the while
 
 
 class Shape(Enum):

@@ -10,29 +10,14 @@ from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-SAMPLING_SECONDS = 1.5
-"""How long a channel is sampled: some 75 values of a board that renews them 50 times a second."""
-
-_LEAST_SAMPLES = 15
-"""A slow line needs longer for as many."""
-
-_SHOWN_LEAST = 0.1
-"""Seconds that are shown as left while a sample is missing."""
-
-_JUDGED_FROM = 5
-"""Samples from which on a problem is worth reporting."""
-
-_MOST_INVALID = 0.05
-"""Share of samples without a signal that is still good: the board bridges 100 ms by itself."""
-
-_MOST_SPIKES = 0.03
-"""Share of lone wild values that is still good."""
-
-_SPIKE_LENGTH = 2
-"""Samples that a wild pulse makes at most: it may be read twice."""
-
-_BESIDE = 3
-"""Samples to each side that a wild one is compared with: more than it lasts."""
+SAMPLING_SECONDS = 1.5  # some 75 values of a board that renews them 50 times a second
+_LEAST_SAMPLES = 15  # a slow line needs longer for as many
+_SHOWN_LEAST = 0.1  # seconds that are shown as left while a sample is missing
+_JUDGED_FROM = 5  # samples from which on a problem is worth reporting
+_MOST_INVALID = 0.05  # share of samples without a signal; the board bridges 100 ms by itself
+_MOST_SPIKES = 0.03  # share of lone wild values that is still good
+_SPIKE_LENGTH = 2  # samples that a wild pulse makes at most: it may be read twice
+_BESIDE = 3  # samples to each side that a wild one is compared with: more than it lasts
 
 _STUCK_SHOWN = 0.3
 """Share of lost pulses from which on they are reported. Inferred: the estimate from 75 values errs
@@ -42,23 +27,12 @@ _STUCK_JUDGED_FROM = 2.0
 """Counts of noise (0.8 us) from which on a repeated value can be distinguished from one that is
 the same again. A quieter signal hides its lost pulses until 100 ms are missing."""
 
-_STUCK_INTERVAL = 0.03
-"""Seconds between two values up to which a repeated one can be seen."""
-
-_RANGE_OF_NOISE = 10.0
-"""Standard deviations that noise alone never spans: 75 normal values span 4.8, seldom 6.5."""
-
-_DRIFT_OF_NOISE = 6.0
-"""Standard deviations of the difference between two medians that noise alone never makes."""
-
-_MEDIAN_ERROR = 1.25
-"""Standard deviation of a median of normal values, times the root of their number."""
-
-_MAD_TO_DEVIATION = 1.4826
-"""Standard deviation of a normal distribution for a median absolute deviation of 1."""
-
-_LEAST_DEVIATION = 1.0
-"""Counts; a converter that rounds to whole counts cannot be trusted to less."""
+_STUCK_INTERVAL = 0.03  # seconds between two values up to which a repeated one can be seen
+_RANGE_OF_NOISE = 10.0  # standard deviations: 75 normal values span 4.8, seldom 6.5
+_DRIFT_OF_NOISE = 6.0  # standard deviations by which noise alone never moves a median
+_MEDIAN_ERROR = 1.25  # deviation of a median of normal values, times the root of their number
+_MAD_TO_DEVIATION = 1.4826  # of a normal distribution, for a median absolute deviation of 1
+_LEAST_DEVIATION = 1.0  # counts; a converter that rounds to whole counts cannot be trusted to less
 
 _STILL = 0.75
 """Share of equal neighbours from which a signal counts as standing still.

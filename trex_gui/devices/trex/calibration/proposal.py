@@ -8,14 +8,9 @@ from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 
-_INSIDE = 0.01
-"""Share of the way by which an end is put inside the measured one."""
-
-_INSIDE_DEVIATIONS = 3.0
-"""Standard deviations of the noise that are added to it."""
-
-_IDLE_LEAST = 1 / 3
-"""Share of the way to the other end that an end is away from rest to which a channel never goes."""
+_INSIDE = 0.01  # share of the way by which an end is put inside the measured one
+_INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise that are added to it
+_IDLE_LEAST = 1 / 3  # least distance of an end never reached, as a share of the other one
 
 WHY_THESE_VALUES = (
     "The ends are 1 % of the travel and three times the noise inside the measured ones, so that "

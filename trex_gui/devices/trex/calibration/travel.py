@@ -22,59 +22,32 @@ HELD = 6
 """Samples in a row that have to agree: longer than the 100 ms for which the board repeats a wild
 value when the pulses after it are lost."""
 
-_SLOW_HELD = 3
-"""The same on a slow line, where three samples take longer than that."""
-
-WINDOW = 2 * HELD - 1
-"""Samples whose median counts as seen: up to five wild ones among them make no end."""
+_SLOW_HELD = 3  # the same on a slow line, where three samples take longer than that
+WINDOW = 2 * HELD - 1  # samples whose median counts: up to five wild ones make no end
 
 _SLOW = 0.05
 """Seconds between samples from which on it is slow: a wild pulse lasts 20 ms, so it is never
 read twice then, while a stick that is pushed and let go at once may be read once only."""
 
-_HELD_SHARE = 0.02
-"""Samples agree within this share of the way, plus `_DEVIATIONS` of the noise."""
-
-_DEVIATIONS = 6.0
-"""Standard deviations of the noise that a still channel stays within."""
-
-_SILENT_AFTER = 0.5
-"""Seconds without a valid sample after which a channel is no longer known to be still."""
-
+_HELD_SHARE = 0.02  # samples agree within this share of the way, plus `_DEVIATIONS` of the noise
+_DEVIATIONS = 6.0  # standard deviations of the noise that a still channel stays within
+_SILENT_AFTER = 0.5  # seconds without a valid sample: the channel may have moved
 _MANY_INVALID = 0.1
-_JUDGED_FROM = 25
-"""Samples from which on a share of invalid ones says something."""
-
-_TIMES = 16
-"""Samples over which the time between two is measured."""
-
-_LEAST_HOLD = 0.3
-"""Seconds; a stick cannot be held for less on purpose."""
-
-_RAIL = 5
-"""Counts from the end of the range within which a voltage is at it: 24 mV (inferred)."""
+_JUDGED_FROM = 25  # samples from which on a share of invalid ones says something
+_TIMES = 16  # samples over which the time between two is measured
+_LEAST_HOLD = 0.3  # seconds; a stick cannot be held for less on purpose
+_RAIL = 5  # counts from the end of the range within which a voltage is at it: 24 mV (inferred)
 
 _MOSTLY = 0.75
 """Share of the way to an end at which it counts as the first one. Inferred: a stick of two axes
 that is pushed along one moves the other by a third of its way, seldom more."""
 
-_SETTLED_SECONDS = 0.4
-"""Seconds that a channel has to be still to have settled."""
-
-_SETTLED_SAMPLES = 3
-"""Samples that it takes at least."""
-
-_SETTLED_LEAST = 0.75
-"""Share of that time that has to be covered by samples."""
-
-_SETTLED_WILD = 0.1
-"""Share of the samples that may be wild."""
-
-_LET_GO = 0.5
-"""Share of the way to an end within which a still channel was let go."""
-
-_UNEVEN = 0.5
-"""Share of the longer side below which the shorter one is reported."""
+_SETTLED_SECONDS = 0.4  # seconds that a channel has to be still to have settled
+_SETTLED_SAMPLES = 3  # samples that it takes at least
+_SETTLED_LEAST = 0.75  # share of that time that has to be covered by samples
+_SETTLED_WILD = 0.1  # share of the samples that may be wild
+_LET_GO = 0.5  # share of the way to an end within which a still channel was let go
+_UNEVEN = 0.5  # share of the longer side below which the shorter one is reported
 
 
 class Task(Enum):

@@ -33,13 +33,10 @@ _BOARD_DELAY = 0.005
 Inferred: no source gives more than the response delay.
 """
 
-_LONGEST_REPLY = 16
-"""Bytes: the ten of five raw channels, a CRC and the echo of the request."""
-
+_LONGEST_REPLY = 16  # bytes: the ten of five raw channels, a CRC and the echo of the request
 _NULL = Framing().encode(Null())
 
-_ECHO_PROBES = 2
-"""A corrupted byte must not hide an echo."""
+_ECHO_PROBES = 2  # a corrupted byte must not hide an echo
 
 
 class Requester(Protocol):

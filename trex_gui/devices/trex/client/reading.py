@@ -27,8 +27,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet
 Progress = Callable[[int, int, str], None]
 """Called with the steps done, their total, and what comes next."""
 
-ATTEMPTS = 3
-"""How often a transaction is tried on a line that corrupts bytes."""
+ATTEMPTS = 3  # how often a transaction is tried on a line that corrupts bytes
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,12 +10,7 @@ from typing import TypeVar
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.client.client import Requester
-from trex_gui.devices.trex.client.reading import (
-    ATTEMPTS,
-    DeviceState,
-    Progress,
-    query,
-)
+from trex_gui.devices.trex.client.reading import ATTEMPTS, DeviceState, Progress, query
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_KEYS,
     DEFAULT_CALIBRATION,

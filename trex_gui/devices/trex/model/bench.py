@@ -15,15 +15,9 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.runtime import new_timer, now
 
-_HOLDER = "bench"
-"""The name by which the bench acquires the motors."""
-
-_MAX_RUNS = 10
-"""Tests kept for comparison."""
-
-_HIGHEST_COUNT = 255
-"""The current measurement is one byte (0x8D)."""
-
+_HOLDER = "bench"  # the name by which the bench acquires the motors
+_MAX_RUNS = 10  # tests kept for comparison
+_HIGHEST_COUNT = 255  # the current measurement is one byte (0x8D)
 _TREX_AMPERE = 0.15
 
 _TUNED = ("acceleration", "brake_duration", "current_limit", "current_limit_p")
@@ -37,10 +31,7 @@ a higher one, which the user has to choose.
 """
 
 _STEP_MS = 20  # the board renews its outputs every 10 ms
-
-_TAIL = 0.6
-"""Seconds for which currents are recorded after the motor began to brake."""
-
+_TAIL = 0.6  # seconds for which currents are recorded after the motor began to brake
 _FAULTS = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
 _LIMITS = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
 

@@ -106,9 +106,7 @@ def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) ->
         raise BadRequest(why)
     travel = _equal_travel(calibration, source, larger=larger)
     return replace(
-        calibration,
-        minimum=calibration.neutral - travel,
-        maximum=calibration.neutral + travel,
+        calibration, minimum=calibration.neutral - travel, maximum=calibration.neutral + travel
     )
 
 

@@ -7,11 +7,8 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration, 
 
 _SWITCHES = (4, 5)
 
-_NEAR = 10
-"""How far values of two moments may differ while a stick moves."""
-
-_ENOUGH = 5
-"""Consecutive results that make the state of the mix jumper known."""
+_NEAR = 10  # how far values of two moments may differ while a stick moves
+_ENOUGH = 5  # consecutive results that make the state of the mix jumper known
 
 
 @dataclass(frozen=True, slots=True)

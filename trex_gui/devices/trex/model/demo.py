@@ -138,8 +138,7 @@ def read_snapshot(text: str) -> DemoSnapshot:
     )
 
 
-_OFF_MS = 1000
-"""Power cycles take this long, so that the program notices that the board was gone."""
+_OFF_MS = 1000  # power cycles take this long, so that the program notices that the board was gone
 
 
 class DemoBoard(DemoDevice[DemoSnapshot]):

@@ -170,10 +170,7 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
             _tr("The board does not respond."),
             _tr("Check its power and the cable; the stop is being repeated."),
         ),
-        DriveBlocker.UNKNOWN: (
-            _tr("The board has not reported yet what controls the motors."),
-            "",
-        ),
+        DriveBlocker.UNKNOWN: (_tr("The board has not reported yet what controls the motors."), ""),
         DriveBlocker.NOT_SERIAL: (
             _tr("The board reports that serial commands do not control the motors."),
             _tr("Switch it off and on."),
@@ -274,8 +271,7 @@ def _missing_channels(device: Device) -> tuple[int, ...]:
     return tuple(one for one in channels_in(required) if telemetry.raw_of(one) is None)
 
 
-_NOISE_COUNTS = 1
-"""Counts that may be noise while no current flows."""
+_NOISE_COUNTS = 1  # counts that may be noise while no current flows
 
 
 class SafeStartWatch(QObject):

@@ -107,8 +107,7 @@ _KINDS: dict[Status, EventKind] = {
     Status.MOTOR1_OVER_LIMIT: EventKind.OVER_LIMIT,
     Status.MOTOR2_OVER_LIMIT: EventKind.OVER_LIMIT,
 }
-_NAMED = 3
-"""Written settings that an event names; the rest are counted."""
+_NAMED = 3  # written settings that an event names; the rest are counted
 
 
 class BoardEvents(EventLog):

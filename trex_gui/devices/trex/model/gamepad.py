@@ -15,11 +15,8 @@ from trex_gui.gamepad.profile import (
 )
 from trex_gui.ui.runtime import new_timer
 
-HOLDER = "gamepad"
-"""The name under which a gamepad holds the motors."""
-
-STEP_MS = 17
-"""Milliseconds between two reads: some 59 a second, as often as a screen shows anything."""
+HOLDER = "gamepad"  # the name under which a gamepad holds the motors
+STEP_MS = 17  # some 59 reads a second, as often as a screen shows anything
 
 _NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
 

@@ -22,9 +22,7 @@ from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import MAX_GAP, SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 
-MAX_ROWS = 3_000_000
-"""Rows that are drawn: ten hours at 80 a second, 240 MB."""
-
+MAX_ROWS = 3_000_000  # rows that are drawn: ten hours at 80 a second, 240 MB
 _UNKNOWN = (np.nan,) * len(CHANNELS)
 _NO_SETPOINT = Drive.brake(0)
 

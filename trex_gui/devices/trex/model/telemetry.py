@@ -12,9 +12,7 @@ from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import TraceInfo
 
-_INPUT_HISTORY = 3_000
-"""Samples of the inputs kept: a minute at 50 a second."""
-
+_INPUT_HISTORY = 3_000  # samples of the inputs kept: a minute at 50 a second
 _UNKNOWN = (math.nan,) * len(CHANNELS)
 _CHANNEL_COLORS = ("good", "warning", "dirty", "muted", "plot_text")
 

@@ -21,8 +21,7 @@ from trex_gui.devices.trex.settings.writer import calibration_text, check_keys, 
 
 _COMMENT_WIDTH = 86
 
-_COMMENT_COLUMN = 46
-"""Where comments begin at the latest, unless the code before them is longer."""
+_COMMENT_COLUMN = 46  # where comments begin at the latest, unless the code before them is longer
 
 _SOURCE_LETTERS = {mode.source: mode.value for mode in Mode if mode.is_serial}
 """The mode letter in serial mode, by the inputs whose calibrations the board then shows."""

@@ -27,8 +27,7 @@ from trex_gui.devices.trex.settings.writer import (
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END, compose
 
 BYTE_ORDER_MARK = "\ufeff"
-_SMALLEST_GAP = 2
-"""Spaces that the writer leaves between a value and its comment."""
+_SMALLEST_GAP = 2  # spaces that the writer leaves between a value and its comment
 
 _LINE = re.compile(r"([^#]*?)(\s*)(#.*?)?(\s*)", re.DOTALL)
 """Code, gap, comment, end. No `#` of a valid settings file is part of a key or a value."""

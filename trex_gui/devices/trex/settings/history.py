@@ -19,9 +19,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
-KEPT = 500
-"""How many snapshots are kept by default: one or two megabytes."""
-
+KEPT = 500  # how many snapshots are kept by default: one or two megabytes
 _NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
 _TIME = "%Y%m%dT%H%M%SZ"
 _HEAD_BYTES = 4096

@@ -22,9 +22,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSp
 from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
-MOST_FINDINGS = 100
-"""A file with more is no settings file; the rest is counted."""
-
+MOST_FINDINGS = 100  # a file with more is no settings file; the rest is counted
 _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
 _FIRMWARE = re.compile(r"[0-9](?:\.[0-9]{1,3}){1,2}")
 

@@ -19,11 +19,8 @@ _MOTORS = (1, 2)
 _MOTOR_CHANNELS = (1, 2, 3)
 _JOINT = 1
 _TIMEOUT = "0.5 s"
-_ACCELERATION = 10
-"""Speed steps per 100 ms: full speed after 1.3 s, gentle and still quick."""
-
-_SHORTEST_PULSE = 1250
-"""Counts of 0.4 us: the shortest RC pulse that is valid. Ref: Pololu TReX User's Guide 4.c."""
+_ACCELERATION = 10  # speed steps per 100 ms: full speed after 1.3 s, gentle and still quick
+_SHORTEST_PULSE = 1250  # counts of 0.4 us. Ref: Pololu TReX User's Guide 4.c
 
 
 @dataclass(frozen=True, slots=True)

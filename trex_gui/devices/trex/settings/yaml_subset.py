@@ -17,9 +17,7 @@ from ruamel.yaml.reader import ReaderError
 
 from trex_gui.core.files import SettingsError
 
-MOST_NODES = 2000
-"""Scalars and collections; a complete settings file has about 160."""
-
+MOST_NODES = 2000  # scalars and collections; a complete settings file has about 160
 _DEEPEST = 2
 
 LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")

@@ -21,17 +21,14 @@ from trex_gui.ui.runtime import new_timer, now
 Counts = tuple[int | None, ...]
 """Raw counts of channels 1-5; `None` without a valid signal."""
 
-_STALLED_AFTER = 1.0
-"""Seconds without a measurement after which the inputs are reported as stalled."""
-
+_STALLED_AFTER = 1.0  # seconds without a measurement after which the inputs are reported as stalled
 _TICK_MS = 200
 
 _SAME_VALUE = 0.012
 """Seconds within which two samples are one: the board renews its inputs every 20 ms, but a line
 that was delayed reads them in a burst. One wild pulse, read three times, must not look held."""
 
-_SILENT_AFTER = 0.5
-"""Seconds without a valid sample after which a channel is reported to have no signal."""
+_SILENT_AFTER = 0.5  # seconds without a valid sample after which there is no signal
 
 
 class MeasuredInputs(QObject):

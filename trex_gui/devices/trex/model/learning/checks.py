@@ -14,8 +14,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 _ASIDE = {InputSource.RC: 250, InputSource.ANALOG: 102}
 """Counts beyond rest at which the speed of a throttle is given: 100 us, 0.5 V."""
 
-_MUCH = FULL_SCALE // 2
-"""Output at that place above which it is a warning."""
+_MUCH = FULL_SCALE // 2  # output at that place above which it is a warning
 
 
 _Found = tuple[ProblemKind, str, tuple[object, ...]]

@@ -103,8 +103,7 @@ class CalibrationPreconditions(QObject):
         return ""
 
 
-_QUIET = 3
-"""Readings in a row without a current that count as standstill."""
+_QUIET = 3  # readings in a row without a current that count as standstill
 
 _COUNTS = 2.5
 """Counts of the current sensor that a standing motor stays below. Inferred: a reading is an

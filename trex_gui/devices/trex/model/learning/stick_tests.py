@@ -14,11 +14,8 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, NEARLY_NEUTRA
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
-_HELD = 3
-"""Samples in a row (60 ms) that make an end reached."""
-
-_REST_SECONDS = 0.5
-"""How long a channel has to give 0 to be at rest."""
+_HELD = 3  # samples in a row (60 ms) that make an end reached
+_REST_SECONDS = 0.5  # how long a channel has to give 0 to be at rest
 
 
 class StickTest:

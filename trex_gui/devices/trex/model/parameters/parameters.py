@@ -17,11 +17,7 @@ from PySide6.QtGui import QUndoStack
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.parameters.draft import Draft
-from trex_gui.devices.trex.model.parameters.text import (
-    ParameterColumn,
-    ParameterText,
-    pwm_partner,
-)
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn, ParameterText, pwm_partner
 from trex_gui.devices.trex.protocol.parameters import (
     ParameterSet,
     ParameterSpec,
@@ -347,10 +343,7 @@ class ParameterModel(QAbstractItemModel):
         return _COLUMNS
 
     def headerData(
-        self,
-        section: int,
-        orientation: Qt.Orientation,
-        role: int = Qt.ItemDataRole.DisplayRole,
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         if orientation is not Qt.Orientation.Horizontal or section >= _COLUMNS:
             return None

@@ -16,9 +16,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     other_motor_key,
 )
 
-FULL_SPEED_MS = 12_700
-"""Milliseconds to full speed (127) at one speed step in 100 ms."""
-
+FULL_SPEED_MS = 12_700  # milliseconds to full speed (127) at one speed step in 100 ms
 _PWM = {"pwm_maximum": "pwm_prescaler", "pwm_prescaler": "pwm_maximum"}
 
 

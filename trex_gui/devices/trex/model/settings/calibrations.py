@@ -10,8 +10,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.undo import Edit
 
-Channel = int | CalibrationKey
-"""A channel, 1-5, of the active input source; or a key."""
+Channel = int | CalibrationKey  # a channel, 1-5, of the active input source; or a key
 
 
 class Calibrations(QObject):

@@ -146,10 +146,7 @@ class ComparisonTable(QAbstractTableModel):
         return len(ComparisonColumn) if self._outcomes else len(ComparisonColumn) - 1
 
     def headerData(
-        self,
-        section: int,
-        orientation: Qt.Orientation,
-        role: int = Qt.ItemDataRole.DisplayRole,
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         if orientation is not Qt.Orientation.Horizontal or role != Qt.ItemDataRole.DisplayRole:
             return None

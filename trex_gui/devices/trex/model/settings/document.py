@@ -35,12 +35,7 @@ class SettingsDocument(QObject):
     changed = Signal()
 
     def __init__(
-        self,
-        text: str,
-        name: str,
-        *,
-        path: Path | None = None,
-        doubt: Finding | None = None,
+        self, text: str, name: str, *, path: Path | None = None, doubt: Finding | None = None
     ) -> None:
         """Start with a text; with a `doubt` the user must check it before it is read."""
         super().__init__()

@@ -117,10 +117,7 @@ class SnapshotTable(QAbstractTableModel):
         return 0 if parent is not None and parent.isValid() else len(SnapshotColumn)
 
     def headerData(
-        self,
-        section: int,
-        orientation: Qt.Orientation,
-        role: int = Qt.ItemDataRole.DisplayRole,
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         if orientation is not Qt.Orientation.Horizontal:
             return None
