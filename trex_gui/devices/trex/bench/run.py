@@ -24,7 +24,6 @@ class Shape(Enum):
 
     @property
     def has_period(self) -> bool:
-        """Whether it uses `Profile.period`."""
         return self is not Shape.STEP
 
 
@@ -69,7 +68,6 @@ class Profile:
         return round(self.speed * self._share(seconds))
 
     def _share(self, seconds: float) -> float:
-        """Return the share of the highest speed, -1 to 1."""
         match self.shape:
             case Shape.STEP:
                 return 1.0

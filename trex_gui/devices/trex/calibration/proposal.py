@@ -60,7 +60,6 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
 
 
 def _margin(length: int, neutral: Neutral) -> int:
-    """Return how far inside a measured end the proposed one is, in counts."""
     return ceil(_INSIDE * length + _INSIDE_DEVIATIONS * neutral.deviation)
 
 

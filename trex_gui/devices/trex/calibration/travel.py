@@ -97,7 +97,6 @@ class _End:
         self._held_at: int | None = None
 
     def feed(self, recent: deque[int], *, slow: bool) -> None:
-        """Process the last samples, of which the newest is new."""
         held = _SLOW_HELD if slow else HELD
         window = list(recent)[1 - 2 * held :]
         if len(window) < 2 * held - 1:
@@ -300,7 +299,6 @@ class Travel:
         return Problem(ProblemKind.NEVER_MOVED, variant, (self.source.text(self.neutral),))
 
     def _not_held(self) -> Problem | None:
-        """Return which ends were only passed."""
         ends = [way.name for way in Way if self.reached(way) and not self.held(way)]
         if not ends:
             return None

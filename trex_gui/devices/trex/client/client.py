@@ -232,7 +232,6 @@ class TrexClient:
         return self.transport.read(len(packet), seconds)
 
     def drain(self) -> None:
-        """Wait until all sent bytes have left the port."""
         self.transport.wait(self._free_at - self.transport.clock())
 
     def close(self) -> None:

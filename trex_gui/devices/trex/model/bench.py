@@ -119,7 +119,6 @@ class Bench(QObject):
         return self._ampere * _HIGHEST_COUNT
 
     def tuned_keys(self) -> tuple[str, ...]:
-        """Return the keys of the parameters that the planned test tunes."""
         return tuple(f"motor{self.plan.motor}_{name}" for name in _TUNED)
 
     @property
@@ -171,7 +170,6 @@ class Bench(QObject):
             self.changed.emit()
 
     def start(self) -> bool:
-        """Start a test when its button is pressed; return whether one runs."""
         if self.phase is Phase.BRAKING:
             self._finish()
         if self.phase is not Phase.IDLE or self.blocker or not self._motors.acquire(_HOLDER):
@@ -207,7 +205,6 @@ class Bench(QObject):
         return True
 
     def release(self) -> None:
-        """Brake the motor when the button is released."""
         if self.is_driving:
             self._end(End.RELEASED)
 
@@ -334,7 +331,6 @@ class Bench(QObject):
             self.add_run(run)
 
     def _settings(self) -> tuple[tuple[str, str], ...]:
-        """Return the motor's stored parameters, for the user."""
         parameters = self._device.parameters
         stored = {key: parameters.stored_of(key) for key in self.tuned_keys()}
         specs = ((parameters.spec_of(k), wire) for k, wire in stored.items() if wire is not None)

@@ -50,7 +50,6 @@ class ChannelCurve:
         return (end + self.calibration.neutral) / 2
 
     def is_switched(self, channel: int, raw: int | None) -> bool:
-        """Whether a switch is active at this count."""
         threshold = self.threshold(channel)
         if threshold is None or raw is None:
             return False
@@ -99,7 +98,6 @@ class MixWatch:
         self._count = 0
 
     def feed(self, outputs: tuple[int, int], reported: tuple[int, int]) -> None:
-        """Take the outputs of two channels' curves, and the values that the board reports."""
         seen = is_mixed(outputs, reported)
         if seen is None:
             return

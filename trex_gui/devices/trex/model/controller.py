@@ -144,7 +144,6 @@ def make_controller(
     scanner: DeviceScanner,
     timeouts: Timeouts,
 ) -> TrexController:
-    """Make the model of a device and its controller."""
     return TrexController(plugin, Device(notifier), ports, scanner, timeouts)
 
 

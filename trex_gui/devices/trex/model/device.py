@@ -123,11 +123,9 @@ class Device(QObject):
 
     @property
     def applying(self) -> bool:
-        """Whether edits are being written."""
         return self._apply.running
 
     def name_of(self, key: str) -> str:
-        """Return the name of a parameter or of a calibrated channel."""
         if key in CALIBRATION_KEYS:
             return CALIBRATION_KEYS[key].label
         index = self.parameters.index_of(key, ParameterColumn.NAME)
@@ -191,7 +189,6 @@ class Device(QObject):
         )
 
     def reload(self) -> None:
-        """Read everything from the board again."""
         self._ask(Reload, self._on_reloaded)
 
     def apply(self, only: Collection[str] | None = None) -> None:
@@ -218,7 +215,6 @@ class Device(QObject):
             self.draft.discard_edits()
 
     def note_power_cycled(self) -> None:
-        """Note that the user reports a power cycle of the board."""
         if self.state is not None:
             self.draft.take_state(self.state, self.settings, power_cycled=True)
             self.state_changed.emit()
@@ -286,7 +282,6 @@ class Device(QObject):
 
     @Slot(object)
     def _back_up_edits(self, shown: Settings) -> None:
-        """Save edits that another kind of board replaces."""
         name = f"{shown.product.name} {shown.firmware or ''}".strip()
         reason = self.tr("another board; with edits that were not applied")
         try:

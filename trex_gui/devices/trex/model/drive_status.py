@@ -129,7 +129,6 @@ def drive_status(now: DriveInputs) -> DriveStatus:
 
 
 def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
-    """Return what each blocker means, and what the user can do about it."""
     channels = _tr("The analog channels control the motors, not this program.")
     if now.mode is Mode.RC:
         channels = _tr("The RC channels control the motors, not this program.")
@@ -234,7 +233,6 @@ def _tr(text: str) -> str:
 
 
 def drive_inputs(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
-    """Gather the inputs from the models, and what was seen of safe-start."""
     state, motors = device.state, device.motors
     recent = [entry.bit for motor in (1, 2) for entry in device.errors.recent(motor)]
     uart = reduce(or_, (bit for bit in recent if isinstance(bit, UartError)), _NO_ERROR)

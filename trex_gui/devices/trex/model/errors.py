@@ -79,7 +79,6 @@ class ErrorLog(QObject):
         ]
 
     def take(self, latched: LatchedStatus) -> None:
-        """Count the bits of one status report."""
         today = datetime.now(UTC).astimezone()
         self.entries = tuple(
             replace(entry, count=entry.count + 1, last=today, seen_at=now())
@@ -90,7 +89,6 @@ class ErrorLog(QObject):
         self.changed.emit()
 
     def reset(self) -> None:
-        """Set every count to zero."""
         self.entries = _UNSEEN
         self.changed.emit()
 

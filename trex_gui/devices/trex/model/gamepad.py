@@ -221,7 +221,6 @@ class Gamepad(QObject):
     # --- Text ---------------------------------------------------------------------------
 
     def _report(self) -> None:
-        """Emit `changed` if the text has changed."""
         if self._current_text() != self.text:
             self._refresh()
 
@@ -268,7 +267,6 @@ class Gamepad(QObject):
 
 
 def button_text(pad: Pad, number: int | None) -> str:
-    """A button by its number, counted from 1, and its name if SDL knows it."""
     if number is None:
         return _tr("none")
     if name := pad.part_name("b", number):
@@ -277,7 +275,6 @@ def button_text(pad: Pad, number: int | None) -> str:
 
 
 def axis_text(pad: Pad, number: int) -> str:
-    """An axis by its number, counted from 1, and its name if SDL knows it."""
     if name := pad.part_name("a", number):
         return _tr("axis {0} ({1})").format(number + 1, _part_text(name))
     return _tr("axis {0}").format(number + 1)

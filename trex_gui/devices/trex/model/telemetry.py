@@ -82,7 +82,6 @@ class Telemetry(QObject):
         self.forget()
 
     def forget(self) -> None:
-        """Discard the newest values; the history remains."""
         self.raw = self.remapped = self.motor_currents = self.serial_controls = None
         self.updated.emit()
 

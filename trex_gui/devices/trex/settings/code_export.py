@@ -38,7 +38,6 @@ class Language(Enum):
 
     @property
     def title(self) -> str:
-        """The user's name for a program in the language."""
         return _TITLES[self]
 
     @property

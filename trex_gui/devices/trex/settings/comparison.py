@@ -175,7 +175,6 @@ def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonR
 
 
 def _counts(noun: str, rows: list[ComparisonRow]) -> str:
-    """Return `29 parameters: 4 will change, 25 match`."""
     changed = sum(row.changed for row in rows)
     missing = sum(row.is_missing for row in rows)
     parts = [f"{changed} will change", f"{len(rows) - changed - missing} match"]
@@ -198,7 +197,6 @@ def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
 
 
 def wire_text(value: int | Calibration | None, missing: str) -> str:
-    """Return a wire value or the counts of a calibration; `missing` for `None`."""
     if isinstance(value, Calibration):
         return " ".join(str(getattr(value, name)) for name in CALIBRATION_FIELDS)
     return missing if value is None else str(value)

@@ -51,7 +51,6 @@ class Settings:
         return [(key, self.calibrations[key]) for key in CalibrationKey if key in self.calibrations]
 
     def without_invalid(self) -> "Settings":
-        """Return the settings without values that the board would reject."""
         return replace(
             self,
             parameters={s.key: wire for s, wire in self.parameter_items() if not s.problem(wire)},
@@ -91,6 +90,5 @@ def factory_settings(product: Model, firmware: str | None) -> Settings:
 
 
 def serial_defaults(product: Model, firmware: str | None) -> Settings:
-    """Return the defaults of the `REACH` parameters."""
     defaults = factory_settings(product, firmware).parameters
     return Settings(product, firmware, {key: defaults[key] for key in REACH if key in defaults})

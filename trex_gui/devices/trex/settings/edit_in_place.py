@@ -120,7 +120,6 @@ class _Document:
             self._edit(start, start + len(old), new)
 
     def set_number(self, node: Node, wire: int) -> None:
-        """Replace a number by another in the same base."""
         start, end = node.start_mark.index, node.end_mark.index
         old = self.body[start:end]
         if int(old, 0) != wire:
@@ -181,7 +180,6 @@ class _Document:
         return range(self._line_at(entry.start), self._line_at(entry.end - 1) + 1)
 
     def _parts(self, number: int) -> tuple[str, str, str, str]:
-        """Return the code, gap, comment and end of a line."""
         line = self.body[slice(*[*self._line_starts, len(self.body)][number : number + 2])]
         found = _LINE.fullmatch(line)
         code, gap, comment, end = found.groups("") if found else (line, "", "", "")

@@ -154,7 +154,6 @@ class SettingsHistory:
         return Bound(None if match[1] == "all" else int(match[1]))
 
     def beyond(self, kept: int | None) -> tuple[Snapshot, ...]:
-        """Return the snapshots that `keep` would remove, the newest first."""
         return () if kept is None else self.snapshots()[kept:]
 
     def keep(self, kept: int | None) -> tuple[Snapshot, ...]:
@@ -205,7 +204,6 @@ class SettingsHistory:
 
 
 def _age(match: re.Match[str]) -> tuple[datetime, int, str]:
-    """Return time, number within a second, and name."""
     try:
         taken = datetime.strptime(match[1], _TIME).replace(tzinfo=UTC)
     except ValueError:  # digits that are no date

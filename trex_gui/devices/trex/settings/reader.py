@@ -81,8 +81,6 @@ class _Entry(NamedTuple):
 
 @dataclass(slots=True)
 class _Reader:
-    """Collects settings and findings."""
-
     findings: list[Finding] = field(default_factory=list)
     left_out: int = 0
     parameters: dict[str, int] = field(default_factory=dict)
@@ -120,7 +118,6 @@ class _Reader:
         return Settings(product, firmware, self.parameters, self.calibrations)
 
     def _entries(self, node: MappingNode, owner: str | None) -> dict[str, _Entry]:
-        """Return the entries of a mapping, the first of each key."""
         entries: dict[str, _Entry] = {}
         for key_node, value in node.value:
             line = line_of(key_node)

@@ -105,8 +105,6 @@ class _Match(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class _Case:
-    """Valid settings and their context."""
-
     settings: Settings
     context: Context
 

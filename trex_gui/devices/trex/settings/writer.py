@@ -95,7 +95,6 @@ def _calibration_setting(key: CalibrationKey, calibration: Calibration) -> str:
 
 
 def calibration_text(source: InputSource, calibration: Calibration) -> str:
-    """Return a calibration in µs or V, as in comments."""
     points = (calibration.minimum, calibration.neutral, calibration.maximum)
     numbers = " / ".join(source.text(point).removesuffix(f" {source.unit}") for point in points)
     return f"{numbers} {source.unit}, deadband {source.text(calibration.deadband)}"

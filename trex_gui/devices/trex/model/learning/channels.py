@@ -191,7 +191,6 @@ class LearnedChannel:
 
     @property
     def can_be_used(self) -> bool:
-        """Whether the channel is included and the board would accept its values."""
         return self.is_included and self.curve_after is not None
 
     @property
@@ -214,7 +213,6 @@ class LearnedChannel:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What the board would do with the chosen values, for the user."""
         check = self._check
         return () if check is None else check.remarks
 
@@ -228,7 +226,6 @@ class LearnedChannel:
 
     @property
     def is_silent(self) -> bool:
-        """Whether there was no valid sample for a while."""
         return (
             self.raw is None
             and self._heard_at is not None

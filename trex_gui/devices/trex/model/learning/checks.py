@@ -39,7 +39,6 @@ class Check:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What the board would do, for the user."""
         return tuple(filter(None, (self._switch_text(), self._idle_text())))
 
     def _found(self) -> Iterator[_Found]:
@@ -63,7 +62,6 @@ class Check:
                 yield ProblemKind.SPEEDS_UP, "", values
 
     def _useless(self) -> Iterator[_Found]:
-        """Yield what makes the sides that are used useless."""
         wanted, source, idle = self.curve.calibration, self.neutral.source, self.travel.idle
         if idle is None:
             if text := concern(wanted, source):

@@ -97,7 +97,6 @@ class Learning(QObject):
 
     @property
     def has_sampled(self) -> bool:
-        """Whether sampling the rest positions has ended."""
         return not self.sampling and any(channel.neutral is not None for channel in self.channels)
 
     @property
@@ -118,12 +117,10 @@ class Learning(QObject):
 
     @property
     def included(self) -> list[LearnedChannel]:
-        """The channels whose values are to be used."""
         return [channel for channel in self.channels if channel.is_included]
 
     @property
     def can_use_values(self) -> bool:
-        """Whether channels are included, and the board would accept the values of all of them."""
         return (
             self.step is LearningStep.REVIEW
             and bool(self.included)

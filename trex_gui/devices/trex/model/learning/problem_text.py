@@ -6,7 +6,6 @@ from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 
 
 def problem_text(problem: Problem) -> str:
-    """Return what is wrong and what to do about it."""
     return " ".join(_sentences()[problem.kind, problem.variant]).format(*problem.values)
 
 

@@ -160,7 +160,6 @@ class StickTests:
         self._override = False
 
     def feed(self, moment: float, counts: Sequence[int | None]) -> None:
-        """Process the raw counts of all channels."""
         tests = {test.channel: test for test in self.tests}
         for channel, raw in zip(CHANNELS, counts, strict=True):
             curve = stored_curve(self._device, channel)
@@ -183,7 +182,6 @@ class StickTests:
 
     @property
     def heard(self) -> bool:
-        """Whether anything was measured so far."""
         return bool(self._outputs)
 
     @property

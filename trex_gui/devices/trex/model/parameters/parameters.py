@@ -213,7 +213,6 @@ class ParameterModel(QAbstractItemModel):
         return key in self._specs and self._draft.accepts(key)
 
     def can_leave_out(self, key: str) -> bool:
-        """Whether a parameter has a value and need not have one."""
         return key in self._draft.optional and self.value_of(key) is not None
 
     def other_motor_of(self, key: str) -> str | None:
@@ -245,7 +244,6 @@ class ParameterModel(QAbstractItemModel):
         self._change(dict.fromkeys(keys, wire))
 
     def reset(self, key: str) -> None:
-        """Edit a parameter to its default."""
         if self.can_edit(key):
             self.edit(key, self._specs[key].default)
 
@@ -255,7 +253,6 @@ class ParameterModel(QAbstractItemModel):
             self._change({each: self.stored_of(each) for each in self._with_other_motor(key)})
 
     def leave_out(self, key: str) -> None:
-        """Give a parameter no value, if that is possible."""
         if self.can_leave_out(key):
             keys = filter(self.can_leave_out, self._with_other_motor(key))
             self._change(dict.fromkeys(keys))

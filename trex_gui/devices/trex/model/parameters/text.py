@@ -21,8 +21,6 @@ _PWM = {"pwm_maximum": "pwm_prescaler", "pwm_prescaler": "pwm_maximum"}
 
 
 class ParameterColumn(IntEnum):
-    """The columns, left to right."""
-
     NAME = 0
     VALUE = 1
     WIRE = 2
@@ -69,7 +67,6 @@ class ParameterText(QObject):
     # --- Cells --------------------------------------------------------------------------
 
     def cell(self, spec: ParameterSpec, column: ParameterColumn) -> str:
-        """Return the text of a cell."""
         match column:
             case ParameterColumn.NAME:
                 return spec.name

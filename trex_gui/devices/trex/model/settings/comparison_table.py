@@ -88,7 +88,6 @@ class ComparisonTable(QAbstractTableModel):
         self.show_comparison(chosen, before, after, with_ticks=False)
 
     def set_with_equal(self, with_equal: bool) -> None:
-        """Show or hide the rows whose two sides match."""
         self._with_equal = with_equal
         renew_rows(self, self._rows, self._chosen_rows(), lambda row: row.key)
 
@@ -102,7 +101,6 @@ class ComparisonTable(QAbstractTableModel):
         return tuple(row for row in rows if row.changed and row.key not in self._cleared)
 
     def tick_all(self, ticked: bool) -> None:
-        """Tick every change, or none."""
         changed = {row.key for row in self.comparison.rows if row.changed}
         self._cleared = set() if ticked else changed
         self._announce_ticks()

@@ -83,7 +83,6 @@ class SettingsDocument(QObject):
 
     @property
     def name(self) -> str:
-        """The name for the user."""
         return self._name if self.path is None else self.path.name
 
     @property
@@ -111,7 +110,6 @@ class SettingsDocument(QObject):
 
     @property
     def modified(self) -> bool:
-        """Whether there are changes since the file was opened or saved."""
         return bool(self.trouble) or self.text != self._saved
 
     def changed_on_disk(self) -> bool:
@@ -184,7 +182,6 @@ class SettingsDocument(QObject):
         self.changed.emit()
 
     def _settle(self) -> None:
-        """Update text and findings to the draft."""
         settings = self.settings
         if not self._stale or settings is None:
             return

@@ -74,7 +74,6 @@ class SettingsDraft(QObject):
         self.loaded.emit()
 
     def note_stored(self, state: DeviceState) -> None:
-        """Take what a board stores after a verified write."""
         self.parameters.note_stored(state.parameters)
         self.calibrations.note_stored(state.calibrations)
 
@@ -116,11 +115,9 @@ class SettingsDraft(QObject):
 
     @property
     def pending(self) -> int:
-        """The number of edits of parameters and calibrations."""
         return len(self.parameters.modified) + len(self.calibrations.modified)
 
     def can_edit(self, key: str) -> bool:
-        """Whether a setting can be edited."""
         if key in CALIBRATION_KEYS:
             return self.calibrations.can_edit(CALIBRATION_KEYS[key])
         return self.parameters.can_edit(key)
@@ -158,7 +155,6 @@ class SettingsDraft(QObject):
 
     @contextmanager
     def one_edit(self, text: str) -> Iterator[None]:
-        """Combine all edits made within into one undo step."""
         self.undo.beginMacro(text)
         try:
             yield

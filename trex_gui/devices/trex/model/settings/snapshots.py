@@ -68,7 +68,6 @@ class SnapshotTable(QAbstractTableModel):
         self.dataChanged.emit(self.index(first, 0), self.index(last, self.columnCount() - 1))
 
     def row_of(self, path: Path) -> int | None:
-        """Return the row of a snapshot; `None` if it is gone."""
         rows = (row for row, snapshot in enumerate(self.snapshots) if snapshot.path == path)
         return next(rows, None)
 
@@ -194,7 +193,6 @@ class SnapshotFilter(QSortFilterProxyModel):
         self.setSourceModel(snapshots)
 
     def set_words(self, text: str) -> None:
-        """Show rows with all these words, whatever their case."""
         words = (f"(?=[\\s\\S]*{QRegularExpression.escape(word)})" for word in text.split())
         self.setFilterRegularExpression("".join(words))
 
@@ -211,7 +209,6 @@ def _minute(snapshot: Snapshot) -> datetime:
 
 
 def _stamp(path: Path) -> Stamp:
-    """Return time of change and size of a file."""
     try:
         found = path.stat()
     except OSError:
