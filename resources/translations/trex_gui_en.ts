@@ -56,6 +56,23 @@
     </message>
 </context>
 <context>
+    <name>DeviceScanner</name>
+    <message numerus="yes">
+        <source>%n board(s) found.</source>
+        <translation>
+            <numerusform>%n board found.</numerusform>
+            <numerusform>%n boards found.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n port(s) could not be searched (internal error).</source>
+        <translation>
+            <numerusform>%n port could not be searched (internal error).</numerusform>
+            <numerusform>%n ports could not be searched (internal error).</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FindingsPanel</name>
     <message numerus="yes">
         <source>%n error(s)</source>

@@ -137,7 +137,7 @@ def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
     scanner_of(connector).start([ports.demo_of("trex")])
     until(lambda: not scanner_of(connector).running)
     (finding,) = scanner_of(connector).findings
-    assert finding.text == "TReX 1.2 on the simulated TReX at 19200 8N1, device 7."
+    assert finding.text == "TReX 1.2 on the Demo TReX at 19200 8N1, device 7."
     assert finding.found is not None
     connector.connect_with(finding.port, finding.found.settings)
     until(lambda: device.link is ConnectionState.CONNECTED)

@@ -258,17 +258,11 @@ class DeviceScanner(QObject):
         if self._cancelled:
             return self.tr("Search cancelled.")
         boards = sum(finding.found is not None for finding in self.findings)
-        if boards == 0:
-            text = self.tr("No board was found.")
-        elif boards == 1:
-            text = self.tr("1 board found.")
-        else:
-            text = self.tr("{0} boards found.").format(boards)
-        missed = self._faults + len(self._ports) - self._searched
-        if missed == 1:
-            text += self.tr(" 1 port could not be searched (internal error).")
-        elif missed:
-            text += self.tr(" {0} ports could not be searched (internal error).").format(missed)
+        text = self.tr("No board was found.")
+        if boards:
+            text = self.tr("%n board(s) found.", "", boards)
+        if missed := self._faults + len(self._ports) - self._searched:
+            text += " " + self.tr("%n port(s) could not be searched (internal error).", "", missed)
         return text
 
 

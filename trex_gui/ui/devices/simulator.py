@@ -47,7 +47,7 @@ class Simulator(QObject):
     def __init__(self, plugin: DevicePlugin, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._arguments = plugin.simulator_arguments
-        self.label = self.tr("the simulated {0}").format(plugin.name)
+        self.label = self.tr("the Demo {0}").format(plugin.name)
         self.url = ""
         self.plugged = True
         self._ending = False

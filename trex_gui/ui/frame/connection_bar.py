@@ -208,7 +208,7 @@ class ConnectionBar(QWidget):
             self._on_ports_changed()
         self._line.setText(device.line_text)
         self._status.setText(
-            self.tr("Starting the simulated {0} …").format(device.plugin.name)
+            self.tr("Starting the Demo {0} …").format(device.plugin.name)
             if starting
             else device.status
         )

@@ -81,5 +81,5 @@ def test_search_reports_failed_attempts(window: RobotWindow, robot: SimulatedDev
     window.trigger("find")
     finder.start([window.program.ports.demo_of("aracna")])
     window.wait(lambda: not finder.running)
-    assert window.text("findText0") == "Aracna 1 on the simulated Aracna at 38400 8N1."
+    assert window.text("findText0") == "Aracna 1 on the Demo Aracna at 38400 8N1."
     window.find(QDialog, "findDialog").close()

@@ -20,7 +20,7 @@ def test_traffic_log_shows_motions_resets_and_faults(connected_window: RobotWind
     pages.setCurrentIndex(pages.count() - 1)
     board = window.device.connection.traffic
     assert board.everything.count == 0
-    wait_for_row(window, "Opened the simulated Aracna")
+    wait_for_row(window, "Opened the Demo Aracna")
     assert window.robot.move((300,) * 8)
     wait_for_row(window, "go to 300, 300, 300, 300, 300, 300, 300, 300 → at ")
     row = column(window, SENT).index(".c300,300,300,300,300,300,300,300\\n")
