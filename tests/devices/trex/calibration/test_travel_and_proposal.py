@@ -343,7 +343,7 @@ def test_deadband_below_noise_is_reported() -> None:
     [
         (Calibration(2550, 3750, 4950, 3000), "reaches minimum and maximum: there is nothing"),
         (Calibration(3700, 3750, 4950, 75), "reaches minimum: there is nothing between 0 and"),
-        (Calibration(1000, 3750, 4950, 75), "Minimum (400 µs) is beyond what the input can be"),
+        (Calibration(1000, 3750, 4950, 75), "Minimum (400 µs) is beyond the input"),
         (Calibration(2550, 3750, 5050, 75), "Maximum is beyond the 2000 µs that was reached"),
         (Calibration(2450, 3750, 4950, 75), "Minimum is beyond the 1000 µs that was reached"),
         (Calibration(2550, 3500, 4950, 75), "It rests at 1500 µs: with this neutral it would"),

@@ -352,7 +352,7 @@ def test_review_warns_about_implausible_values(learning: LearningDialog) -> None
     for field, count, words in (
         ("Deadband", 3000, "there is nothing between 0 and full output"),
         ("Minimum", 3700, "reaches minimum"),
-        ("Minimum", 1000, "beyond what the input can be"),
+        ("Minimum", 1000, "beyond the input"),
         ("Maximum", 5100, "Maximum is beyond the 2000 µs that was reached"),
     ):
         editor = learning.find(QSpinBox, f"learn{field}Edit1")

@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.model.calibration_moves import symmetric, why_not_symmetric
+from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import put_calibrations, take_calibrations
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
-from trex_gui.devices.trex.protocol.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets import file_questions

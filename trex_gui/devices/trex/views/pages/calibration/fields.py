@@ -7,9 +7,9 @@ from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.devices.trex.model.channel_curve import ChannelCurve
+from trex_gui.devices.trex.model.channel_text import wrong_order
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.channel_text import wrong_order
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.count_editor import CountEditor

@@ -4,9 +4,9 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QIcon, QPixmap
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QSizePolicy, QTabBar, QWidget
 
+from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol import channel_text
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.connection import ConnectionState
@@ -138,14 +138,14 @@ class ChannelHeading(QWidget):
             self._learned.show_text(self.tr("not learned yet: will be after Apply"))
         else:
             self._learned.show_text(self.tr("not learned: has factory defaults"))
-        self._learned.setToolTip(channel_text.learned_words(learned))
+        self._learned.setToolTip(channel_text.learned_text(learned))
         switches_at = ""
         threshold = curve.threshold(channel) if curve is not None else None
         if curve is not None and threshold is not None:
             side = self.tr("above about {0}") if curve.reversed_ else self.tr("below about {0}")
             switches_at = side.format(source.text(threshold))
         self._function.show_note(
-            channel_text.what_it_does(
+            channel_text.function_text(
                 channel,
                 state.mode,
                 joint=self._device.is_joint,
@@ -213,7 +213,7 @@ class OtherSource(QWidget):
         is_serial = state.mode.is_serial
         is_edited = parameters.value_of(_KEY) == wire
         is_stored = parameters.stored_of(_KEY) == wire
-        text = channel_text.way_to(source, state.mode)
+        text = channel_text.source_instructions(source, state.mode)
         if is_serial and is_stored and is_edited:
             text = self.tr("Stored: the board reads {0} after the next power cycle.").format(name)
         elif is_serial and is_edited:

@@ -8,11 +8,11 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.channel_curve import MixWatch
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channels import stored_curve
-from trex_gui.devices.trex.protocol import channel_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.pages.calibration.change_menu import ChangeMenu
@@ -403,6 +403,6 @@ class CalibrationPage(QWidget):
             self._failures.pop(channel, None)
             if result.error is not None:
                 failed = self._device.calibrations.shown(channel)
-                why = channel_text.why_not_stored(result.error)
+                why = channel_text.write_failure(result.error)
                 self._failures[channel] = (failed, why)
         self._show_channel()

@@ -1,18 +1,18 @@
-"""What is said of a channel."""
+"""Sentences about one channel."""
 
 import pytest
 
 from trex_gui.core.errors import NoReply
-from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.channel_text import (
+from trex_gui.devices.trex.model.channel_text import (
     beyond_input,
     concern,
-    learned_words,
-    way_to,
-    what_it_does,
-    why_not_stored,
+    function_text,
+    learned_text,
+    source_instructions,
+    write_failure,
     wrong_order,
 )
+from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 
@@ -21,7 +21,7 @@ USUAL = Calibration(2500, 3750, 5000, 75)
 
 def test_rc_mode_text_names_function_of_each_channel() -> None:
     said = [
-        what_it_does(channel, Mode.RC, joint=False, ignored=False) for channel in (1, 2, 3, 4, 5)
+        function_text(channel, Mode.RC, joint=False, ignored=False) for channel in (1, 2, 3, 4, 5)
     ]
     for words, expected in zip(
         said, ("motor 1", "motor 2", "auxiliary", "flip", "override"), strict=True
@@ -32,7 +32,7 @@ def test_rc_mode_text_names_function_of_each_channel() -> None:
 
 def test_known_mix_jumper_state_is_described() -> None:
     said = {
-        (channel, mixed): what_it_does(channel, Mode.RC, joint=False, ignored=False, mixed=mixed)
+        (channel, mixed): function_text(channel, Mode.RC, joint=False, ignored=False, mixed=mixed)
         for channel in (1, 2, 3)
         for mixed in (True, False)
     }
@@ -41,43 +41,43 @@ def test_known_mix_jumper_state_is_described() -> None:
     assert "forward and back (the mix jumper is on)" in said[2, True]
     assert "motor 2 (the mix jumper is off)" in said[2, False]
     assert said[3, True] == said[3, False]
-    assert "joint" in what_it_does(1, Mode.RC, joint=True, ignored=False, mixed=True)
+    assert "joint" in function_text(1, Mode.RC, joint=True, ignored=False, mixed=True)
 
 
 def test_serial_mode_text_says_channel_is_only_measured() -> None:
-    assert "only measured" in what_it_does(2, Mode.SERIAL_RC, joint=False, ignored=False)
+    assert "only measured" in function_text(2, Mode.SERIAL_RC, joint=False, ignored=False)
 
 
 def test_joint_mode_text_says_channel_2_does_nothing() -> None:
-    assert "nothing" in what_it_does(2, Mode.RC, joint=True, ignored=False)
-    assert "both drivers" in what_it_does(1, Mode.ANALOG, joint=True, ignored=False)
-    assert "flip" in what_it_does(4, Mode.RC, joint=True, ignored=False)
+    assert "nothing" in function_text(2, Mode.RC, joint=True, ignored=False)
+    assert "both drivers" in function_text(1, Mode.ANALOG, joint=True, ignored=False)
+    assert "flip" in function_text(4, Mode.RC, joint=True, ignored=False)
 
 
 def test_ignored_channel_is_described_as_held() -> None:
-    assert "at neutral" in what_it_does(1, Mode.RC, joint=False, ignored=True)
-    assert "held off" in what_it_does(5, Mode.SERIAL_RC, joint=False, ignored=True)
+    assert "at neutral" in function_text(1, Mode.RC, joint=False, ignored=True)
+    assert "held off" in function_text(5, Mode.SERIAL_RC, joint=False, ignored=True)
 
 
 def test_switch_channel_text_contains_its_threshold() -> None:
-    words = what_it_does(4, Mode.RC, joint=False, ignored=False, switches_at="below 1250 µs")
+    words = function_text(4, Mode.RC, joint=False, ignored=False, switches_at="below 1250 µs")
     assert "while the input is below 1250 µs" in words
 
 
 def test_input_source_instruction_depends_on_mode() -> None:
-    assert "Channel Input Source" in way_to(InputSource.ANALOG, Mode.SERIAL_RC)
-    assert "mode jumper to analog" in way_to(InputSource.ANALOG, Mode.RC)
-    assert "mode jumper to RC" in way_to(InputSource.RC, Mode.ANALOG)
+    assert "Channel Input Source" in source_instructions(InputSource.ANALOG, Mode.SERIAL_RC)
+    assert "mode jumper to analog" in source_instructions(InputSource.ANALOG, Mode.RC)
+    assert "mode jumper to RC" in source_instructions(InputSource.RC, Mode.ANALOG)
 
 
 def test_result_codes_of_board_are_explained() -> None:
-    bad = why_not_stored(Rejected("Calibration of channel 2", ResultCode.BAD_VALUE))
+    bad = write_failure(Rejected("Calibration of channel 2", ResultCode.BAD_VALUE))
     assert "code 2" in bad
     assert "minimum is not above neutral" in bad
-    mode = why_not_stored(Rejected("Calibration of channel 2", ResultCode.NOT_SERIAL_MODE))
+    mode = write_failure(Rejected("Calibration of channel 2", ResultCode.NOT_SERIAL_MODE))
     assert "code 3" in mode
     assert "mode jumper" in mode
-    assert why_not_stored(NoReply("no reply")) == "no reply."
+    assert write_failure(NoReply("no reply")) == "no reply."
 
 
 def test_wrong_calibration_order_is_described_in_units() -> None:
@@ -123,5 +123,5 @@ def test_ends_of_input_range_are_no_concern() -> None:
 
 
 def test_learned_text_names_own_or_factory_calibration() -> None:
-    assert "of its own" in learned_words(True)
-    assert "factory" in learned_words(False)
+    assert "of its own" in learned_text(True)
+    assert "factory" in learned_text(False)

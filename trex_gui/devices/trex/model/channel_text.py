@@ -1,0 +1,246 @@
+"""Sentences about one channel: what it does, and why its calibration may not work."""
+
+from PySide6.QtCore import QCoreApplication
+
+from trex_gui.core.errors import QT_TRANSLATE_NOOP, StudioError, sentence
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
+from trex_gui.devices.trex.protocol.flags import InputSource, Mode
+
+CHANNEL_NAMES = {1: "Motor 1", 2: "Motor 2", 3: "Auxiliary", 4: "Flip", 5: "Override"}
+"""Short names of what each channel does in RC and analog mode."""
+
+SOURCE_NAMES = {InputSource.RC: "RC pulses", InputSource.ANALOG: "analog voltages"}
+
+_TASKS = {
+    1: QT_TRANSLATE_NOOP("ChannelText", "drives motor 1; with the mix jumper on it steers"),
+    2: QT_TRANSLATE_NOOP(
+        "ChannelText", "drives motor 2; with the mix jumper on it drives forward and back"
+    ),
+    3: QT_TRANSLATE_NOOP(
+        "ChannelText",
+        "drives the auxiliary motor, which turns one way only: both sides of neutral speed it up",
+    ),
+    4: QT_TRANSLATE_NOOP(
+        "ChannelText", "is the flip switch: motors 1 and 2 change places and directions"
+    ),
+    5: QT_TRANSLATE_NOOP(
+        "ChannelText", "is the override switch: serial commands control the motors"
+    ),
+}
+_MIXED_TASKS = {
+    (1, False): QT_TRANSLATE_NOOP("ChannelText", "drives motor 1 (the mix jumper is off)"),
+    (1, True): QT_TRANSLATE_NOOP("ChannelText", "steers (the mix jumper is on)"),
+    (2, False): QT_TRANSLATE_NOOP("ChannelText", "drives motor 2 (the mix jumper is off)"),
+    (2, True): QT_TRANSLATE_NOOP("ChannelText", "drives forward and back (the mix jumper is on)"),
+}
+_JOINT_TASKS = {
+    1: QT_TRANSLATE_NOOP(
+        "ChannelText", "drives the one motor that both drivers power (joint mode, no mixing)"
+    ),
+    2: QT_TRANSLATE_NOOP("ChannelText", "does nothing in joint mode"),
+}
+
+
+translate = QCoreApplication.translate
+
+
+def function_text(
+    channel: int,
+    mode: Mode,
+    *,
+    joint: bool,
+    ignored: bool,
+    switches_at: str = "",
+    mixed: bool | None = None,
+) -> str:
+    """Return what a channel does now.
+
+    `switches_at` is where a switch does, such as `below 1.2 V`; `mixed` is whether the mix jumper
+    is on, `None` if that is not known.
+    """
+    if ignored:
+        return _ignored_text(channel, mode)
+    task = _TASKS[channel]
+    if joint:
+        task = _JOINT_TASKS.get(channel, task)
+    elif mixed is not None:
+        task = _MIXED_TASKS.get((channel, mixed), task)
+    task = translate("ChannelText", task)
+    if switches_at:
+        task = translate("ChannelText", "{0} while the input is {1}").format(task, switches_at)
+    if mode.is_serial:
+        text = translate(
+            "ChannelText", "Serial mode: only measured. In RC and analog mode channel {0} {1}."
+        )
+    else:
+        text = translate("ChannelText", "Channel {0} {1}.")
+    return text.format(channel, task)
+
+
+def _ignored_text(channel: int, mode: Mode) -> str:
+    is_switch = channel in {4, 5}
+    if mode.is_serial and is_switch:
+        text = translate(
+            "ChannelText", "Channel {0} is ignored in RC and analog mode: it is held off."
+        )
+    elif mode.is_serial:
+        text = translate(
+            "ChannelText", "Channel {0} is ignored in RC and analog mode: it is held at neutral."
+        )
+    elif is_switch:
+        text = translate(
+            "ChannelText", "Channel {0} is ignored: it is held off, whatever its input is."
+        )
+    else:
+        text = translate(
+            "ChannelText", "Channel {0} is ignored: it is held at neutral, whatever its input is."
+        )
+    return text.format(channel)
+
+
+def learned_text(learned: bool) -> str:
+    """Return the meaning of the board's learned flag (0x95) of a channel."""
+    if learned:
+        return translate(
+            "ChannelText", "Learned: the board stores a calibration of its own for it."
+        )
+    return translate("ChannelText", "Not learned: it has the factory default calibration.")
+
+
+def source_instructions(source: InputSource, mode: Mode) -> str:
+    """Return how to make a board in this mode read the inputs as `source`."""
+    if mode.is_serial:
+        text = translate(
+            "ChannelText",
+            "The board reads {0} now, and only shows and accepts calibrations for them. To see "
+            "these, make it read {1}: set Channel Input Source, apply, and switch the board off "
+            "and on.",
+        )
+    elif source is InputSource.RC:
+        text = translate(
+            "ChannelText",
+            "The board reads {0} now, and only shows and accepts calibrations for them. To see "
+            "these: switch it off, put the mode jumper to RC, switch it on.",
+        )
+    else:
+        text = translate(
+            "ChannelText",
+            "The board reads {0} now, and only shows and accepts calibrations for them. To see "
+            "these: switch it off, put the mode jumper to analog, switch it on.",
+        )
+    return text.format(SOURCE_NAMES[mode.source], SOURCE_NAMES[source])
+
+
+def write_failure(error: StudioError) -> str:
+    """Explain why a calibration was not stored."""
+    result = error.result if isinstance(error, Rejected) else None
+    if result is ResultCode.BAD_VALUE:
+        return translate(
+            "ChannelText",
+            "{0} It accepts a calibration only when minimum is not above neutral, neutral is not "
+            "above maximum, and minimum and maximum differ.",
+        ).format(sentence(error))
+    if result is ResultCode.NOT_SERIAL_MODE:
+        return translate("ChannelText", "{0} The edits are kept meanwhile.").format(sentence(error))
+    return sentence(error)
+
+
+def wrong_order(calibration: Calibration, source: InputSource) -> str:
+    """Return why the board would reject a calibration; empty if it would not."""
+    lowest, middle, highest = (
+        source.text(count)
+        for count in (calibration.minimum, calibration.neutral, calibration.maximum)
+    )
+    if calibration.minimum > calibration.neutral:
+        return translate("ChannelText", "Minimum ({0}) cannot be above neutral ({1}).").format(
+            lowest, middle
+        )
+    if calibration.neutral > calibration.maximum:
+        return translate("ChannelText", "Maximum ({0}) cannot be below neutral ({1}).").format(
+            highest, middle
+        )
+    if calibration.minimum == calibration.maximum:
+        return translate("ChannelText", "Minimum and maximum cannot both be {0}.").format(lowest)
+    problem = calibration.problem()
+    return (
+        translate("ChannelText", "The board would reject this: {0}.").format(problem)
+        if problem
+        else ""
+    )
+
+
+def beyond_input(calibration: Calibration, source: InputSource) -> str:
+    """Return which values of a calibration no valid input can have; empty if there are none.
+
+    Ref: Pololu TReX User's Guide 4.c: a pulse that is shorter than 0.5 ms or longer than 2.5 ms
+    is an error.
+    """
+    lowest, highest = source.lowest_count, source.highest_count
+    minimum, neutral, maximum = (
+        _exactly(count, source)
+        for count in (calibration.minimum, calibration.neutral, calibration.maximum)
+    )
+    if not lowest <= calibration.neutral <= highest:
+        text = translate(
+            "ChannelText", "Neutral ({1}) is beyond the input: {3}. No stick position gives 0."
+        )
+    elif calibration.minimum < lowest and calibration.maximum > highest:
+        text = translate(
+            "ChannelText",
+            "Minimum ({0}) and maximum ({2}) are beyond the input: {3}. Full output is never "
+            "reached.",
+        )
+    elif calibration.minimum < lowest:
+        text = translate(
+            "ChannelText",
+            "Minimum ({0}) is beyond the input: {3}. Full output on that side is never reached.",
+        )
+    elif calibration.maximum > highest:
+        text = translate(
+            "ChannelText",
+            "Maximum ({2}) is beyond the input: {3}. Full output on that side is never reached.",
+        )
+    else:
+        return ""
+    limits = (
+        translate("ChannelText", "a pulse is {0} to {1}")
+        if source is InputSource.RC
+        else translate("ChannelText", "a voltage is {0} to {1}")
+    )
+    limits = limits.format(source.text(lowest), source.text(highest))
+    return text.format(minimum, neutral, maximum, limits)
+
+
+def _exactly(count: int, source: InputSource) -> str:
+    """Return a count as text that differs from its neighbours."""
+    if source is InputSource.RC:
+        return f"{source.physical(count):.1f}".removesuffix(".0") + " µs"
+    return f"{source.physical(count):.3f} V"
+
+
+def concern(calibration: Calibration, source: InputSource) -> str:
+    """Warn of a calibration that the board rejects or that makes no sense; may be empty."""
+    if text := wrong_order(calibration, source) or beyond_input(calibration, source):
+        return text
+    at_minimum = calibration.neutral - calibration.minimum <= calibration.deadband
+    at_maximum = calibration.maximum - calibration.neutral <= calibration.deadband
+    if at_minimum and at_maximum:
+        text = translate(
+            "ChannelText",
+            "The deadband ({0} to each side of neutral) reaches minimum and maximum: there is "
+            "nothing between 0 and full output.",
+        )
+    elif at_minimum:
+        text = translate(
+            "ChannelText",
+            "The deadband ({0} to each side of neutral) reaches minimum: there is nothing between "
+            "0 and full output on that side.",
+        )
+    elif at_maximum:
+        text = translate(
+            "ChannelText",
+            "The deadband ({0} to each side of neutral) reaches maximum: there is nothing between "
+            "0 and full output on that side.",
+        )
+    return text.format(source.text(calibration.deadband))
