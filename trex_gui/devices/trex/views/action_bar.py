@@ -167,8 +167,7 @@ class ActionBar(QWidget):
         is_connected = self._device.link is ConnectionState.CONNECTED
         is_beyond_reach = is_connected and not motors.is_available and motors.locked_for > 0
         self._state.show_note(
-            self._state_text(),
-            alarming=motors.armed or self._device.may_move or is_beyond_reach,
+            self._state_text(), alarming=motors.armed or self._device.may_move or is_beyond_reach
         )
         self._unapplied.setVisible(pending)
         self._apply.setEnabled(pending and is_connected and not self._device.applying)

@@ -32,15 +32,7 @@ from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import MainWindow
-from trex_gui.ui.frame.workspace import (
-    SEPARATOR,
-    Entry,
-    FileKind,
-    Menu,
-    Menus,
-    PageInfo,
-    Workspace,
-)
+from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import PromptAnswer

@@ -53,10 +53,7 @@ class DefaultsDialog(QDialog):
             wrap=True,
         )
         self._sure = button(
-            self,
-            "boardResetSureButton",
-            self.tr("Reset the board"),
-            on_click=self._on_sure_clicked,
+            self, "boardResetSureButton", self.tr("Reset the board"), on_click=self._on_sure_clicked
         )
         self._take = button(
             self, "takeDefaultsButton", default=True, on_click=self._on_take_clicked

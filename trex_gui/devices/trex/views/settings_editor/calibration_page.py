@@ -87,10 +87,7 @@ class CalibrationTable(QAbstractTableModel):
         return 0 if parent is not None and parent.isValid() else 1 + len(CALIBRATION_FIELDS)
 
     def headerData(
-        self,
-        section: int,
-        orientation: Qt.Orientation,
-        role: int = Qt.ItemDataRole.DisplayRole,
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         if orientation is not Qt.Orientation.Horizontal or role != Qt.ItemDataRole.DisplayRole:
             return None

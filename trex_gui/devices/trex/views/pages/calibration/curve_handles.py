@@ -234,10 +234,7 @@ class HandleLayer(QGraphicsObject):
 
     def _paint_message(self, painter: QPainter, x: float) -> None:
         frame = self._frame
-        width, height = (
-            self._width(self.message) + 16,
-            self._metrics.height() + 8,
-        )
+        width, height = (self._width(self.message) + 16, self._metrics.height() + 8)
         left = x + 10 if x + 10 + width < frame.right() else x - 10 - width
         box = QRectF(max(left, frame.left() + 4), frame.top() + GRIP * 2, width, height)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -47,9 +47,7 @@ class CalibrationFields(QWidget):
         layout = grid(self, margins=0, spacing=(12, 2), stretch=[(each, 1) for each in range(4)])
         for number, (field, title) in enumerate(titles.items()):
             editor = named(
-                CountEditor(self._source, self),
-                f"{field}Edit",
-                accessible=title.replace("&", ""),
+                CountEditor(self._source, self), f"{field}Edit", accessible=title.replace("&", "")
             )
             counts = named(Muted("", self), f"{field}Counts")
             counts.setWordWrap(False)

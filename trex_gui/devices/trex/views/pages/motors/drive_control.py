@@ -1,13 +1,7 @@
 """Controls of one motor: slider, entry box, zero and brake, and what the board reports."""
 
 from PySide6.QtCore import QEvent, QRect, QSignalBlocker, QSize, Qt, Signal, Slot
-from PySide6.QtGui import (
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPen,
-    QWheelEvent,
-)
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QSpinBox, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE

@@ -4,13 +4,7 @@ from functools import partial
 from html import escape
 
 from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
-from PySide6.QtWidgets import (
-    QFrame,
-    QLabel,
-    QSizePolicy,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
@@ -81,10 +75,7 @@ class ParameterTable(QWidget):
         note.setObjectName("noParameterMatches")
         text = label(note, text=self.tr("No parameter matches."))
         show_all = button(
-            note,
-            "showAllParameters",
-            self.tr("Show all parameters"),
-            on_click=self._filters.clear,
+            note, "showAllParameters", self.tr("Show all parameters"), on_click=self._filters.clear
         )
         centre = Qt.AlignmentFlag.AlignCenter
         column((text, 0, centre), (show_all, 0, centre), into=note)
