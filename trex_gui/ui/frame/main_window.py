@@ -47,6 +47,7 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import restore_geometry, save_geometry
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, PromptAnswer
 
@@ -283,9 +284,7 @@ class MainWindow(QMainWindow):
         )
 
     def _restore(self) -> None:
-        geometry = self._store.value("window/geometry")
-        if not isinstance(geometry, QByteArray) or not self.restoreGeometry(geometry):
-            self.resize(1100, 760)
+        restore_geometry(self, "window", 1100, 760)
         state = self._store.value("window/state")
         if isinstance(state, QByteArray):
             self.restoreState(state)
@@ -313,7 +312,7 @@ class MainWindow(QMainWindow):
             workspace.prepare_to_close()
         self._connection.close_dialogs()
         self._help.close()
-        self._store.setValue("window/geometry", self.saveGeometry())
+        save_geometry(self, "window")
         for workspace in self._workspaces:
             workspace.finish()
         super().closeEvent(event)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QDateTime, QLocale, QSettings, Qt, Signal, Slot
+from PySide6.QtCore import QDateTime, QLocale, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QWidget
 
@@ -20,6 +20,7 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets.behaviour import restore_geometry, save_geometry
 from trex_gui.ui.widgets.messages import Banner
 
 _REDRAW_DELAY_MS = 100
@@ -58,7 +59,6 @@ class RecordingWindow(QMainWindow):
         self.player: RecordingPlayer[Any, Any, Any] = playback
         playback.setParent(self)
         self._name = name
-        self._store = QSettings(self)
         self._marked: float | None = None
 
         self.notifier = Notifier(self)
@@ -134,9 +134,7 @@ class RecordingWindow(QMainWindow):
             into=frame,
         )
         self.setCentralWidget(frame)
-        geometry = self._store.value(f"{self._name}/geometry")
-        if not isinstance(geometry, QByteArray) or not self.restoreGeometry(geometry):
-            self.resize(1100, 700)
+        restore_geometry(self, self._name, 1100, 700)
         self.show_all()
         self.update_state()
         if self.player.is_loaded:
@@ -287,7 +285,7 @@ class RecordingWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self._redraw.stop()
-        self._store.setValue(f"{self._name}/geometry", self.saveGeometry())
+        save_geometry(self, self._name)
         self.player.close()
         self.closed.emit()
         super().closeEvent(event)

@@ -1,10 +1,19 @@
-"""Behaviour that widgets share: focus frame, header names, held controls, typed values."""
+"""Behaviour that widgets share: focus, headers, held controls, geometry, typed values."""
 
 from collections.abc import Callable
 from functools import wraps
 from typing import TypeVar
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
+from PySide6.QtCore import (
+    QByteArray,
+    QCoreApplication,
+    QEvent,
+    QObject,
+    QSettings,
+    Qt,
+    Signal,
+    Slot,
+)
 from PySide6.QtGui import QFocusEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -129,6 +138,18 @@ def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], No
             slot(widget)
 
     return guarded
+
+
+def restore_geometry(window: QWidget, key: str, width: int, height: int) -> None:
+    """Place a window as `save_geometry` has stored it; else give it this size."""
+    window.resize(width, height)
+    geometry = QSettings().value(f"{key}/geometry")
+    if isinstance(geometry, QByteArray):
+        window.restoreGeometry(geometry)
+
+
+def save_geometry(window: QWidget, key: str) -> None:
+    QSettings().setValue(f"{key}/geometry", window.saveGeometry())
 
 
 def take_typed() -> None:

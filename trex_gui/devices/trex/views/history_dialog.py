@@ -4,7 +4,6 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import (
-    QByteArray,
     QEvent,
     QItemSelectionModel,
     QModelIndex,
@@ -43,6 +42,7 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.behaviour import restore_geometry, save_geometry
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, PromptAnswer
 
 _MOST_KEPT = 999_999
@@ -125,11 +125,8 @@ class HistoryDialog(QDialog):
         stop = StopButton(device, "historyStopButton", self)
         bottom = ui.row(stop, self._bound, 1, self._folder, close)
         ui.column(self._banner, self._question, (self._pages, 1), bottom, into=self)
-        self.resize(1180, 640)
         halves.setSizes([510, 670])
-        geometry = self._store.value("history/geometry")
-        if isinstance(geometry, QByteArray):
-            self.restoreGeometry(geometry)
+        restore_geometry(self, "history", 1180, 640)
 
         self._list.chosen_changed.connect(self._later.start)
         self._list.delete_key.activated.connect(self._on_delete_clicked)
@@ -244,7 +241,7 @@ class HistoryDialog(QDialog):
     def reject(self) -> None:
         """Hide the window: Esc, the Close button and the window's cross call this."""
         self._later.stop()
-        self._store.setValue("history/geometry", self.saveGeometry())
+        save_geometry(self, "history")
         self._question.withdraw()
         super().reject()
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QSettings, Qt, Signal, SignalInstance, Slot
+from PySide6.QtCore import QSettings, Qt, Signal, SignalInstance, Slot
 from PySide6.QtGui import QAction, QCloseEvent, QKeySequence
 from PySide6.QtWidgets import QDialog, QMainWindow, QTabWidget, QToolBar, QWidget
 
@@ -24,6 +24,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.behaviour import restore_geometry, save_geometry
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.messages import Banner
 
@@ -76,9 +77,7 @@ class SettingsEditor(QMainWindow):
         self.setCentralWidget(frame)
         self._actions = self._build_menus()
         self._build_tool_bar()
-        geometry = self._store.value("editor/geometry")
-        if not isinstance(geometry, QByteArray) or not self.restoreGeometry(geometry):
-            self.resize(1000, 720)
+        restore_geometry(self, "editor", 1000, 720)
 
         document.changed.connect(self._on_document_changed)
         self._linter.changed.connect(self._on_document_changed)
@@ -332,7 +331,7 @@ class SettingsEditor(QMainWindow):
         self.deleteLater()
 
     def _on_closing(self) -> None:
-        self._store.setValue("editor/geometry", self.saveGeometry())
+        save_geometry(self, "editor")
         self.closed.emit()
 
 
