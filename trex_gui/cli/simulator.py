@@ -1,6 +1,6 @@
 """trex-sim: a simulated device that any program can open as a serial port."""
 
-from contextlib import closing
+import sys
 from pathlib import Path
 
 import click
@@ -9,7 +9,7 @@ from click.core import ParameterSource
 from trex_gui import __version__
 from trex_gui.composition import PLUGINS
 from trex_gui.core.errors import StudioError
-from trex_gui.core.simulator.endpoint import Endpoint, TcpEndpoint, default_endpoint_is_tcp
+from trex_gui.core.simulator.endpoint import Endpoint, TcpEndpoint
 from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.simulator.server import Server
 
@@ -79,8 +79,7 @@ def main(
     try:
         simulation = simulate(context)
         baud = simulation.line.host_format.baud
-        with closing(_endpoint(link, tcp, rfc2217, baud)) as endpoint:
-            Server(simulation, endpoint).run()
+        Server(simulation, _endpoint(link, tcp, rfc2217, baud)).run()
     except StudioError as error:
         raise click.ClickException(str(error)) from error
 
@@ -105,7 +104,8 @@ def _endpoint(
     rfc2217: tuple[str, int] | None,
     baud: int,
 ) -> Endpoint:
-    if tcp is None and rfc2217 is None and link is None and default_endpoint_is_tcp():
+    has_terminals = sys.platform != "win32"
+    if tcp is None and rfc2217 is None and link is None and not has_terminals:
         tcp = ("127.0.0.1", 0)
     if tcp is not None:
         return TcpEndpoint(*tcp)
@@ -114,7 +114,7 @@ def _endpoint(
         from trex_gui.core.simulator.rfc2217_endpoint import Rfc2217Endpoint  # noqa: PLC0415
 
         return Rfc2217Endpoint(*rfc2217, baud)
-    if default_endpoint_is_tcp():
+    if not has_terminals:
         raise click.UsageError("this system has no pseudo-terminals; use --tcp or --rfc2217")
     from trex_gui.core.simulator.pty_endpoint import PtyEndpoint  # noqa: PLC0415
 

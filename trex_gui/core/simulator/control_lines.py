@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from inspect import signature
 from typing import Any
 
@@ -23,34 +22,27 @@ class WrongUsage(ControlError):  # noqa: N818 - the reply is the usage
     """The words do not fit the command."""
 
 
-@dataclass(frozen=True, slots=True)
-class ControlCommand:
-    """A command with its usage.
-
-    `run` takes each word after the name, in lower case, as an argument and returns the reply.
-    It raises `ControlError`.
-    """
-
-    usage: str
-    run: Callable[..., str]
+Command = tuple[str, Callable[..., str]]
+"""Usage of a command, and the function that takes each word after its name, in lower case, as an
+argument and returns the reply or raises `ControlError`."""
 
 
-def execute(text: str, commands: Mapping[str, ControlCommand]) -> str:
+def execute(text: str, commands: Mapping[str, Command]) -> str:
     """Execute a control line; return `ok …` or `error …`, without a line end."""
-    commands = {**commands, "quit": ControlCommand("quit", lambda: GOODBYE.removeprefix("ok "))}
+    commands = {**commands, "quit": ("quit", lambda: GOODBYE.removeprefix("ok "))}
     name, *words = text.lower().split() or [""]
-    command = commands.get(name)
-    if command is None:
+    if name not in commands:
         what = f"{name!r} is not a command" if name else "no command"
         return f"error {what}; commands are {', '.join(commands)}"
+    usage, run = commands[name]
     try:
-        signature(command.run).bind(*words)
+        signature(run).bind(*words)
     except TypeError:
-        return f"error usage: {command.usage}"
+        return f"error usage: {usage}"
     try:
-        return f"ok {command.run(*words)}".rstrip()
+        return f"ok {run(*words)}".rstrip()
     except WrongUsage:
-        return f"error usage: {command.usage}"
+        return f"error usage: {usage}"
     except (ControlError, StudioError) as error:
         return "error " + " ".join(str(error).split())
 

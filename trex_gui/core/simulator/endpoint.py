@@ -2,7 +2,6 @@
 
 import contextlib
 import socket
-import sys
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from typing import Protocol
@@ -54,8 +53,6 @@ class Endpoint(Protocol):
 
     def plug(self) -> None:
         """Offer a connection again; EndpointError if that fails."""
-
-    def close(self) -> None: ...
 
 
 class TcpEndpoint:
@@ -117,9 +114,6 @@ class TcpEndpoint:
         self._listener.setblocking(False)
         self._port = self._listener.getsockname()[1]
 
-    def close(self) -> None:
-        self.unplug()
-
     def welcome(self) -> None:
         """Start a connection with a new host."""
 
@@ -145,7 +139,3 @@ class TcpEndpoint:
             return client.recv(CHUNK)
         except OSError:
             return None
-
-
-def default_endpoint_is_tcp() -> bool:
-    return sys.platform == "win32"

@@ -82,9 +82,6 @@ class PtyEndpoint:
             self.unplug()
             raise EndpointError(f"cannot make the link {link}: {error.strerror}") from error
 
-    def close(self) -> None:
-        self.unplug()
-
     def _make_link(self) -> None:
         if self._link is None:
             return

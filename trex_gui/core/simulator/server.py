@@ -60,7 +60,7 @@ class Server:
         finally:
             for number, handler in previous.items():
                 signal.signal(number, handler)
-            self._endpoint.close()
+            self._endpoint.unplug()
             self._wake.close()
             self._waker.close()
 

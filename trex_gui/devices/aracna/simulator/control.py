@@ -1,7 +1,6 @@
 """Options and control lines of `trex-sim --aracna`."""
 
 import json
-from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -10,7 +9,7 @@ import click
 from trex_gui.core.simulator.control_lines import (
     SWITCH,
     WIRE_USAGE,
-    ControlCommand,
+    Command,
     ControlError,
     WrongUsage,
     amount,
@@ -28,9 +27,7 @@ from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
 def control(line: AracnaLine, text: str) -> str:
     """Execute a control line; return `ok …` or `error …`, without a line end."""
-    commands = {
-        name: ControlCommand(usage, partial(run, line)) for name, (usage, run) in _COMMANDS.items()
-    }
+    commands = {name: (usage, partial(run, line)) for name, (usage, run) in _COMMANDS.items()}
     return execute(text, commands)
 
 
@@ -43,27 +40,15 @@ def _reset(line: AracnaLine) -> str:
 
 def _power(line: AracnaLine, state: str) -> str:
     """Switch board and servos, as the robot's own switch does."""
-    match state:
-        case "on":
-            _power_on(line)
-        case "off":
-            _power_off(line)
-        case "cycle":
-            _power_off(line)
-            _power_on(line)
-        case _:
-            raise WrongUsage
+    if state not in {"on", "off", "cycle"}:
+        raise WrongUsage
+    if state != "on":
+        line.station.power_off()
+        _servo_power(line, on=False)
+    if state != "off":
+        _servo_power(line, on=True)
+        line.station.power_on()
     return "power on" if line.station.powered else "power off"
-
-
-def _power_on(line: AracnaLine) -> None:
-    _servo_power(line, on=True)
-    line.station.power_on()
-
-
-def _power_off(line: AracnaLine) -> None:
-    line.station.power_off()
-    _servo_power(line, on=False)
 
 
 def _servo_power(line: AracnaLine, *, on: bool) -> None:
@@ -77,7 +62,7 @@ def _servo(line: AracnaLine, *words: str) -> str:
             _servo_power(line, on=SWITCH[state])
             return f"servo power {state}"
         case [name, *rest] if name != "power" and rest:
-            servo = line.servos[_motor(line, name)]
+            servo = line.servos[number_of(name, range(len(line.servos)), "a servo")]
             return f"servo {name} {_one_servo(servo, rest)}"
     raise WrongUsage
 
@@ -93,16 +78,11 @@ def _one_servo(servo: Servo, words: list[str]) -> str:
         case ["load", part]:
             servo.load = real(part, "a load", 1)
             return f"loses {servo.load:g} of its speed"
-        case ["lose", ("moving" | "position" | "speed") as name]:
-            return _lose(servo, Register(name), 1)
-        case ["lose", ("moving" | "position" | "speed") as name, times]:
-            return _lose(servo, Register(name), amount(times, "a number of reads"))
+        case ["lose", ("moving" | "position" | "speed") as name, *times] if len(times) < 2:
+            count = amount(times[0], "a number of reads") if times else 1
+            servo.to_fail[Register(name)] = count
+            return f"does not answer the next {count} reads of {name}"
     raise WrongUsage
-
-
-def _lose(servo: Servo, register: Register, times: int) -> str:
-    servo.to_fail[register] = times
-    return f"does not answer the next {times} reads of {register.value}"
 
 
 def _wire(line: AracnaLine, *words: str) -> str:
@@ -114,10 +94,6 @@ def _wire(line: AracnaLine, *words: str) -> str:
             line.faults.to_cut = count = amount(number)
             return f"after {count} bytes the rest of a line is lost"
     return wire(line, *words)
-
-
-def _show(line: AracnaLine) -> str:
-    return json.dumps(state(line))
 
 
 def state(line: AracnaLine) -> dict[str, Any]:
@@ -153,20 +129,16 @@ def _state_of(servo: Servo) -> dict[str, Any]:
     }
 
 
-def _motor(line: AracnaLine, text: str) -> int:
-    return number_of(text, range(len(line.servos)), "a servo")
-
-
 _SERVO_USAGE = (
     "servo N dead|alive|block|free, servo N load F, servo N lose moving|position|speed [TIMES], "
     "servo power off|on"
 )
-_COMMANDS: dict[str, tuple[str, Callable[..., str]]] = {
+_COMMANDS: dict[str, Command] = {
     "reset": ("reset", _reset),
     "power": ("power on|off|cycle", _power),
     "servo": (_SERVO_USAGE, _servo),
     "line": (f"{WIRE_USAGE}, line cut N|off", _wire),
-    "show": ("show", _show),
+    "show": ("show", lambda line: json.dumps(state(line))),
 }
 
 

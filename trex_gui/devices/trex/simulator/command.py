@@ -128,32 +128,20 @@ def _eeprom(path: Path | None, device: DeviceOption, model: str, count: int) -> 
     return eeprom
 
 
+def _choice(name: str, values: Sequence[str], default: str, help_text: str) -> click.Option:
+    return click.Option(
+        [name], type=click.Choice(values), default=default, show_default=True, help=help_text
+    )
+
+
 SIMULATOR = SimulatorPlugin(
     help="Control lines: channel, jumper, power, load, current, fault, battery, eeprom, factory, "
     "line, show, quit; with missing arguments each replies with its usage. With several "
     'devices a control line begins with one of them, as in "@9 power cycle".',
     options=(
-        click.Option(
-            ["--model"],
-            type=click.Choice(_MODELS),
-            default="trex",
-            show_default=True,
-            help="Kind of board.",
-        ),
-        click.Option(
-            ["--firmware"],
-            type=click.Choice(_FIRMWARE),
-            default="1.2",
-            show_default=True,
-            help="Firmware version.",
-        ),
-        click.Option(
-            ["--mode"],
-            type=click.Choice(MODE_JUMPERS),
-            default="serial",
-            show_default=True,
-            help="Mode jumper.",
-        ),
+        _choice("--model", _MODELS, "trex", "Kind of board."),
+        _choice("--firmware", _FIRMWARE, "1.2", "Firmware version."),
+        _choice("--mode", MODE_JUMPERS, "serial", "Mode jumper."),
         click.Option(["--mix"], is_flag=True, help="Set the mix jumper."),
         click.Option(
             ["--echo"],

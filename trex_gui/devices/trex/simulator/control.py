@@ -1,7 +1,6 @@
 """Control lines of `trex-sim` for boards and their wire."""
 
 import json
-from collections.abc import Callable
 from dataclasses import asdict
 from functools import partial
 from typing import Any
@@ -9,7 +8,7 @@ from typing import Any
 from trex_gui.core.simulator.control_lines import (
     SWITCH,
     WIRE_USAGE,
-    ControlCommand,
+    Command,
     ControlError,
     WrongUsage,
     amount,
@@ -94,7 +93,13 @@ def report(board: Board) -> dict[str, Any]:
         "battery": board.machine.battery,
         "supply": round(board.machine.volts, 2),
         "parameters": memory.stored(),
-        "calibrations": _calibrations(board),
+        "calibrations": {
+            f"{source.value.lower()}_channel_{channel}": asdict(
+                board.eeprom.calibration(source, channel)
+            )
+            for source in InputSource
+            for channel in CHANNELS
+        },
         "learned": {source.value.lower(): board.eeprom.learned(source) for source in InputSource},
         "active_uart": {
             "baud": memory.baud,
@@ -111,27 +116,6 @@ def report(board: Board) -> dict[str, Any]:
     }
 
 
-def _calibrations(board: Board) -> dict[str, dict[str, int]]:
-    return {
-        f"{source.value.lower()}_channel_{channel}": asdict(
-            board.eeprom.calibration(source, channel)
-        )
-        for source in InputSource
-        for channel in CHANNELS
-    }
-
-
-_HIGHEST_CURRENT = 1000.0
-_HIGHEST_VOLTAGE = 24.0
-_HIGHEST_RESISTANCE = 100.0
-_MANY = 10_000
-_DETECTED = {
-    "framing": "",
-    "overrun": "",
-    "parity": ", which a board without parity does not detect",
-}
-
-
 def control(line: TrexLine, text: str) -> str:
     """Execute a control line; return `ok …` or `error …`, without a line end.
 
@@ -142,11 +126,11 @@ def control(line: TrexLine, text: str) -> str:
     if text.strip().startswith("@"):
         name, _, text = text.strip().partition(" ")
     board = _board(line, name)
-    commands = {"line": ControlCommand(_WIRE_USAGE, partial(_wire, line))}
-    on_board: _Commands = {**_COMMANDS, "show": ("show", partial(_show, line))}
+    commands: dict[str, Command] = {"line": (_WIRE_USAGE, partial(_wire, line))}
+    on_board: dict[str, Command] = {**_COMMANDS, "show": ("show", partial(_show, line))}
     for key, (usage, run) in on_board.items():
         found = partial(_no_board, line, name) if board is None else partial(run, board)
-        commands[key] = ControlCommand(usage, found)
+        commands[key] = (usage, found)
     return execute(text, commands)
 
 
@@ -183,25 +167,18 @@ def _jumper(board: Board, which: str, state: str) -> str:
         case "mix", ("on" | "off"):
             board.mix = SWITCH[state]
             return f"mix jumper {state}"
-        case "so-ground", "on":
-            board.so_ground = True
-            return "so-ground jumper on; read at power-up, and no reply gets out until it is off"
-        case "so-ground", "off":
-            board.so_ground = False
-            return "so-ground jumper off"
+        case "so-ground", ("on" | "off"):
+            board.so_ground = SWITCH[state]
+            effect = "; read at power-up, and no reply gets out until it is off"
+            return f"so-ground jumper {state}{effect if board.so_ground else ''}"
     raise WrongUsage
 
 
 def _power(board: Board, state: str) -> str:
-    match state:
-        case "on":
-            board.power_on()
-        case "off":
-            board.power_off()
-        case "cycle":
-            board.power_cycle()
-        case _:
-            raise WrongUsage
+    switches = {"on": board.power_on, "off": board.power_off, "cycle": board.power_cycle}
+    if state not in switches:
+        raise WrongUsage
+    switches[state]()
     if board.is_starved:
         return "power on, but the battery is too low for the board to start"
     return "power on" if board.powered else "power off"
@@ -212,7 +189,7 @@ def _motor(text: str) -> int:
 
 
 def _amperes(text: str) -> float:
-    return real(text.removesuffix("a"), "a current in A", _HIGHEST_CURRENT)
+    return real(text.removesuffix("a"), "a current in A", highest=1000)
 
 
 def _load(board: Board, motor: str, amps: str) -> str:
@@ -237,9 +214,9 @@ def _fault(board: Board, motor: str, state: str) -> str:
 
 
 def _battery(board: Board, voltage: str, resistance: str | None = None) -> str:
-    volts = real(voltage.removesuffix("v"), "a battery in V", _HIGHEST_VOLTAGE)
+    volts = real(voltage.removesuffix("v"), "a battery in V", highest=24)
     if resistance is not None:
-        board.machine.resistance = real(resistance, "a resistance in ohm", _HIGHEST_RESISTANCE)
+        board.machine.resistance = real(resistance, "a resistance in ohm", highest=100)
     board.machine.battery = volts
     if not board.powered:
         board.machine.volts = volts  # nothing draws a current
@@ -281,19 +258,17 @@ def _wire(line: TrexLine, *words: str) -> str:
         case ["error", "off"]:
             line.faults.errors.clear()
             return "no byte has an error"
-        case ["error", ("framing" | "parity" | "overrun") as name]:
-            line.faults.errors.append(ReceiveError(name))
-            return f"the next byte from the host has a {name} error{_DETECTED[name]}"
-        case ["error", ("framing" | "parity" | "overrun") as name, number]:
-            count = amount(number, highest=_MANY)
+        case ["error", ("framing" | "parity" | "overrun") as name, *rest] if len(rest) < 2:
+            count = amount(rest[0], highest=10_000) if rest else 1
             line.faults.errors.extend([ReceiveError(name)] * count)
-            return f"the next {count} bytes from the host have a {name} error{_DETECTED[name]}"
+            bytes_have = f"{count} bytes from the host have" if rest else "byte from the host has"
+            undetected = ", which a board without parity does not detect"
+            return f"the next {bytes_have} a {name} error{undetected if name == 'parity' else ''}"
     return wire(line, *words)
 
 
 _WIRE_USAGE = f"{WIRE_USAGE}, line error framing|parity|overrun [N], line error off"
-_Commands = dict[str, tuple[str, Callable[..., str]]]
-_COMMANDS: _Commands = {
+_COMMANDS: dict[str, Command] = {
     "channel": ("channel N COUNTS|1500us|2.5V|invalid|silent|rest [noise 2us] [lost P]", _channel),
     "jumper": ("jumper mode serial|rc|analog, jumper mix on|off, jumper so-ground on|off", _jumper),
     "power": ("power on|off|cycle", _power),
