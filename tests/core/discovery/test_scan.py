@@ -40,7 +40,7 @@ class Deaf:
     def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         self._noted.append(f"{self._name} hears {data!r} at {line.baud}")
 
-    def ask(
+    def probe(
         self,
         wire: Transport,
         part: int,
@@ -187,7 +187,7 @@ def test_port_loss_is_reported_before_evidence(evidence: Evidence) -> None:
     wire = wire_of(a_board())
 
     class Puller(Deaf):
-        def ask(
+        def probe(
             self,
             wire: Transport,
             part: int,

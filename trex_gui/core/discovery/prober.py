@@ -82,7 +82,7 @@ class Prober(Protocol):
 
     def note_unsolicited(self, line: SerialFormat, data: bytes) -> None: ...
 
-    def ask(
+    def probe(
         self,
         wire: Transport,
         part: int,

@@ -156,7 +156,7 @@ def probe_in_order(
             progress(replace(step, done=before + step.done, total=total, kind=names[key]))
 
         probed[key] = None
-        running[key].ask(wire, part, report, cancelled)
+        running[key].probe(wire, part, report, cancelled)
         if running[key].is_over or cancelled():
             break
     return list(probed)

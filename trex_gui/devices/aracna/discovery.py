@@ -76,7 +76,7 @@ class AracnaProber:
         if line == LINE:
             self._take(data)
 
-    def ask(
+    def probe(
         self,
         wire: Transport,
         part: int,

@@ -208,7 +208,7 @@ class TrexProber:
         if data:
             self._strange.append((line, data))
 
-    def ask(
+    def probe(
         self,
         wire: Transport,
         part: int,

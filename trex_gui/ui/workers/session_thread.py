@@ -132,7 +132,7 @@ class SessionThread(QObject):
             for request in requests:
                 worker.submit(request)
 
-    def ask(self, make: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
+    def request(self, make: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
         """Queue the request that `make` returns for a number; `then` gets its outcome.
 
         Return whether there is a session; without one, `then` is not called.

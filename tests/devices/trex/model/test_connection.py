@@ -36,7 +36,7 @@ def test_requests_without_a_session_are_rejected(qtbot: QtBot) -> None:
     del qtbot
     line = Connection()
     outcomes: list[object] = []
-    assert not line.ask(Reload, outcomes.append)
+    assert not line.request(Reload, outcomes.append)
     assert not line.submit(Reload(1))
     assert outcomes == []
     assert line.shut_down()

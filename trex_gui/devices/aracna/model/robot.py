@@ -208,7 +208,7 @@ class Robot(DeviceConnection[PortSettings]):
         )
         if self.state.moving is not None or self._pending_moves:
             return self.submit(Drag(cropped, speeds))
-        if self.ask(lambda number: Move(number, cropped, speeds), self._on_move_done):
+        if self.request(lambda number: Move(number, cropped, speeds), self._on_move_done):
             self._pending_moves += 1
         return True
 
@@ -245,7 +245,7 @@ class Robot(DeviceConnection[PortSettings]):
         if (
             self.link is ConnectionState.CONNECTED
             and self.state.play is None
-            and self.ask(lambda number: SetSpeeds(number, values), self._on_speeds_done)
+            and self.request(lambda number: SetSpeeds(number, values), self._on_speeds_done)
         ):
             self._pending_speeds += 1
         self.changed.emit()
@@ -263,7 +263,7 @@ class Robot(DeviceConnection[PortSettings]):
         if None in self.state.present:
             play = self._with_slow_start(play)
         self._is_holding = False
-        if not self.ask(lambda number: replace(play, id=number), self._on_play_done):
+        if not self.request(lambda number: replace(play, id=number), self._on_play_done):
             return False
         steps, rounds = len(play.steps), play.rounds
         self.state.play = play

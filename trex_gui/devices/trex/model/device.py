@@ -75,7 +75,7 @@ class Device(QObject):
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
         self.history = SettingsHistory()
-        self._apply = Apply(self.draft, self.history, self._ask, self)
+        self._apply = Apply(self.draft, self.history, self._request, self)
         self.connection = Connection(self)
         self.driving = DriveController(
             self.motors, self.telemetry, self.connection, self.notifier, self
@@ -189,7 +189,7 @@ class Device(QObject):
         )
 
     def reload(self) -> None:
-        self._ask(Reload, self._on_reloaded)
+        self._request(Reload, self._on_reloaded)
 
     def apply(self, only: Collection[str] | None = None) -> None:
         """Write and verify every edit, or those with these keys; `applied` reports the result.
@@ -233,8 +233,10 @@ class Device(QObject):
 
     # --- Requests and their outcomes ----------------------------------------------------
 
-    def _ask(self, make: Callable[[int], Reload | Write], then: Callable[[Outcome], None]) -> None:
-        if not self.connection.ask(make, then):
+    def _request(
+        self, make: Callable[[int], Reload | Write], then: Callable[[Outcome], None]
+    ) -> None:
+        if not self.connection.request(make, then):
             self._on_request_failed(self.tr("No board is connected."))
 
     def _on_reloaded(self, outcome: Outcome) -> None:

@@ -121,7 +121,7 @@ class DriveController(QObject):
                 then(outcome.error)
 
         lockout = self._motors.locked_for
-        if not self._connection.ask(lambda number: Stop(number, lockout), report):
+        if not self._connection.request(lambda number: Stop(number, lockout), report):
             for then in waiting:
                 then(NoReply(self.tr("No board is connected.")))
 

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.session.messages import Write, Written
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
-Ask = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None]
+SendRequest = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None]
 """Sends a request that it gives a number, and calls back with its outcome."""
 
 
@@ -42,14 +42,14 @@ class Apply(QObject):
         self,
         draft: SettingsDraft,
         history: SettingsHistory,
-        ask: Ask,
+        request: SendRequest,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self.running = False
         self._draft = draft
         self._history = history
-        self._ask = ask
+        self._request = request
 
     def start(
         self,
@@ -106,7 +106,7 @@ class Apply(QObject):
             self.failed.emit(text.format(sentence(error)))
             return False
         self.running = True
-        self._ask(lambda number: Write(number, parameters, calibrations), self._on_written)
+        self._request(lambda number: Write(number, parameters, calibrations), self._on_written)
         if self.running:
             self.started.emit()
         return self.running
