@@ -110,20 +110,13 @@ class Profile:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """The next test.
+    """The next test."""
 
-    Attributes:
-        motor: 1 or 2.
-        accelerate: whether through the board's ramp, brake duration and limit, or at once.
-        abort_current: A; one reading above it stops everything.
-        abort_at_limit: whether the board's own current limit stops everything, too.
-    """
-
-    motor: int = 1
+    motor: int = 1  # 1 or 2
     profile: Profile = field(default_factory=Profile)
-    accelerate: bool = True
-    abort_current: float = 10.0
-    abort_at_limit: bool = False
+    accelerate: bool = True  # through the board's ramp, brake duration and limit, or at once
+    abort_current: float = 10.0  # A; one reading above it stops everything
+    abort_at_limit: bool = False  # whether the board's own current limit stops everything, too
 
 
 class End(Enum):
@@ -144,10 +137,10 @@ class Run:
         abort_current: A; one reading above it aborts the test.
         ampere: A per count of the current measurement.
         started: local date and time.
-        end, reason: how it ended, and why if it was aborted, for the user.
+        reason: why it was aborted, for the user.
         ended: when the motor began to brake.
         setpoints: time and signed speed of each.
-        currents: time and current in A of each reading, those after the end included.
+        currents: time and A of each reading, also after the end.
         settings: name and value, for the user, of the motor's stored parameters.
     """
 

@@ -67,23 +67,15 @@ LIMITS = {
 
 @dataclass(frozen=True, slots=True)
 class Neutral:
-    """A channel at rest, in counts.
-
-    Attributes:
-        value: the median.
-        noise: from the lowest to the highest value, lone wild ones left out.
-        deviation: standard deviation of the noise.
-        invalid: share of samples without a signal.
-        seconds: from the first sample to the last.
-    """
+    """A channel at rest, in counts."""
 
     source: InputSource
-    value: int
-    noise: int
-    deviation: float
-    invalid: float
+    value: int  # the median
+    noise: int  # from the lowest to the highest value, lone wild ones left out
+    deviation: float  # standard deviation of the noise
+    invalid: float  # share of samples without a signal
     samples: int
-    seconds: float
+    seconds: float  # from the first sample to the last
     problems: tuple[Problem, ...]
 
     @property

@@ -27,16 +27,11 @@ class ProblemKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """A problem; nothing can be learned while a `fatal` one remains.
-
-    Attributes:
-        variant: which of the sentences of this kind applies.
-        values: quantities that the sentence names, in its order.
-    """
+    """A problem; nothing can be learned while a `fatal` one remains."""
 
     kind: ProblemKind
-    variant: str = ""
-    values: tuple[object, ...] = ()
+    variant: str = ""  # which of the sentences of this kind applies
+    values: tuple[object, ...] = ()  # quantities that the sentence names, in its order
     fatal: bool = True
 
 

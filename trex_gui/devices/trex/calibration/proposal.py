@@ -22,19 +22,12 @@ WHY_THESE_VALUES = (
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
-    """The values to store for one channel.
+    """The values to store for one channel."""
 
-    Attributes:
-        calibration: `None` when nothing can be learned; `problems` say why.
-        reversed_: whether the channel should be reversed.
-        reversed_reason: empty when that stays as it is.
-        reasons: where the values come from.
-    """
-
-    calibration: Calibration | None
-    reversed_: bool
-    reversed_reason: str
-    reasons: tuple[str, ...]
+    calibration: Calibration | None  # `None` when nothing can be learned; `problems` say why
+    reversed_: bool  # whether the channel should be reversed
+    reversed_reason: str  # empty when that stays as it is
+    reasons: tuple[str, ...]  # where the values come from
     problems: tuple[Problem, ...]
 
 

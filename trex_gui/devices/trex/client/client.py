@@ -47,22 +47,14 @@ class Requester(Protocol):
 
 @dataclass(slots=True)
 class Counters:
-    """Statistics since the line was opened.
-
-    Attributes:
-        missing: missing or incomplete replies.
-        corrupted: corrupted replies.
-        unsolicited: bytes that belong to no reply, discarded.
-        slowest: the longest successful round trip in seconds.
-        replies: complete replies.
-    """
+    """Statistics since the line was opened."""
 
     requests: int = 0
-    missing: int = 0
-    corrupted: int = 0
-    unsolicited: int = 0
-    slowest: float = 0.0
-    replies: int = 0
+    missing: int = 0  # missing or incomplete replies
+    corrupted: int = 0  # corrupted replies
+    unsolicited: int = 0  # bytes that belong to no reply, discarded
+    slowest: float = 0.0  # the longest successful round trip in seconds
+    replies: int = 0  # complete replies
 
 
 class TrexClient:

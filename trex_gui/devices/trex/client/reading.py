@@ -32,23 +32,15 @@ ATTEMPTS = 3  # how often a transaction is tried on a line that corrupts bytes
 
 @dataclass(frozen=True, slots=True)
 class DeviceState:
-    """What a board stores, and its mode, as it was last reported.
-
-    Attributes:
-        parameters: stored wire value (0-127) by key.
-        calibrations: by channel, for the active input source; the board does not show the other
-            set.
-        calibrated: mask of channels whose calibration differs from the default.
-        unread: why a parameter is missing from `parameters`, by key.
-    """
+    """What a board stores, and its mode, as it was last reported."""
 
     signature: Signature
     mode: Mode
     serial_controls: bool
-    parameters: Mapping[str, int]
-    calibrations: Mapping[int, Calibration]
-    calibrated: int
-    unread: Mapping[str, str] = field(default_factory=dict)
+    parameters: Mapping[str, int]  # stored wire value (0-127) by key
+    calibrations: Mapping[int, Calibration]  # by channel, for the active input source only
+    calibrated: int  # mask of channels whose calibration differs from the default
+    unread: Mapping[str, str] = field(default_factory=dict)  # why a value is missing, by key
 
     @property
     def specs(self) -> ParameterSet:

@@ -76,14 +76,11 @@ class StatusReader:
 
     Reading clears a byte. So when a status did not arrive, or announced UART errors and their
     byte did not arrive, the UART error byte is read the next time.
-
-    Attributes:
-        uart_due: whether UART error bits may be latched that no status announces any more.
     """
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
-        self.uart_due = False
+        self.uart_due = False  # bits may be latched that no status announces any more
 
     def read(self, request: Requester) -> LatchedStatus | None:
         """Read and clear the status, and the UART errors when there may be some.

@@ -50,19 +50,14 @@ class Bench(QObject):
     Releasing the button brakes the motor. Everything else that ends a test stops, disarms and
     locks out all motors: too high a current, a fault, missing readings, loss of serial control.
 
-    Signals:
-        changed: the plan, `phase` or `blocker`; the readings of `current` grow silently.
-        started: a test runs now.
-        finished: a test is over, braking included: the `Run`, which is the last of `runs`.
-
     Attributes:
         plan: the next test.
         runs: the last tests, oldest first.
     """
 
-    changed = Signal()
-    started = Signal()
-    finished = Signal(object)
+    changed = Signal()  # the plan, `phase` or `blocker`; the readings of `current` grow silently
+    started = Signal()  # a test runs now
+    finished = Signal(object)  # a `Run` is over, braking included; it is the last of `runs`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -86,14 +86,10 @@ def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None
 
 
 class MixWatch:
-    """The last known state of the mix jumper, which may be moved at any time.
-
-    Attributes:
-        mixed: whether it was on when a stick was last off neutral; `None`: not known.
-    """
+    """Whether the mix jumper was on when a stick was last off neutral; it may be moved any time."""
 
     def __init__(self) -> None:
-        self.mixed: bool | None = None
+        self.mixed: bool | None = None  # `None`: not known
         self._candidate: bool | None = None
         self._count = 0
 

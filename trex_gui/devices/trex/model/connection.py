@@ -25,23 +25,15 @@ class Connection(DeviceConnection[ConnectionSettings]):
         echo: whether everything sent comes back: the RS-232 side of the board.
         port_rates: the baud rates that this computer's port supports; `None`: unknown.
         counters: line statistics since it was opened.
-
-    Signals:
-        device_read: the board was read, or read again: the `Connected`.
-        ready: `device_read` was handled, and `link` is `CONNECTED`.
-        closing: the line is about to be closed on request.
-        motors_stopped: the session stopped the motors automatically: the `MotorsStopped`.
-        sampled: a `Batch`.
-        progressed: steps done, steps in all, the next step.
     """
 
-    device_read = Signal(object)
-    ready = Signal()
-    closing = Signal()
+    device_read = Signal(object)  # the board was read, or read again: the `Connected`
+    ready = Signal()  # `device_read` was handled, and `link` is `CONNECTED`
+    closing = Signal()  # the line is about to be closed on request
     not_responding = Signal()
-    motors_stopped = Signal(object)
-    sampled = Signal(object)
-    progressed = Signal(int, int, str)
+    motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped them by itself
+    sampled = Signal(object)  # a `Batch`
+    progressed = Signal(int, int, str)  # steps done, steps in all, the next step
 
     def __init__(self, parent: QObject | None = None) -> None:
         self._decoder = TrexDecoder()

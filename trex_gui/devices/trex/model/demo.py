@@ -86,29 +86,22 @@ class DemoLeds:
 
 @dataclass(frozen=True, slots=True)
 class DemoSnapshot:
-    """State of the simulated board.
-
-    Attributes:
-        mode: as read at the last power-up.
-        required: mask of the channels that RC mode requires.
-        boot_mode: what the board does instead of normal operation; `None` in normal operation.
-        battery, supply: V of the battery without load, and at the board.
-    """
+    """State of the simulated board."""
 
     power: bool
-    mode: Mode
+    mode: Mode  # as read at the last power-up
     jumpers: DemoJumpers
     leds: DemoLeds
     safe_start: bool
     override: bool
     serial_controls: bool
-    required: int
-    boot_mode: BootStep | None
+    required: int  # mask of the channels that RC mode requires
+    boot_mode: BootStep | None  # what the board does; `None` in normal operation
     channels: tuple[DemoChannel, ...]
     motors: tuple[DemoMotor, ...]
     line: DemoLine
-    battery: float
-    supply: float
+    battery: float  # V without load
+    supply: float  # V at the board
 
     @property
     def source(self) -> InputSource:
@@ -142,14 +135,9 @@ _OFF_MS = 1000  # power cycles take this long, so that the program notices that 
 
 
 class DemoBoard(DemoDevice[DemoSnapshot]):
-    """A simulated TReX with its sticks.
+    """A simulated TReX with its sticks; `changed`: `snapshot` or `automatic`."""
 
-    Signals:
-        changed: `snapshot` or `automatic` has changed.
-        factory_reset: the board is about to be reset to its state at the start.
-    """
-
-    factory_reset = Signal()
+    factory_reset = Signal()  # the board is about to be reset to its state at the start
 
     def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
         super().__init__(simulator, read_snapshot, parent)

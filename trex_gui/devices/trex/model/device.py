@@ -45,13 +45,6 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 class Device(QObject):
     """One board, or none.
 
-    Signals:
-        link_changed: `link`, `status`, `settings`, `may_move` or `applying`.
-        state_changed: `state` was read again, or forgotten.
-        request_failed: why a connection ended or a request failed; the notifier reports it, too.
-        applied: the `WriteResult` of everything that Apply tried.
-        sampled: a `Batch`, after the models have taken it.
-
     Attributes:
         draft: what the board stores and its edits; `parameters` and `calibrations` are its parts.
         history: what boards stored before each Apply.
@@ -59,11 +52,11 @@ class Device(QObject):
         state: what was read from the board; `None` while none is connected.
     """
 
-    link_changed = Signal()
-    state_changed = Signal()
-    request_failed = Signal(str)
-    applied = Signal(object)
-    sampled = Signal(object)
+    link_changed = Signal()  # `link`, `status`, `settings`, `may_move` or `applying`
+    state_changed = Signal()  # `state` was read again, or forgotten
+    request_failed = Signal(str)  # why a request or a connection failed; the notifier has it, too
+    applied = Signal(object)  # the `WriteResult` of everything that Apply tried
+    sampled = Signal(object)  # a `Batch`, after the models have taken it
 
     def __init__(self, notifier: Notifier | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -28,19 +28,14 @@ _OF_MOTOR = {
 
 @dataclass(frozen=True, slots=True)
 class ErrorEntry:
-    """One bit and its history.
-
-    Attributes:
-        last: date and time of the last report; `None` without one.
-        seen_at: the same in seconds of the program's monotonic clock.
-    """
+    """One bit and its history."""
 
     bit: Status | UartError
     name: str
     meaning: str
     count: int = 0
-    last: datetime | None = None
-    seen_at: float = -math.inf
+    last: datetime | None = None  # date and time of the last report; `None` without one
+    seen_at: float = -math.inf  # the same in seconds of the program's monotonic clock
 
 
 _UNSEEN = (
@@ -50,20 +45,13 @@ _UNSEEN = (
 
 
 class ErrorLog(QObject):
-    """Counts and times of all status and UART error bits.
+    """Counts and times of all status and UART error bits."""
 
-    Signals:
-        changed: a bit was reported, or everything was reset.
-
-    Attributes:
-        entries: status bits, then UART error bits, highest bit first.
-    """
-
-    changed = Signal()
+    changed = Signal()  # a bit was reported, or everything was reset
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.entries = _UNSEEN
+        self.entries = _UNSEEN  # status bits, then UART error bits, highest bit first
 
     def recent(self, motor: int, seconds: float = 3.0) -> list[ErrorEntry]:
         """Return the entries about motor 1 or 2 that are at most `seconds` old.

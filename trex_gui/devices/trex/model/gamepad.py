@@ -27,10 +27,6 @@ class Gamepad(QObject):
     It drives while `attend` has no objection; its stop button works whenever it is switched on.
     One gamepad is read at a time. Each kind of gamepad has its own profile, which is remembered.
 
-    Signals:
-        changed: any attribute but `state` and `request`.
-        moved: `state` and `request`; many times a second while it is touched.
-
     Attributes:
         on: whether gamepads are read.
         failure: why gamepads could not be switched on, and what helps; empty if they could.
@@ -42,8 +38,8 @@ class Gamepad(QObject):
         text: what it does or waits for, as a sentence; empty while it is switched off.
     """
 
-    changed = Signal()
-    moved = Signal()
+    changed = Signal()  # any attribute but `state` and `request`
+    moved = Signal()  # `state` and `request`; many times a second while it is touched
 
     def __init__(self, device: Device, source: PadSource, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -9,13 +9,9 @@ from trex_gui.ui.devices.connection import ConnectionState
 
 
 class SettingsLinter(QObject):
-    """Applies the rules to stored values and edits after each change.
+    """Applies the rules to stored values and edits after each change."""
 
-    Signals:
-        changed: `findings`.
-    """
-
-    changed = Signal()
+    changed = Signal()  # `findings`
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -26,24 +26,16 @@ class PowerCycleStage(Enum):
 
 
 class PowerCycle(QObject):
-    """Watches the link while the user switches the board off and on.
+    """Watches the link while the user switches the board off and on."""
 
-    Signals:
-        changed: an attribute or `still_waiting`.
-
-    Attributes:
-        takes_long: whether nothing has happened for 10 s, so that a hint is due.
-        expected: how the board will be reached when it is back, if that differs from now.
-    """
-
-    changed = Signal()
+    changed = Signal()  # an attribute or `still_waiting`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
         self.stage = PowerCycleStage.NONE
-        self.takes_long = False
-        self.expected: ConnectionSettings | None = None
+        self.takes_long = False  # nothing has happened for 10 s: a hint is due
+        self.expected: ConnectionSettings | None = None  # after the cycle, if not as now
         self._timeout = new_timer(self, _LONG_MS, self._on_timeout, single_shot=True)
 
         device.link_changed.connect(self._on_link_changed)

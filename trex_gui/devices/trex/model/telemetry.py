@@ -54,12 +54,9 @@ class Telemetry(QObject):
     and the remapped channels at that moment. Unknown values are not a number, in `inputs` a
     channel without a signal too. The newest values are `None` while nothing is known: before a
     connection and after it.
-
-    Signals:
-        updated: new samples are in; at most once a display frame.
     """
 
-    updated = Signal()
+    updated = Signal()  # new samples are in; at most once a display frame
 
     def __init__(self, motors: Motors, parent: QObject | None = None) -> None:
         super().__init__(parent)

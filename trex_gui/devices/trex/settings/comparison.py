@@ -19,22 +19,14 @@ _NOT_GIVEN = "not given"
 
 @dataclass(frozen=True, slots=True)
 class ComparisonRow:
-    """One setting before and after.
+    """One setting before and after."""
 
-    Attributes:
-        key: of a parameter, or a `CalibrationKey`.
-        name: for the user.
-        before: wire value or calibration; `None`: not known, or not given.
-        after: likewise; `None` leaves a setting as it is.
-        text_before, text_after: in physical units; empty for `None`.
-    """
-
-    key: str
-    name: str
-    before: int | Calibration | None
-    after: int | Calibration | None
-    text_before: str
-    text_after: str
+    key: str  # of a parameter, or a `CalibrationKey`
+    name: str  # for the user
+    before: int | Calibration | None  # wire value or calibration; `None`: not known, or not given
+    after: int | Calibration | None  # likewise; `None` leaves a setting as it is
+    text_before: str  # in physical units; empty for `None`
+    text_after: str  # likewise
 
     @property
     def changed(self) -> bool:
@@ -63,15 +55,10 @@ class ComparisonRow:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """Every setting that both sides can have and at least one side gives.
+    """Every setting that both sides can have and at least one side gives."""
 
-    Attributes:
-        rows: in the order of the parameter table, calibrations behind.
-        left_out: a sentence for each setting that the other product or firmware does not have.
-    """
-
-    rows: tuple[ComparisonRow, ...]
-    left_out: tuple[str, ...] = ()
+    rows: tuple[ComparisonRow, ...]  # in the order of the parameter table, calibrations behind
+    left_out: tuple[str, ...] = ()  # a sentence for each setting that one side cannot have
 
     @property
     def differing(self) -> tuple[ComparisonRow, ...]:

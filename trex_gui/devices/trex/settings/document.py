@@ -24,16 +24,11 @@ REACH = (
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """The known settings of one board.
-
-    Attributes:
-        firmware: `None`: unknown.
-        parameters: wire values by key.
-    """
+    """The known settings of one board."""
 
     product: Model
-    firmware: str | None = None
-    parameters: Mapping[str, int] = field(default_factory=dict)
+    firmware: str | None = None  # `None`: unknown
+    parameters: Mapping[str, int] = field(default_factory=dict)  # wire values by key
     calibrations: Mapping[CalibrationKey, Calibration] = field(default_factory=dict)
 
     @property

@@ -39,24 +39,16 @@ kept: {}
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """The head of a snapshot file.
-
-    Attributes:
-        taken: in UTC.
-        product, firmware: empty if they cannot be read.
-        adapter: the port of the board, for the user.
-        reason: the operation that followed.
-        problem: why the file cannot be used, judging by its head; empty if it can.
-    """
+    """The head of a snapshot file."""
 
     path: Path
-    taken: datetime
-    product: str = ""
-    firmware: str = ""
+    taken: datetime  # in UTC
+    product: str = ""  # empty if it cannot be read
+    firmware: str = ""  # likewise
     device_number: int | None = None
-    adapter: str = ""
-    reason: str = ""
-    problem: str = ""
+    adapter: str = ""  # the port of the board, for the user
+    reason: str = ""  # the operation that followed
+    problem: str = ""  # why the file cannot be used, judging by its head; empty if it can
 
 
 @dataclass(frozen=True, slots=True)

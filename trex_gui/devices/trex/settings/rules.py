@@ -25,36 +25,22 @@ _SHORTEST_PULSE = 1250  # counts of 0.4 us. Ref: Pololu TReX User's Guide 4.c
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """Facts beside the settings.
+    """Facts beside the settings."""
 
-    Attributes:
-        drives_from_computer: whether the motors are driven over the serial line.
-        port_rates: the baud rates of this computer's port; `None`: unknown.
-        used_by_line: the active line settings, with the real baud rate; `None`: unknown.
-    """
-
-    drives_from_computer: bool = False
-    port_rates: Collection[int] | None = None
-    used_by_line: LineSettings | None = None
+    drives_from_computer: bool = False  # whether the motors are driven over the serial line
+    port_rates: Collection[int] | None = None  # baud rates of this computer's port; `None`: unknown
+    used_by_line: LineSettings | None = None  # active, with the real baud rate; `None`: unknown
 
 
 @dataclass(frozen=True, slots=True)
 class LintFinding:
-    """A questionable combination of settings.
+    """A questionable combination of settings."""
 
-    Attributes:
-        rule: the rule's stable key, such as `limit_in_joint_mode`.
-        keys: the settings concerned.
-        message: a sentence.
-        change: wire values by key that resolve it; empty if the user must decide.
-        proposal: the change as a request, such as `Set Serial Timeout to 0.5 s`; or empty.
-    """
-
-    rule: str
-    keys: tuple[str, ...]
-    message: str
-    change: Mapping[str, int]
-    proposal: str
+    rule: str  # the rule's stable key, such as `limit_in_joint_mode`
+    keys: tuple[str, ...]  # the settings concerned
+    message: str  # a sentence
+    change: Mapping[str, int]  # wire values by key that resolve it; empty if the user must decide
+    proposal: str  # the change as a request, such as `Set Serial Timeout to 0.5 s`; or empty
 
 
 _NOTHING_MORE = Context()

@@ -32,15 +32,10 @@ _SILENT_AFTER = 0.5  # seconds without a valid sample after which there is no si
 
 
 class MeasuredInputs(QObject):
-    """Passes on each measurement once, from `begin` to `end`.
+    """Passes on each measurement once, from `begin` to `end`."""
 
-    Signals:
-        arrived: measurements since the last time, a list of (seconds, `Counts`).
-        stalled_changed: `stalled`, whether measurements should come, and do not.
-    """
-
-    arrived = Signal(object)
-    stalled_changed = Signal()
+    arrived = Signal(object)  # measurements since the last time, a list of (seconds, `Counts`)
+    stalled_changed = Signal()  # `stalled`, whether measurements should come, and do not
 
     def __init__(self, telemetry: Telemetry, parent: QObject | None = None) -> None:
         super().__init__(parent)

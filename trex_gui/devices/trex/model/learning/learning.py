@@ -44,12 +44,6 @@ class Learning(QObject):
 
     Nothing is written, and nothing is edited before `use_values`.
 
-    Signals:
-        changed: the step, `sampling`, `inputs.stalled` or a choice.
-        measured: new samples have arrived.
-        edited: the learned values are pending edits now, ready for their review.
-        stored: these values are in the board; a test is due, unless `motors_armed`.
-
     Attributes:
         trouble: why it failed, or what is doubtful, for the user.
         news: what led to the test, for the user; empty if the user started it.
@@ -58,10 +52,10 @@ class Learning(QObject):
         sampling: whether the rest positions are sampled right now.
     """
 
-    changed = Signal()
-    measured = Signal()
-    edited = Signal()
-    stored = Signal()
+    changed = Signal()  # the step, `sampling`, `inputs.stalled` or a choice
+    measured = Signal()  # new samples have arrived
+    edited = Signal()  # the learned values are pending edits now, ready for their review
+    stored = Signal()  # these values are in the board; a test is due, unless `motors_armed`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)

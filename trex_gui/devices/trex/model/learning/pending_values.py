@@ -19,12 +19,9 @@ class PendingLearnedValues(QObject):
 
     A value that is undone or edited again is forgotten; so is everything when the connection is
     lost or another board is connected.
-
-    Signals:
-        stored: the channels whose values have just been written and verified.
     """
 
-    stored = Signal(object)
+    stored = Signal(object)  # the channels whose values have just been written and verified
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)

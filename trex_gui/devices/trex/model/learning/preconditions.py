@@ -19,12 +19,9 @@ class CalibrationPreconditions(QObject):
 
     Armed motors are a violation only while sticks are to be moved: the user may drive during the
     review.
-
-    Signals:
-        violated: the reason, for the user; once, and only between `begin` and `end`.
     """
 
-    violated = Signal(str)
+    violated = Signal(str)  # the reason, for the user; once, and only between `begin` and `end`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -116,16 +113,11 @@ class StandstillCheck(QObject):
     The confirmation says that the board accepted the stop, not that nothing drives the motors
     again: another controller may be on the same line (User's Guide 5: one UART for both
     connectors). In joint mode the board measures no current; then the confirmation has to do.
-
-    Signals:
-        confirmed: the stop is confirmed, and no current flows.
-        doubted: the stop is confirmed, but a motor draws a current; which and how much.
-        failed: the stop is not confirmed; why.
     """
 
-    confirmed = Signal()
-    doubted = Signal(str)
-    failed = Signal(str)
+    confirmed = Signal()  # the stop is confirmed, and no current flows
+    doubted = Signal(str)  # the stop is confirmed, but a motor draws a current; which and how much
+    failed = Signal(str)  # the stop is not confirmed; why
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)

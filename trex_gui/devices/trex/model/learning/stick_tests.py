@@ -146,11 +146,7 @@ def safe_start_blockers(
 
 
 class StickTests:
-    """Tests some channels; the others only count for safe-start.
-
-    Attributes:
-        tests: of the channels that are tested.
-    """
+    """Tests some channels; the others only count for safe-start."""
 
     def __init__(self, device: Device, numbers: Sequence[int]) -> None:
         self.tests = tuple(StickTest(number) for number in numbers)

@@ -8,20 +8,13 @@ from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 
 @dataclass(slots=True)
 class Draft:
-    """Wire values by key: those of a board or a file, and the edits that Apply or Save writes.
-
-    Attributes:
-        edited: only values that differ from the stored ones.
-        removed: stored keys that Save leaves out.
-        active: only values that differ from the stored ones until the next power cycle.
-        optional: keys that may have no value: those of a file, none of a board.
-    """
+    """Wire values by key: those of a board or a file, and the edits that Apply or Save writes."""
 
     stored: dict[str, int] = field(default_factory=dict)
-    edited: dict[str, int] = field(default_factory=dict)
-    removed: set[str] = field(default_factory=set)
-    active: dict[str, int] = field(default_factory=dict)
-    optional: frozenset[str] = frozenset()
+    edited: dict[str, int] = field(default_factory=dict)  # values that differ from `stored`
+    removed: set[str] = field(default_factory=set)  # stored keys that Save leaves out
+    active: dict[str, int] = field(default_factory=dict)  # unlike `stored` until a power cycle
+    optional: frozenset[str] = frozenset()  # keys that may have no value, as those of a file
 
     def load(
         self,

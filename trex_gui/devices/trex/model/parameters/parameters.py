@@ -49,18 +49,14 @@ class Role(IntEnum):
 class ParameterModel(QAbstractItemModel):
     """Groups with a heading each, below it one row per parameter; edits go over an undo stack.
 
-    Signals:
-        pending_changed: the number of edits.
-        rejected: why an edit was rejected, for the user.
-
     Attributes:
         text: the texts of the cells.
         model_key: the kind of board that the rows belong to; empty before the first.
         both_motors: whether an edit for one motor is made for the other, too.
     """
 
-    pending_changed = Signal(int)
-    rejected = Signal(str)
+    pending_changed = Signal(int)  # the number of edits
+    rejected = Signal(str)  # why an edit was rejected, for the user
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)

@@ -25,18 +25,12 @@ class Apply(QObject):
     """Writes edits, one Apply at a time; failed writes stay edits.
 
     Every write begins with a snapshot of the stored settings; without one nothing is written.
-
-    Signals:
-        started: writing has begun.
-        written: the `Written`, before `finished`; its receiver updates the draft.
-        finished: the `WriteResult` of every value that was tried.
-        failed: why nothing, or nothing more, was written, for the user.
     """
 
-    started = Signal()
-    written = Signal(object)
-    finished = Signal(object)
-    failed = Signal(str)
+    started = Signal()  # writing has begun
+    written = Signal(object)  # the `Written`, before `finished`; its receiver updates the draft
+    finished = Signal(object)  # the `WriteResult` of every value that was tried
+    failed = Signal(str)  # why nothing, or nothing more, was written, for the user
 
     def __init__(
         self,

@@ -16,18 +16,14 @@ Channel = int | CalibrationKey  # a channel, 1-5, of the active input source; or
 class Calibrations(QObject):
     """A board shows the set of its active input source only; a file may hold both sets.
 
-    Signals:
-        changed: a stored or an edited calibration.
-        pending_changed: the number of edits.
-
     Attributes:
         source: the active input source; a board accepts calibrations for this one only.
         edited: the edits for both input sources.
         left_out: the stored calibrations that Save leaves out of a file.
     """
 
-    changed = Signal()
-    pending_changed = Signal(int)
+    changed = Signal()  # a stored or an edited calibration
+    pending_changed = Signal(int)  # the number of edits
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)

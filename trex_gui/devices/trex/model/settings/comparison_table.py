@@ -40,13 +40,9 @@ class ComparisonRole(IntEnum):
 
 
 class ComparisonTable(QAbstractTableModel):
-    """One row per setting; the rows that differ, or all.
+    """One row per setting; the rows that differ, or all."""
 
-    Signals:
-        ticked_changed: check boxes have changed.
-    """
-
-    ticked_changed = Signal()
+    ticked_changed = Signal()  # check boxes have changed
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

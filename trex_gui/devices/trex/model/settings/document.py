@@ -23,16 +23,13 @@ class SettingsDocument(QObject):
     While a text has errors, the text itself is edited. Then the draft is edited, and `text`
     follows it with comments and order kept.
 
-    Signals:
-        changed: text, findings, file or `readable`.
-
     Attributes:
         path: `None` before the file is saved.
         readable: whether the text has settings.
         draft: the settings with their edits; empty while the text is not readable.
     """
 
-    changed = Signal()
+    changed = Signal()  # text, findings, file or `readable`
 
     def __init__(
         self, text: str, name: str, *, path: Path | None = None, doubt: Finding | None = None

@@ -21,29 +21,18 @@ from trex_gui.devices.trex.settings.document import Settings, specs_for
 
 
 class SettingsDraft(QObject):
-    """Stored settings, their edits, and the undo stack that parameters and calibrations share.
+    """Stored settings, their edits, and the undo stack that parameters and calibrations share."""
 
-    Signals:
-        loaded: the stored settings were read again.
-        replacing: the `Settings` shown, with edits that will be lost: those of another kind of
-            board replace them.
-        pending_changed: the number of edits.
-
-    Attributes:
-        reset_pending: whether the board will reset its parameters at its next start, so that
-            values written before that are lost.
-    """
-
-    loaded = Signal()
-    replacing = Signal(object)
-    pending_changed = Signal(int)
+    loaded = Signal()  # the stored settings were read again
+    replacing = Signal(object)  # the `Settings` shown, whose edits another kind of board replaces
+    pending_changed = Signal(int)  # the number of edits
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.undo = QUndoStack(self)
         self.parameters = ParameterModel(self, self.undo)
         self.calibrations = Calibrations(self, self.undo)
-        self.reset_pending = False
+        self.reset_pending = False  # the next start will reset what is written until then
         self._product: Model | None = None
         self._firmware: str | None = None
 
