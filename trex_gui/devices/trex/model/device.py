@@ -81,7 +81,11 @@ class Device(QObject):
         self.connection.ready.connect(self._on_ready)
         self.connection.not_responding.connect(self.telemetry.forget)
         self.connection.line_closed.connect(self._on_closed)
-        self.connection.sampled.connect(self._on_sampled)
+        # In this order: a stop of the board's precedes the samples that show it.
+        self.connection.sampled.connect(self._note_statuses)
+        self.connection.sampled.connect(self.telemetry.take)
+        self.connection.sampled.connect(self.driving.follow_control)
+        self.connection.sampled.connect(self.sampled)
         self.connection.failed.connect(self._on_connection_failed)
         self.driving.confirmed.connect(self.link_changed)
         self.draft.replacing.connect(self._back_up_edits)
@@ -304,15 +308,12 @@ class Device(QObject):
         self.state_changed.emit()
 
     @Slot(object)
-    def _on_sampled(self, batch: Batch) -> None:
+    def _note_statuses(self, batch: Batch) -> None:
         for sample in batch.samples:
             if isinstance(sample, LatchedStatus):
                 self.events.note_status(sample)
                 self.errors.take(sample)
                 self._follow_board_stop(sample)
-        self.telemetry.take(batch)
-        self.driving.follow_control()
-        self.sampled.emit(batch)
 
     def _follow_board_stop(self, latched: LatchedStatus) -> None:
         """Drop the setpoints of motors that the board has stopped by itself."""
