@@ -12,6 +12,39 @@
     </message>
 </context>
 <context>
+    <name>CalibrationFields</name>
+    <message numerus="yes">
+        <source>= %n count(s)</source>
+        <translation>
+            <numerusform>= %n count</numerusform>
+            <numerusform>= %n counts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationPage</name>
+    <message numerus="yes">
+        <source>%n count(s)</source>
+        <translation>
+            <numerusform>%n count</numerusform>
+            <numerusform>%n counts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ChannelForm</name>
+    <message numerus="yes">
+        <source>%n count(s)
+was {0}</source>
+        <translation>
+            <numerusform>%n count
+was {0}</numerusform>
+            <numerusform>%n counts
+was {0}</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>CompareDialog</name>
     <message numerus="yes">
         <source>%n setting(s) differ, {0} match.</source>
@@ -69,6 +102,16 @@
         <translation>
             <numerusform>%n port could not be searched (internal error).</numerusform>
             <numerusform>%n ports could not be searched (internal error).</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ExportButton</name>
+    <message numerus="yes">
+        <source>{0} sample(s) written to {1}.</source>
+        <translation>
+            <numerusform>{0} sample written to {1}.</numerusform>
+            <numerusform>{0} samples written to {1}.</numerusform>
         </translation>
     </message>
 </context>
@@ -153,6 +196,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n of {0} settings could not be verified; marked below.</source>
+        <translation>
+            <numerusform>%n of {0} settings could not be verified; it is marked below.</numerusform>
+            <numerusform>%n of {0} settings could not be verified; they are marked below.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n setting(s) written and verified.</source>
         <translation>
             <numerusform>%n setting written and verified.</numerusform>
@@ -161,7 +211,55 @@
     </message>
 </context>
 <context>
+    <name>Plural</name>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n step</numerusform>
+            <numerusform>%n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Safe-start keeps the motors off: no signal on required channel(s) {0}.</source>
+        <translation>
+            <numerusform>Safe-start keeps the motors off: channel {0} is required but has no signal.</numerusform>
+            <numerusform>Safe-start keeps the motors off: channels {0} are required but have no signal.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Driver(s) of motor(s) {0} shut down: too hot, a short circuit, or low voltage.</source>
+        <translation>
+            <numerusform>Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low voltage).</numerusform>
+            <numerusform>Both motors have no drive: their drivers shut down (too hot, a short circuit, or low voltage).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Motor(s) {0} slowed down: current over the limit.</source>
+        <translation>
+            <numerusform>Motor {0} is slowed down: its current passed the limit.</numerusform>
+            <numerusform>Both motors are slowed down: their currents passed the limit.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RecordIndicator</name>
+    <message numerus="yes">
+        <source>%n sample(s) lost: the disk is too slow</source>
+        <translation>
+            <numerusform>%n sample lost: the disk is too slow</numerusform>
+            <numerusform>%n samples lost: the disk is too slow</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ReviewDialog</name>
+    <message numerus="yes">
+        <source>%n of {0} settings could not be verified; pending.</source>
+        <translation>
+            <numerusform>%n of {0} settings could not be verified and stays pending.</numerusform>
+            <numerusform>%n of {0} settings could not be verified and stay pending.</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>Write %n setting(s)</source>
         <translation>
@@ -229,6 +327,16 @@
     </message>
 </context>
 <context>
+    <name>RowDetails</name>
+    <message numerus="yes">
+        <source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
+        <translation>
+            <numerusform>took      {0:.1f} ms; %n byte needs {1:.1f} ms on this wire</numerusform>
+            <numerusform>took      {0:.1f} ms; %n bytes need {1:.1f} ms on this wire</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>SnapshotPane</name>
     <message numerus="yes">
         <source>%n setting(s) would be restored, {0} match.</source>
@@ -267,12 +375,32 @@
     </message>
 </context>
 <context>
+    <name>TrafficPage</name>
+    <message numerus="yes">
+        <source>{0} row(s) written to {1}.</source>
+        <translation>
+            <numerusform>{0} row written to {1}.</numerusform>
+            <numerusform>{0} rows written to {1}.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>TrexWorkspace</name>
     <message numerus="yes">
         <source>%n setting(s) written and verified.</source>
         <translation>
             <numerusform>%n setting written and verified.</numerusform>
             <numerusform>%n settings written and verified.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>_BoundField</name>
+    <message numerus="yes">
+        <source>Permanently remove the oldest %n of {0} snapshots?</source>
+        <translation>
+            <numerusform>Permanently remove the oldest of {0} snapshots?</numerusform>
+            <numerusform>Permanently remove the oldest %n of {0} snapshots?</numerusform>
         </translation>
     </message>
 </context>

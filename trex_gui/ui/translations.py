@@ -1,6 +1,6 @@
 """Languages of the window, compiled from Qt Linguist files in `resources/translations/`."""
 
-from PySide6.QtCore import QLocale, QTranslator
+from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
 from PySide6.QtWidgets import QApplication
 
 from trex_gui.core.resource_files import resource
@@ -18,3 +18,11 @@ def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator
             app.installTranslator(translator)
             installed.append(translator)
     return installed
+
+
+class Plural:
+    """Texts with a count outside of QObjects: `lupdate` finds no count in `translate`."""
+
+    @staticmethod
+    def tr(text: str, comment: str, count: int) -> str:
+        return QCoreApplication.translate("Plural", text, comment, count)

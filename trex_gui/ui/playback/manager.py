@@ -79,7 +79,7 @@ class RecordIndicator(QWidget):
             time_text(recorder.seconds), size_text(recorder.size)
         )
         if recorder.lost:
-            text += "  " + self.tr("{0} samples lost: the disk is too slow").format(recorder.lost)
+            text += "  " + self.tr("%n sample(s) lost: the disk is too slow", "", recorder.lost)
         self._text.setText(text)
         name = recorder.path.name if recorder.path is not None else ""
         width = max(0, self._file.width())

@@ -125,7 +125,7 @@ class ExportButton(QToolButton):
     @Slot(int, object)
     def _on_saved(self, count: int, path: Path) -> None:
         self._notifier.info.emit(
-            self.tr("{0} samples were written to {1}.").format(f"{count:,}", path)
+            self.tr("{0} sample(s) written to {1}.", "", count).format(f"{count:,}", path)
         )
 
     def save_picture(self, path: Path) -> None:

@@ -236,5 +236,5 @@ class TrafficPage(QWidget):
     @Slot(int, object)
     def _on_saved(self, count: int, path: Path) -> None:
         self._notifier.info.emit(
-            self.tr("{0} rows were written to {1}.").format(f"{count:,}", path)
+            self.tr("{0} row(s) written to {1}.", "", count).format(f"{count:,}", path)
         )

@@ -290,8 +290,10 @@ class RowDetails(QPlainTextEdit):
             lines.append(self.tr("received  {0}").format(shown(row.received)))
         if row.seconds is not None and settings is not None:
             count = len(row.sent) + len(row.received)
-            text = self.tr("took      {0:.1f} ms; {1} bytes need {2:.1f} ms on this wire")
+            text = self.tr(
+                "took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire", "", count
+            )
             wire = settings.line.seconds(count)
-            lines.append(text.format(row.seconds * 1e3, count, wire * 1e3))
+            lines.append(text.format(row.seconds * 1e3, wire * 1e3))
         lines.append(self._traffic.decoded(row).text)
         return lines

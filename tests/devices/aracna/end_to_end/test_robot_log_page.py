@@ -9,7 +9,7 @@ def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindo
     window.show_page(LOG_PAGE)
     window.wait(lambda: window.text("aracnaTrafficValue").endswith("requests (100.00 %)"))
     assert window.text("aracnaQualityValue").startswith(
-        "0 timeouts, 0 corrupted, 0 unrecognized lines"
+        "Timeouts: 0, corrupted: 0, unrecognized lines: 0"
     )
     assert window.is_enabled("aracnaTrafficValue")
     assert window.robot.state.stats.replies > 0

@@ -65,8 +65,8 @@ class LogPage(QWidget):
                 stats.replies, finished, 100 * stats.replies / max(finished, 1)
             )
             failures = self.tr(
-                "{0} timeouts, {1} corrupted, {2} unrecognized lines, {3} restarts; slowest reply "
-                "{4:.0f}\u00a0ms (without motions)"
+                "Timeouts: {0}, corrupted: {1}, unrecognized lines: {2}, restarts: {3}; slowest "
+                "reply: {4:.0f}\u00a0ms (without motions)"
             ).format(
                 stats.timeouts,
                 stats.corrupted,

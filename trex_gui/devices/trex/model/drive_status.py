@@ -14,6 +14,7 @@ from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.translations import Plural
 
 _NO_ERROR = UartError(0)
 
@@ -142,22 +143,21 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
     else:
         after_power_up = _tr("After power-up safe-start waits for sticks at rest.")
         override = f"{override} {after_power_up}"
-    missing = _tr("Safe-start keeps the motors off: channel {0} is required but has no signal.")
-    if len(now.missing) > 1:
-        missing = _tr(
-            "Safe-start keeps the motors off: channels {0} are required but have no signal."
-        )
-    fault = _tr(
-        "Motor {0} has no drive: its driver shut down (too hot, a short circuit, or low voltage)."
+    missing = Plural.tr(
+        "Safe-start keeps the motors off: no signal on required channel(s) {0}.",
+        "",
+        len(now.missing),
     )
-    if len(now.faults) > 1:
-        fault = _tr(
-            "Both motors have no drive: their drivers shut down (too hot, a short circuit, or low "
-            "voltage)."
-        )
-    over_limit = _tr("Motor {0} is slowed down: its current passed the limit.")
-    if len(now.over_limit) > 1:
-        over_limit = _tr("Both motors are slowed down: their currents passed the limit.")
+    fault = Plural.tr(
+        "Driver(s) of motor(s) {0} shut down: too hot, a short circuit, or low voltage.",
+        "",
+        len(now.faults),
+    )
+    over_limit = Plural.tr(
+        "Motor(s) {0} slowed down: current over the limit.",
+        "",
+        len(now.over_limit),
+    )
     timeout = _tr("Serial timeout: the board received nothing and stopped the motors.")
     if now.timeout:
         timeout = _tr("Serial timeout: the board received nothing for {0} and stopped the motors.")

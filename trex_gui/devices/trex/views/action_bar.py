@@ -54,9 +54,7 @@ class TimeoutNotice(QWidget):
         seconds = f"{warning.seconds:g}"
         self._text.setText(warning.text)
         self._button.setText(self.tr("Set {0} s").format(seconds))
-        self._button.setAccessibleName(
-            self.tr("Set the serial timeout to {0} seconds").format(seconds)
-        )
+        self._button.setAccessibleName(self.tr("Set the serial timeout to {0} s").format(seconds))
         self._button.setToolTip(
             self.tr(
                 "Writes only this setting now: the board stops its motors {0} s after the last "

@@ -421,7 +421,9 @@ class _BoundField(QWidget):
             return
         count = len(self._history.snapshots())
         self._question.ask(
-            self.tr("Permanently remove the oldest {0} of {1} snapshots?").format(removed, count),
+            self.tr("Permanently remove the oldest %n of {0} snapshots?", "", removed).format(
+                count
+            ),
             PromptAnswer(
                 "historyQuestionYes",
                 self.tr("Remove {0}").format(removed),

@@ -25,6 +25,7 @@ from trex_gui.devices.aracna.poses.project import Pose, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import Play
 from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
+from trex_gui.ui.translations import Plural
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed
 from trex_gui.ui.widgets.labels import Note
@@ -251,7 +252,7 @@ def _notes(late: Many[LateMotor], limited: Many[tuple[int, int]]) -> dict[int, s
 
 
 def _length_text(steps: int, seconds: float, rounds: int) -> str:
-    count = tr("1 step") if steps == 1 else tr("{0} steps").format(steps)
+    count = Plural.tr("%n step(s)", "", steps)
     if rounds == 1:
         return tr("{0}, {1}.").format(count, _duration(seconds))
     if rounds == 0:

@@ -52,7 +52,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             weak,
         ],
         (kind.JITTER, "SPIKES"): [
-            _tr("{0} of {1} pulses were far from all others."),
+            _tr("Pulses far from all others: {0} of {1}."),
             _tr("The radio link is poor, or the cable picks up noise."),
         ],
         (kind.JITTER, "STUCK"): [

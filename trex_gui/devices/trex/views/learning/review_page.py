@@ -153,7 +153,7 @@ class ChannelForm(QWidget):
             if before is not None:
                 count = getattr(before.calibration, field)
                 old = f"{self.channel.source.text(count)} ({count})"
-            self._were[field].setText(self.tr("{0} counts\nwas {1}").format(value, old))
+            self._were[field].setText(self.tr("%n count(s)\nwas {0}", "", value).format(old))
 
 
 class CurvePane(QWidget):

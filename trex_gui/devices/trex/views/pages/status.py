@@ -157,7 +157,7 @@ class StatusPage(QWidget):
             )
         )
         self._values["quality"].setText(
-            self.tr("{0} timeouts, {1} corrupted, slowest reply {2:.0f}\u00a0ms").format(
+            self.tr("Timeouts: {0}, corrupted: {1}, slowest reply: {2:.0f}\u00a0ms").format(
                 counters.missing, counters.corrupted, 1000 * counters.slowest
             )
         )

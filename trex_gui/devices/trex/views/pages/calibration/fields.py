@@ -72,7 +72,7 @@ class CalibrationFields(QWidget):
             with QSignalBlocker(editor):
                 editor.setSpecialValueText(NO_VALUE if calibration is None else "")
                 editor.setValue(count)
-            text = self.tr("= 1 count") if count == 1 else self.tr("= {0} counts").format(count)
+            text = self.tr("= %n count(s)", "", count)
             self._counts[field].setText(text if calibration is not None else "")
 
     def _on_value_changed(self, field: str, count: int) -> None:

@@ -344,7 +344,7 @@ class CalibrationPage(QWidget):
             return self.tr("no signal now: the output is 0")
         curve = self._plot.curve if self._plot is not None else None
         output = curve.output(raw) if curve is not None else 0
-        counts = self.tr("1 count") if raw == 1 else self.tr("{0} counts").format(raw)
+        counts = self.tr("%n count(s)", "", raw)
         return self.tr("input now {0} ({1}), output {2}").format(
             self.source.text(raw), counts, f"{output}".replace("-", MINUS)
         )

@@ -103,8 +103,9 @@ class ParametersPage(QWidget):
         if failed:
             self.table.show_parameter(failed[0].key)
             text = self.tr(
-                "{0} of {1} settings could not be verified; they are marked below."
-            ).format(len(failed), len(results))
+                "%n of {0} settings could not be verified; marked below.", "", len(failed)
+            )
+            text = text.format(len(results))
         else:
             text = self.tr("%n setting(s) written and verified.", "", len(results))
             if waiting := self._model.waiting_for_power:
