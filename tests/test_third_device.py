@@ -85,10 +85,7 @@ class LampWorkspace(Workspace):
         super().__init__(controller.plugin.key, controller.lamp.notifier, window)
         self.opened: list[Path] = []
         self.add_pages([PageInfo("light", "&Light", QLabel("On"))])
-
-    @property
-    def file_kinds(self) -> tuple[FileKind, ...]:
-        return (FileKind({".lamp"}, "a scene of a lamp", self.opened.append),)
+        self.file_kinds = (FileKind({".lamp"}, "a scene of a lamp", self.opened.append),)
 
 
 LAMP = replace(

@@ -36,7 +36,7 @@ class TrafficSetup:
     @property
     def texts(self) -> list[str]:
         self.traffic.pull()
-        return [self.traffic.decoded(row).text for row in self.traffic.without_polling.rows]
+        return [self.traffic.decoder.decoded(row).text for row in self.traffic.without_polling.rows]
 
 
 @pytest.fixture
@@ -94,10 +94,10 @@ def test_units_follow_the_identified_board(setup: TrafficSetup) -> None:
     setup.log(POLL, ANSWER)
     setup.traffic.pull()
     row = setup.traffic.everything.rows[0]
-    assert "2 counts" in setup.traffic.decoded(row).text
+    assert "2 counts" in setup.traffic.decoder.decoded(row).text
     setup.decoder.board = Signature(device_table().model("trex"), "1.2")
     setup.traffic.decode_again()
-    assert " A," in setup.traffic.decoded(row).text
+    assert " A," in setup.traffic.decoder.decoded(row).text
 
 
 def test_clear_drops_every_row(setup: TrafficSetup, qtbot: QtBot) -> None:

@@ -270,7 +270,7 @@ class MainWindow(QMainWindow):
         if workspace.help_url:
             QDesktopServices.openUrl(QUrl(workspace.help_url))
         else:
-            self._help.show_text(workspace.help_title, workspace.help_text)
+            self._help.show_text(workspace.help_title, workspace.help_text())
 
     def _show_about(self) -> None:
         QMessageBox.about(

@@ -82,9 +82,13 @@ class PageInfo:
 class Workspace(QWidget):
     """The pages of a device, the bar below them, and its menu entries.
 
-    A device overrides what it needs: `stop_text` and `help_title` are menu entries, of Esc and F1.
-    `help_url` opens the documentation; without one, `help_text` (rich text) is shown. `docks` are
-    at the right of the window; the workspace shows and hides them.
+    A device sets and overrides what it needs.
+
+    Attributes:
+        stop_text, help_title: menu entries, of Esc and F1.
+        help_url: opens the documentation; without one, `help_text` is shown.
+        file_kinds: files that are opened here when they are dropped or named at the start.
+        docks: at the right of the window; the workspace shows and hides them.
 
     Signals:
         actions_changed: `enabled_actions`.
@@ -97,34 +101,14 @@ class Workspace(QWidget):
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
+        self.stop_text = self.tr("&Stop motors")
+        self.help_title = self.tr("Online &documentation…")
+        self.help_url = ""
+        self.file_kinds: Sequence[FileKind] = ()
+        self.docks: Sequence[QDockWidget] = ()
         self.pages = QTabWidget(self)
         self.pages.setDocumentMode(True)
         self._infos: tuple[PageInfo, ...] = ()
-
-    @property
-    def stop_text(self) -> str:
-        return self.tr("&Stop motors")
-
-    @property
-    def help_title(self) -> str:
-        return self.tr("Online &documentation…")
-
-    @property
-    def help_url(self) -> str:
-        return ""
-
-    @property
-    def help_text(self) -> str:
-        return ""
-
-    @property
-    def file_kinds(self) -> Sequence[FileKind]:
-        """Files that are opened here when they are dropped or named at the start."""
-        return ()
-
-    @property
-    def docks(self) -> Sequence[QDockWidget]:
-        return ()
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
         """Add a tab for each page; the tab is found by the object name of the page."""
@@ -146,6 +130,10 @@ class Workspace(QWidget):
             )
             for number, info in enumerate(self._infos, start=1)
         ]
+
+    def help_text(self) -> str:
+        """Return rich text."""
+        return ""
 
     def menus(self) -> Menus:
         return {Menu.WINDOW: self.page_entries()}

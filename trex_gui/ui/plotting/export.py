@@ -92,13 +92,13 @@ class ExportButton(QToolButton):
 
     def _ask(self, kind: str, whole: bool, _checked: bool = False) -> None:
         kinds = self.tr("Tables (*.csv)") if kind == "csv" else self.tr("Pictures (*.{0})")
-        proposal = file_questions.last_folder(self._store) / f"{self._name}.{kind}"
+        proposal = file_questions.last_folder() / f"{self._name}.{kind}"
         path = file_questions.ask_to_save(
             self.window(), self.tr("Export"), proposal, kinds.format(kind), (f".{kind}",)
         )
         if path is None:
             return
-        file_questions.remember_folder(self._store, path)
+        file_questions.remember_folder(path)
         if kind != "csv":
             self.save_picture(path)
         elif whole:

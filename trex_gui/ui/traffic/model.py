@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui import __version__
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction, TransactionAssembler
+from trex_gui.core.transport.traffic import Decoder, Transaction, TransactionAssembler
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
@@ -77,19 +77,14 @@ class TrafficModel(QObject):
         self.everything = RowBuffer()
         self.without_polling = RowBuffer()
         self.faults = 0
-        self._log = line.log
-        self._decoder = decoder
+        self.log = line.log
+        self.decoder = decoder
         self._assembler = TransactionAssembler(decoder)
         self._newest = 0
         self._epoch = time.time() - now()
         self._timer = new_timer(self, _INTERVAL_MS, self.pull)
         line.started.connect(self._on_started)
         line.closed.connect(self._on_closed)
-
-    @property
-    def lost(self) -> int:
-        """Events that were dropped because the GUI thread was blocked for too long."""
-        return self._log.lost
 
     def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
         """Set line settings that the device reported."""
@@ -102,25 +97,19 @@ class TrafficModel(QObject):
             transaction.words = None
         self.changed.emit()
 
-    def decoded(self, transaction: Transaction) -> Decoded:
-        return self._decoder.decoded(transaction)
-
-    def shown(self, data: bytes) -> str:
-        return self._decoder.shown(data)
-
     def wall_time(self, transaction: Transaction) -> float:
         """Return the time of a row in seconds since 1970."""
         return self._epoch + transaction.time
 
     def line_of(self, row: Transaction) -> str:
         """Return a row as a line of tab-separated text, without its end."""
-        words = self.decoded(row)
+        words, shown = self.decoder.decoded(row), self.decoder.shown
         moment = datetime.fromtimestamp(self.wall_time(row)).astimezone()
         values = (
             moment.isoformat(sep=" ", timespec="milliseconds"),
             "!" if words.is_fault else "",
-            self.shown(row.sent),
-            self.shown(row.received),
+            shown(row.sent),
+            shown(row.received),
             "" if row.seconds is None else f"{row.seconds * 1e3:.1f}",
             words.text,
         )
@@ -148,7 +137,7 @@ class TrafficModel(QObject):
 
     @Slot()
     def pull(self) -> None:
-        rows = self._assembler.feed(self._log.take())
+        rows = self._assembler.feed(self.log.take())
         for transaction in rows:
             self._add(transaction)
         if rows:
@@ -159,7 +148,7 @@ class TrafficModel(QObject):
         if is_new:
             self._newest = transaction.number
             self.everything.add(transaction)
-        is_fault = transaction.is_over and self.decoded(transaction).is_fault
+        is_fault = transaction.is_over and self.decoder.decoded(transaction).is_fault
         self.faults += is_fault
         if is_fault if transaction.is_routine else is_new:
             self.without_polling.add(transaction)

@@ -172,8 +172,8 @@ class TrafficPage(QWidget):
             parts.append(self.tr("polling is hidden"))
         if self._paused.isChecked():
             parts.append(self.tr("paused"))
-        if traffic.lost:
-            parts.append(self.tr("events lost: {0}").format(f"{traffic.lost:,}"))
+        if lost := traffic.log.lost:  # the GUI thread was blocked for too long
+            parts.append(self.tr("events lost: {0}").format(f"{lost:,}"))
         self._summary.setText(" · ".join(parts))
         self._view.set_placeholder(self._placeholder())
 
@@ -223,14 +223,14 @@ class TrafficPage(QWidget):
         if not self._table.rows:
             self._notifier.error.emit(self.tr("No rows to save."))
             return
-        suggested = file_questions.last_folder(self._store) / "traffic.txt"
+        suggested = file_questions.last_folder() / "traffic.txt"
         title, kinds = self.tr("Save the traffic log"), self.tr("Text (*.txt *.tsv)")
         path = file_questions.ask_to_save(self, title, suggested, kinds, (".txt", ".tsv"))
         if path is not None:
             self.save(path)
 
     def save(self, path: Path) -> None:
-        file_questions.remember_folder(self._store, path)
+        file_questions.remember_folder(path)
         self._saver.save(path, partial(self._traffic.write, rows=tuple(self._table.rows)))
 
     @Slot(int, object)

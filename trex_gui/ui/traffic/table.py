@@ -48,6 +48,7 @@ class TrafficTable(QAbstractTableModel):
     def __init__(self, traffic: TrafficModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._traffic = traffic
+        self._decoder = traffic.decoder
         self.rows: list[Transaction] = []
         self._count = 0
         self._last: Transaction | None = None
@@ -55,6 +56,8 @@ class TrafficTable(QAbstractTableModel):
         self._faults = False
         self._text = ""
         self._paused_at: int | None = None
+        heads = self.tr("Time"), self.tr("Sent"), self.tr("Received"), self.tr("Took (ms)")
+        self._heads = (*heads, self.tr("Meaning"))
         self.mono = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
         traffic.cleared.connect(self.rebuild)
 
@@ -125,7 +128,7 @@ class TrafficTable(QAbstractTableModel):
     def _matches(self, row: Transaction) -> bool:
         if not self._faults and not self._text:
             return True
-        words, shown = self._traffic.decoded(row), self._traffic.shown
+        words, shown = self._decoder.decoded(row), self._decoder.shown
         if self._faults and not words.is_fault:
             return False
         texts = (words.text, shown(row.sent), shown(row.received))
@@ -145,19 +148,13 @@ class TrafficTable(QAbstractTableModel):
         orientation: Qt.Orientation,
         role: int = Qt.ItemDataRole.DisplayRole,
     ) -> object:
-        if orientation is not Qt.Orientation.Horizontal:
-            return None
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _alignment(section)
-        if role != Qt.ItemDataRole.DisplayRole:
-            return None
-        return (
-            self.tr("Time"),
-            self.tr("Sent"),
-            self.tr("Received"),
-            self.tr("Took (ms)"),
-            self.tr("Meaning"),
-        )[section]
+        if orientation is Qt.Orientation.Horizontal:
+            match role:
+                case Qt.ItemDataRole.DisplayRole:
+                    return self._heads[section]
+                case Qt.ItemDataRole.TextAlignmentRole:
+                    return _alignment(section)
+        return None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid():
@@ -184,12 +181,12 @@ class TrafficTable(QAbstractTableModel):
                 moment = datetime.fromtimestamp(self._traffic.wall_time(row)).astimezone()
                 return moment.time().isoformat("milliseconds")
             case 1:  # SENT
-                return self._traffic.shown(row.sent)
+                return self._decoder.shown(row.sent)
             case 2:  # RECEIVED
-                return self._traffic.shown(row.received)
+                return self._decoder.shown(row.received)
             case 3:  # TOOK
                 return "" if row.seconds is None else f"{row.seconds * 1e3:.1f}"
-        return self._traffic.decoded(row).text
+        return self._decoder.decoded(row).text
 
     def _font(self, row: Transaction, column: int) -> QFont | None:
         if column in {SENT, RECEIVED}:
@@ -207,7 +204,7 @@ class TrafficTable(QAbstractTableModel):
         return theme().color("muted") if quiet else None
 
     def _is_fault(self, row: Transaction) -> bool:
-        return self._traffic.decoded(row).is_fault
+        return self._decoder.decoded(row).is_fault
 
 
 def _alignment(column: int) -> Qt.AlignmentFlag:
@@ -263,7 +260,7 @@ class RowDetails(QPlainTextEdit):
         self, traffic: TrafficModel, table: TrafficTable, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self._traffic = traffic
+        self._decoder = traffic.decoder
         self._table = table
         self.setAccessibleName(self.tr("Details of the selected row"))
         self.setReadOnly(True)
@@ -280,7 +277,7 @@ class RowDetails(QPlainTextEdit):
             self.setPlainText(text)
 
     def _lines(self, row: Transaction) -> list[str]:
-        shown = self._traffic.shown
+        shown = self._decoder.shown
         settings = row.settings
         where = "" if settings is None else self.tr(" at {0}").format(settings.short)
         lines = [f"{self._table.text(row, TIME)}  #{row.number}{where}"]
@@ -295,5 +292,5 @@ class RowDetails(QPlainTextEdit):
             )
             wire = settings.line.seconds(count)
             lines.append(text.format(row.seconds * 1e3, wire * 1e3))
-        lines.append(self._traffic.decoded(row).text)
+        lines.append(self._decoder.decoded(row).text)
         return lines

@@ -75,18 +75,18 @@ def file_filter() -> str:
     return tr("Text files (*.txt);;All files (*)")
 
 
-def last_folder(store: QSettings) -> Path:
+def last_folder() -> Path:
     documents = QStandardPaths.StandardLocation.DocumentsLocation
-    return Path(str(store.value(_FOLDER, QStandardPaths.writableLocation(documents))))
+    return Path(str(QSettings().value(_FOLDER, QStandardPaths.writableLocation(documents))))
 
 
-def remember_folder(store: QSettings, path: Path) -> None:
-    store.setValue(_FOLDER, str(path.parent))
+def remember_folder(path: Path) -> None:
+    QSettings().setValue(_FOLDER, str(path.parent))
 
 
-def ask_to_open(window: QWidget, title: str, store: QSettings) -> Path | None:
+def ask_to_open(window: QWidget, title: str) -> Path | None:
     """Let the user choose a settings file, in the last folder first."""
-    folder = str(last_folder(store))
+    folder = str(last_folder())
     chosen, _ = QFileDialog.getOpenFileName(window, title, folder, file_filter())
     return Path(chosen) if chosen else None
 

@@ -1,12 +1,12 @@
 """The workspace of an Aracna: its pages, the bar below them, and its menu actions."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QDockWidget, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.library import Library
@@ -103,6 +103,11 @@ class AracnaWorkspace(Workspace):
         bar = ActionBar(robot, self)
         ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = RobotPanel(controller, frame)
+        self.stop_text = self.tr("&Stop sequence")  # this robot has no stop
+        self.help_title = self.tr("&Help on the Aracna…")  # there is no documentation to link to
+        self.docks = (self._demo,)
+        poses = FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), self._open_poses)
+        self.file_kinds = (poses,)
 
         controller.demo_robot.rejected.connect(self.notifier.error)
         self._demo.wanted_changed.connect(self._on_demo_wanted)
@@ -116,32 +121,12 @@ class AracnaWorkspace(Workspace):
             signal.connect(self._on_changed)
         self._undo_watch = self.library.undo.indexChanged.connect(self._on_changed)
 
-    @property
-    def stop_text(self) -> str:
-        """This robot has no stop."""
-        return self.tr("&Stop sequence")
-
-    @property
-    def help_title(self) -> str:
-        """There is no published documentation to link to."""
-        return self.tr("&Help on the Aracna…")
-
-    @property
     def help_text(self) -> str:
         return help_text(self.menus(), self._actions)
-
-    @property
-    def file_kinds(self) -> Sequence[FileKind]:
-        """Pose files; recordings open in their own windows."""
-        return (FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), self._open_poses),)
 
     def _open_poses(self, path: Path) -> None:
         if self._poses.files.open_file(path):
             self.show_page("poses")
-
-    @property
-    def docks(self) -> Sequence[QDockWidget]:
-        return (self._demo,)
 
     # --- Menus --------------------------------------------------------------------------
 

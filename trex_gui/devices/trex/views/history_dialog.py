@@ -8,7 +8,6 @@ from PySide6.QtCore import (
     QItemSelectionModel,
     QModelIndex,
     QPersistentModelIndex,
-    QSettings,
     Qt,
     QUrl,
     Signal,
@@ -69,7 +68,6 @@ class HistoryDialog(QDialog):
         self.setWindowFlags(Qt.WindowType.Window)
         self._history = device.history
         self._table = SnapshotTable(device.history, self)
-        self._store = QSettings(self)
         self._bound_problem = ""
         self._later = new_timer(self, 0, self._renew, single_shot=True)
 
@@ -200,7 +198,7 @@ class HistoryDialog(QDialog):
         path = file_questions.ask_to_save(
             self,
             self.tr("Save a copy of the snapshot"),
-            file_questions.last_folder(self._store) / source.name,
+            file_questions.last_folder() / source.name,
         )
         if path is None:
             return
@@ -209,7 +207,7 @@ class HistoryDialog(QDialog):
         except (SettingsError, UnicodeDecodeError) as error:
             self._banner.show_problem(self.tr("Nothing was saved. {0}").format(error))
             return
-        file_questions.remember_folder(self._store, path)
+        file_questions.remember_folder(path)
         self._banner.show_news(self.tr("A copy was saved in {0}.").format(path))
 
     @Slot()

@@ -6,7 +6,7 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, Qt, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QDialog, QFileDialog, QInputDialog, QListView, QWidget
 
 from trex_gui.core.errors import BadRequest
@@ -44,7 +44,6 @@ class SettingsFiles(QObject):
         self._device = device
         self._notifier = device.notifier
         self._window = window
-        self._store = QSettings(self)
         self._loading: LoadDialog | None = None
         self.editors: list[SettingsEditor] = []
 
@@ -54,7 +53,7 @@ class SettingsFiles(QObject):
 
     def _ask_and(self, use: Callable[[Path], object]) -> None:
         title = self.tr("Open settings file")
-        path = file_questions.ask_to_open(self._window, title, self._store)
+        path = file_questions.ask_to_open(self._window, title)
         if path is not None:
             use(path)
 
@@ -62,7 +61,7 @@ class SettingsFiles(QObject):
         """Let the user choose where to save the settings shown; return whether they are."""
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
-        proposal = file_questions.last_folder(self._store) / f"{key}_settings.txt"
+        proposal = file_questions.last_folder() / f"{key}_settings.txt"
         title = self.tr("Save settings file")
         path = file_questions.ask_to_save(self._window, title, proposal)
         return path is not None and self.save_file(path)
@@ -74,7 +73,7 @@ class SettingsFiles(QObject):
             return
         filters = {f"{language.title} (*{language.suffix})": language for language in Language}
         proposal = file_name(settings, next(iter(filters.values())))
-        name = file_questions.last_folder(self._store) / proposal
+        name = file_questions.last_folder() / proposal
         chosen, kind = QFileDialog.getSaveFileName(
             self._window, self.tr("Export as code"), str(name), ";;".join(filters)
         )
@@ -154,7 +153,7 @@ class SettingsFiles(QObject):
             self._notifier.error.emit(text.format(path.name, reasons))
             return None
         if remember:
-            file_questions.remember_folder(self._store, path)
+            file_questions.remember_folder(path)
         return document
 
     @Slot(object)
@@ -164,7 +163,7 @@ class SettingsFiles(QObject):
         editor.send_requested.connect(partial(self._send, editor))
         editor.new_requested.connect(self.ask_and_begin)
         editor.open_requested.connect(partial(self._ask_and, self.edit_file))
-        editor.saved.connect(partial(file_questions.remember_folder, self._store))
+        editor.saved.connect(file_questions.remember_folder)
         editor.closed.connect(partial(self._on_editor_closed, editor))
         _raise(editor)
 
@@ -220,7 +219,7 @@ class SettingsFiles(QObject):
         except (SettingsError, BadRequest) as error:
             self._notifier.error.emit(self.tr("{0} was not written: {1}").format(path.name, error))
             return
-        file_questions.remember_folder(self._store, path)
+        file_questions.remember_folder(path)
         text = self.tr("{0} applies and checks the settings shown; read its first lines.")
         self._notifier.info.emit(text.format(path))
 
@@ -241,7 +240,7 @@ class SettingsFiles(QObject):
         except (SettingsError, BadRequest) as error:
             self._notifier.error.emit(self.tr("{0} was not saved: {1}").format(path.name, error))
             return False
-        file_questions.remember_folder(self._store, path)
+        file_questions.remember_folder(path)
         saved = self.tr("The settings shown were saved in {0}.").format(path)
         self._notifier.info.emit(f"{saved} {kept}".rstrip())
         return True

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from PySide6.QtCore import QSettings, Qt, Signal, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
 
@@ -281,7 +281,6 @@ class _PresentChoice(QWidget):
         self._notifier = notifier
         self._device = device
         self._table = table
-        self._store = QSettings(self)
         self._choice = _BOARD
         self._file: _Present | None = None
         self._offered: tuple[str, _Present | None, list[Snapshot]] | None = None
@@ -391,7 +390,7 @@ class _PresentChoice(QWidget):
     def _ask_for_file(self) -> bool:
         """Let the user choose a settings file to compare with; return whether it can be used."""
         title = self.tr("Compare with a settings file")
-        path = file_questions.ask_to_open(self, title, self._store)
+        path = file_questions.ask_to_open(self, title)
         if path is None:
             return False
         try:
@@ -400,6 +399,6 @@ class _PresentChoice(QWidget):
             text = self.tr("{0} cannot be compared with: {1}")
             self._notifier.error.emit(text.format(path.name, error))
             return False
-        file_questions.remember_folder(self._store, path)
+        file_questions.remember_folder(path)
         self._file = _Present(_FILE, path.name, settings)
         return True

@@ -1,11 +1,10 @@
 """The workspace of a TReX: pages, dialogs and menus."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from functools import partial
 
 from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QDockWidget
 
 from trex_gui.core.errors import sentence
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -83,7 +82,11 @@ class TrexWorkspace(Workspace):
         bar = ActionBar(device, self)
         ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = DemoPanel(controller, frame)
-        self.files = SettingsFiles(device, frame)
+        self.files = files = SettingsFiles(device, frame)
+        self.help_url = "https://www.pololu.com/docs/0J1"
+        self.docks = (self._demo,)
+        name, suffixes = self.tr("a settings file of a TReX"), {".txt", ".yaml", ".yml"}
+        self.file_kinds = (FileKind(suffixes, name, files.open_file, files.edit_file),)
         self._review = ReviewDialog(device, frame)
         self._defaults = DefaultsDialog(device, frame)
         self._power = PowerCycleDialog(device, frame)
@@ -125,21 +128,6 @@ class TrexWorkspace(Workspace):
         ):
             changed.connect(self._on_actions_changed)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
-
-    @property
-    def help_url(self) -> str:
-        return "https://www.pololu.com/docs/0J1"
-
-    @property
-    def file_kinds(self) -> Sequence[FileKind]:
-        name = self.tr("a settings file of a TReX")
-        return (
-            FileKind({".txt", ".yaml", ".yml"}, name, self.files.open_file, self.files.edit_file),
-        )
-
-    @property
-    def docks(self) -> Sequence[QDockWidget]:
-        return (self._demo,)
 
     # --- What its menus do --------------------------------------------------------------
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, QSettings, QSize, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -125,11 +125,10 @@ class BenchFiles(QObject):
         self._picture = picture
         self._bench = bench
         self._window = window
-        self._store = QSettings(self)
 
     def ask_and_save(self, run: Run) -> None:
         name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.started:%Y%m%d_%H%M%S}.csv"
-        path = str(last_folder(self._store) / name)
+        path = str(last_folder() / name)
         kinds = self.tr("Bench tests (*.csv);;Pictures (*.png)")
         title = self.tr("Save bench test")
         chosen, _ = QFileDialog.getSaveFileName(self._window, title, path, kinds)
@@ -137,7 +136,7 @@ class BenchFiles(QObject):
             self.save(run, Path(chosen))
 
     def ask_and_open(self) -> None:
-        path = str(last_folder(self._store))
+        path = str(last_folder())
         kinds = self.tr("Bench tests (*.csv);;All files (*)")
         title = self.tr("Open bench test")
         chosen, _ = QFileDialog.getOpenFileName(self._window, title, path, kinds)
@@ -159,7 +158,7 @@ class BenchFiles(QObject):
         if reason:
             self.reported.emit(self.tr("{0} was not saved. {1}").format(path.name, reason))
         else:
-            remember_folder(self._store, path)
+            remember_folder(path)
             self.reported.emit(self.tr("Saved as {0}.").format(path.name))
 
     def open(self, path: Path) -> None:
@@ -174,7 +173,7 @@ class BenchFiles(QObject):
         except BenchFileError as error:
             reason = str(error)
         else:
-            remember_folder(self._store, path)
+            remember_folder(path)
             self._bench.add_run(run)
             self.reported.emit(self.tr("{0}: {1}.").format(path.name, run.title))
             return

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QSettings, Qt, Signal, SignalInstance, Slot
+from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtGui import QAction, QCloseEvent, QKeySequence
 from PySide6.QtWidgets import QDialog, QMainWindow, QTabWidget, QToolBar, QWidget
 
@@ -59,7 +59,6 @@ class SettingsEditor(QMainWindow):
         document.setParent(self)
         self._device = device
         self._linter = SettingsLinter(document.draft, self)
-        self._store = QSettings(self)
 
         self._banner = Banner(self)
         parameters = ParameterTable(document.draft, self._linter, self)
@@ -209,12 +208,12 @@ class SettingsEditor(QMainWindow):
 
     def _folder(self) -> Path:
         path = self.document.path
-        return path.parent if path is not None else file_questions.last_folder(self._store)
+        return path.parent if path is not None else file_questions.last_folder()
 
     # --- Comparing ----------------------------------------------------------------------
 
     def _ask_and_compare(self) -> None:
-        path = file_questions.ask_to_open(self, self.tr("Compare with"), self._store)
+        path = file_questions.ask_to_open(self, self.tr("Compare with"))
         if path is not None:
             self.compare_with_file(path)
 

@@ -5,7 +5,7 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, Slot
+from PySide6.QtCore import QObject, Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
@@ -113,11 +113,10 @@ class CalibrationFiles(QObject):
         self._device = device
         self._window = window
         self._notifier = device.notifier
-        self._store = QSettings(self)
 
     @Slot()
     def ask_and_load(self) -> None:
-        path = file_questions.ask_to_open(self._window, self.tr("Load calibrations"), self._store)
+        path = file_questions.ask_to_open(self._window, self.tr("Load calibrations"))
         if path:
             self.load_file(path)
 
@@ -126,7 +125,7 @@ class CalibrationFiles(QObject):
         chosen, _ = QFileDialog.getSaveFileName(
             self._window,
             self.tr("Save calibrations"),
-            str(file_questions.last_folder(self._store) / "calibrations.txt"),
+            str(file_questions.last_folder() / "calibrations.txt"),
             file_questions.file_filter(),
             options=QFileDialog.Option.DontConfirmOverwrite,  # only the calibrations change
         )
@@ -143,7 +142,7 @@ class CalibrationFiles(QObject):
             text = self.tr("{0} could not be loaded: {1}")
             self._notifier.error.emit(text.format(path.name, sentence(error)))
             return
-        file_questions.remember_folder(self._store, path)
+        file_questions.remember_folder(path)
         text = self.tr("{0} has the same calibrations.")
         if count:
             text = self.tr("Calibrations loaded from {0} as edits: {1}.")
@@ -161,5 +160,5 @@ class CalibrationFiles(QObject):
             text = self.tr("{0} could not be saved: {1}")
             self._notifier.error.emit(text.format(path.name, sentence(error)))
             return
-        file_questions.remember_folder(self._store, path)
+        file_questions.remember_folder(path)
         self._notifier.info.emit(self.tr("The calibrations shown were saved in {0}.").format(path))
