@@ -22,12 +22,8 @@ class Backlog(Generic[RecordT]):
         self._ready = condition or threading.Condition()
         self._pending: deque[RecordT | Marker] = deque()
         self._unmarked = 0
-        self._lost = 0
+        self.lost = 0
         self._closed = False
-
-    @property
-    def lost(self) -> int:
-        return self._lost
 
     def put(self, records: Sequence[RecordT | Marker]) -> None:
         with self._ready:
@@ -35,7 +31,7 @@ class Backlog(Generic[RecordT]):
                 return
             if len(self._pending) + len(records) > self._capacity:
                 self._unmarked += len(records)
-                self._lost += len(records)
+                self.lost += len(records)
                 return
             self._mark_lost(records[0].time)
             self._pending.extend(records)

@@ -65,8 +65,7 @@ def _write_csv(
     """
     names = list(dict.fromkeys(name for kind in recording.kinds for name in kind.exported))
     places = {name: place for place, name in enumerate(names)}
-    columns = [[places[name] for name in kind.exported] for kind in recording.kinds]
-    cleared = [_cleared(kind, recording.kinds, places) for kind in recording.kinds]
+    columns = {kind.name: [places[name] for name in kind.exported] for kind in recording.kinds}
     held: list[Value] = [None] * len(names)
     text = io.TextIOWrapper(file, encoding="utf-8", errors="surrogatepass", newline="")
     writer = csv.writer(text, lineterminator="\n")
@@ -78,22 +77,17 @@ def _write_csv(
         lines = []
         for time, index, values in rows:
             kind = recording.kinds[index]
-            for place in cleared[index]:
-                held[place] = None
+            for cleared in kind.clears & columns.keys():
+                for place in columns[cleared]:
+                    held[place] = None
             cells = held if kind.held else held.copy()
-            for place, value in zip(columns[index], values, strict=True):
+            for place, value in zip(columns[kind.name], values, strict=True):
                 if value is not None or not kind.partial:
                     cells[place] = value
             lines.append((f"{time:.6f}", kind.name, *cells))
         writer.writerows(lines)
     text.flush()
     text.detach()
-
-
-def _cleared(
-    kind: SampleKind, kinds: tuple[SampleKind, ...], places: Mapping[str, int]
-) -> list[int]:
-    return [places[name] for each in kinds if each.name in kind.clears for name in each.exported]
 
 
 def _write_mcap(

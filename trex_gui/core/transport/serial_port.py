@@ -90,18 +90,11 @@ class SerialTransport:
     def __init__(self, settings: PortSettings, clock: Callable[[], float] = time.monotonic) -> None:
         self._url = settings.url
         self._name = settings.label
-        self._clock = clock
+        self.clock = clock
         self._port = _open(settings, clock)
-        self._latency = latency_of(settings.url)
-
-    @property
-    def latency(self) -> float:
-        return self._latency
-
-    @property
-    def is_configurable(self) -> bool:
+        self.latency = latency_of(settings.url)
         # The rate behind a plain network port is set at its other end.
-        return not self._url.startswith("socket://")
+        self.is_configurable = not settings.url.startswith("socket://")
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         return None if "://" in self._url else rates_of(self._port, wanted)
@@ -122,9 +115,6 @@ class SerialTransport:
                 raise BadRequest(f"the port cannot be set to {line.text()}") from error
             raise self._gone(error) from error
 
-    def clock(self) -> float:
-        return self._clock()
-
     def write(self, data: bytes) -> None:
         try:
             if self._port.write_timeout == 0:
@@ -144,11 +134,11 @@ class SerialTransport:
 
     def read(self, size: int, seconds: float) -> bytes:
         received = bytearray()
-        deadline = self._clock() + seconds
+        deadline = self.clock() + seconds
         try:
             while len(received) < size:
                 received += self._port.read(size - len(received))
-                if self._clock() >= deadline:
+                if self.clock() >= deadline:
                     # What was received in time counts, even if this thread is late.
                     there = min(self._port.in_waiting, size - len(received))
                     received += self._port.read(there) if there > 0 else b""
@@ -160,12 +150,12 @@ class SerialTransport:
     def discard(self) -> bytes:
         stale = bytearray()
         reads = 0
-        deadline = self._clock() + _LONGEST_STALE
+        deadline = self.clock() + _LONGEST_STALE
         try:
             while waiting := self._port.in_waiting:
                 stale += self._port.read(waiting)
                 reads += 1
-                if reads > _MANY_READS and self._clock() > deadline:
+                if reads > _MANY_READS and self.clock() > deadline:
                     raise BadReply(f"It sends without a request ({stale[:12].hex(' ').upper()} …).")
         except PORT_ERRORS as error:
             raise self._gone(error) from error

@@ -3,7 +3,7 @@
 import time
 from abc import ABC, abstractmethod
 from collections import deque
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import Enum, auto
@@ -70,6 +70,9 @@ class LoggingTransport:
         self._settings = settings
         self._line = settings.line
         self._log = log
+        self.rates = below.rates
+        self.clock = below.clock
+        self.wait = below.wait
 
     @property
     def latency(self) -> float:
@@ -79,21 +82,15 @@ class LoggingTransport:
     def is_configurable(self) -> bool:
         return self._below.is_configurable
 
-    def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
-        return self._below.rates(wanted)
-
     def reconfigure(self, line: SerialFormat) -> None:
         self._below.reconfigure(line)
         if line != self._line:
             self._line = line
             self._note_line(f"Set to {line.text()}.", self._settings.at(line))
 
-    def clock(self) -> float:
-        return self._below.clock()
-
     def write(self, data: bytes) -> None:
         # Logged first: before its reply, and also if it fails.
-        self._log.note(TrafficEvent(self._below.clock(), TrafficDirection.SENT, data))
+        self._log.note(TrafficEvent(self.clock(), TrafficDirection.SENT, data))
         with self._logged_errors():
             self._below.write(data)
 
@@ -104,9 +101,6 @@ class LoggingTransport:
     def discard(self) -> bytes:
         with self._logged_errors():
             return self._received(self._below.discard())
-
-    def wait(self, seconds: float) -> None:
-        self._below.wait(seconds)
 
     def close(self) -> None:
         self._note_line("Closed.")
@@ -122,13 +116,12 @@ class LoggingTransport:
 
     def _received(self, data: bytes) -> bytes:
         if data:
-            self._log.note(TrafficEvent(self._below.clock(), TrafficDirection.RECEIVED, data))
+            self._log.note(TrafficEvent(self.clock(), TrafficDirection.RECEIVED, data))
         return data
 
     def _note_line(self, text: str, settings: PortSettings | None = None) -> None:
-        self._log.note(
-            TrafficEvent(self._below.clock(), TrafficDirection.LINE, text=text, settings=settings)
-        )
+        event = TrafficEvent(self.clock(), TrafficDirection.LINE, text=text, settings=settings)
+        self._log.note(event)
 
 
 def logged(

@@ -71,7 +71,7 @@ class Duel:
     def connect(self, signals: list[str]) -> None:
         self.setup.signals = signals
         for channel, text in enumerate(signals, 1):
-            self.board.channels.connect(channel, Signal.parse(text, SOURCES[self.oracle.source]))
+            self.board.channels.signals[channel] = Signal.parse(text, SOURCES[self.oracle.source])
         self._wait(SETTLE)
         self.oracle.raw = self.board.channels.raw
 

@@ -120,8 +120,8 @@ def test_batch_contains_counters_of_its_moment(stage: Stage) -> None:
 
 
 def test_samples_contain_what_board_measures(stage: Stage) -> None:
-    stage.board.channels.connect(1, Signal.pulses(2000))
-    stage.board.channels.connect(4, Signal.parse("invalid", InputSource.RC))
+    stage.board.channels.signals[1] = Signal.pulses(2000)
+    stage.board.channels.signals[4] = Signal.parse("invalid", InputSource.RC)
     stage.board.force_current(2, 3.0)
     reports = run_for(stage, 2.0)
     assert samples(reports, Raw)[-1].counts == (5000, 3750, 3750, None, 3750)

@@ -60,7 +60,7 @@ def test_board_waiting_for_boot_loader_ignores_packets() -> None:
 
 
 def move(board: Board, channel: int, microseconds: float, seconds: float) -> None:
-    board.channels.connect(channel, Signal.pulses(microseconds))
+    board.channels.signals[channel] = Signal.pulses(microseconds)
     board.advance(seconds)
 
 
@@ -68,8 +68,8 @@ def test_learning_takes_neutral_and_extremes_from_sticks() -> None:
     board = start("rc")
     board.advance(0.1)
     assert report(board)["leds"] == {"red": "blink 1/s", "green": "blink 1/s"}
-    board.channels.connect(1, Signal.pulses(1480))
-    board.channels.connect(2, Signal(SignalKind.BAD_PULSES))
+    board.channels.signals[1] = Signal.pulses(1480)
+    board.channels.signals[2] = Signal(SignalKind.BAD_PULSES)
     board.mix = False
     board.advance(0.05)
     assert report(board)["leds"] == {"red": "on", "green": "off"}
@@ -97,7 +97,7 @@ def test_learning_takes_neutral_and_extremes_from_sticks() -> None:
 
 def test_learning_shows_each_channel_on_green_led() -> None:
     board = start("rc")
-    board.channels.connect(2, Signal(SignalKind.BAD_PULSES))
+    board.channels.signals[2] = Signal(SignalKind.BAD_PULSES)
     board.mix = False
     board.advance(2.05)
     seen = []
@@ -110,7 +110,7 @@ def test_learning_shows_each_channel_on_green_led() -> None:
 def test_learning_waits_for_signal_and_can_be_aborted() -> None:
     board = Board(mode="rc")
     for channel in range(1, 6):
-        board.channels.connect(channel, Signal(SignalKind.BAD_PULSES))
+        board.channels.signals[channel] = Signal(SignalKind.BAD_PULSES)
     board.so_ground = board.mix = True
     board.power_cycle()
     board.mix = False
@@ -127,7 +127,7 @@ def test_learning_ends_when_no_channel_is_steady() -> None:
     board.mix = False
     for index in range(30):
         for channel in range(1, 6):
-            board.channels.connect(channel, Signal.voltage(index % 2))
+            board.channels.signals[channel] = Signal.voltage(index % 2)
         board.advance(0.1)
     board.advance(3)
     assert step(board) == "learning: done"

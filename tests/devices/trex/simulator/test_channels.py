@@ -34,7 +34,7 @@ def analog() -> Channels:
 
 def test_rc_channels_have_no_pulse_at_power_up(rc: Channels) -> None:
     assert rc.raw == (None,) * 5
-    assert all(rc.silent_for(channel) == math.inf for channel in CHANNELS)
+    assert all(rc.silence[channel] == math.inf for channel in CHANNELS)
 
 
 def test_analog_channels_read_zero_until_first_average(analog: Channels) -> None:
@@ -44,11 +44,11 @@ def test_analog_channels_read_zero_until_first_average(analog: Channels) -> None
 
 
 def test_power_up_forgets_measured_pulses(rc: Channels) -> None:
-    rc.connect(1, Signal.pulses(1200))
+    rc.signals[1] = Signal.pulses(1200)
     ticks(rc, PERIOD)
     rc.begin(RC)
     assert rc.raw == (None,) * 5
-    assert rc.silent_for(1) == math.inf
+    assert rc.silence[1] == math.inf
     ticks(rc, PERIOD)
     assert rc.raw[0] == 3000
 
@@ -69,7 +69,7 @@ def test_each_channel_updates_every_20_ms(channel: int, source: InputSource) -> 
     changes = []
     for tick in range(400):
         before = channels.raw[channel - 1]
-        channels.connect(channel, Signal.from_counts(500 + 4 * tick, source))
+        channels.signals[channel] = Signal.from_counts(500 + 4 * tick, source)
         channels.advance(TICK)
         if channels.raw[channel - 1] != before:
             changes.append(tick)
@@ -81,7 +81,7 @@ def test_each_channel_updates_every_20_ms(channel: int, source: InputSource) -> 
 def test_new_signal_is_measured_at_next_pulse(rc: Channels) -> None:
     ticks(rc, PERIOD)
     for channel in CHANNELS:
-        rc.connect(channel, Signal.pulses(1200))
+        rc.signals[channel] = Signal.pulses(1200)
     assert rc.raw == (3750,) * 5
     for values in zip(*ticks(rc, PERIOD), strict=True):
         before = values.count(3750)
@@ -91,57 +91,57 @@ def test_new_signal_is_measured_at_next_pulse(rc: Channels) -> None:
 
 def test_bad_pulse_invalidates_channel_at_next_pulse(rc: Channels) -> None:
     ticks(rc, PERIOD)
-    rc.connect(4, Signal(SignalKind.BAD_PULSES))
+    rc.signals[4] = Signal(SignalKind.BAD_PULSES)
     assert rc.raw == (3750,) * 5
     seen = ticks(rc, PERIOD)
     assert seen[0][3] == 3750
     assert seen[-1] == (3750, 3750, 3750, None, 3750)
-    assert rc.silent_for(4) > rc.silent_for(1)
+    assert rc.silence[4] > rc.silence[1]
 
 
 def test_good_pulse_after_bad_pulses_restores_channel(rc: Channels) -> None:
-    rc.connect(1, Signal(SignalKind.BAD_PULSES))
+    rc.signals[1] = Signal(SignalKind.BAD_PULSES)
     ticks(rc, 4 * PERIOD)
-    rc.connect(1, Signal.pulses(1200))
+    rc.signals[1] = Signal.pulses(1200)
     assert rc.raw[:1] == (None,)
     ticks(rc, PERIOD)
     assert rc.raw[:1] == (3000,)
-    assert rc.silent_for(1) < PERIOD * TICK
+    assert rc.silence[1] < PERIOD * TICK
 
 
 @pytest.mark.parametrize("text", ["silent", "2.5V", "1500us lost 1"])
 @pytest.mark.parametrize("channel", CHANNELS)
 def test_silent_channel_keeps_its_value_for_100_ms(rc: Channels, channel: int, text: str) -> None:
-    rc.connect(channel, Signal.pulses(1200))
+    rc.signals[channel] = Signal.pulses(1200)
     ticks(rc, PERIOD)
-    last_pulse = rc.silent_for(channel)
-    rc.connect(channel, Signal.parse(text, RC))
+    last_pulse = rc.silence[channel]
+    rc.signals[channel] = Signal.parse(text, RC)
     kept = [raw[channel - 1] for raw in ticks(rc, 60)]
     frozen = kept.count(3000)
     assert kept == [3000] * frozen + [None] * (60 - frozen)
     assert last_pulse + frozen * TICK == pytest.approx(0.1, abs=1.5 * TICK)
-    assert rc.silent_for(channel) == pytest.approx(last_pulse + 0.15)
+    assert rc.silence[channel] == pytest.approx(last_pulse + 0.15)
 
 
 def test_occasional_lost_pulses_hardly_affect_channel(rc: Channels) -> None:
-    rc.connect(1, Signal.parse("1500us lost 0.2", RC))
+    rc.signals[1] = Signal.parse("1500us lost 0.2", RC)
     ticks(rc, 10 * PERIOD)
     seen = [raw[0] for raw in ticks(rc, 200 * PERIOD)]
     assert seen.count(3750) > 0.98 * len(seen)
 
 
 def test_losing_most_pulses_mostly_invalidates_channel(rc: Channels) -> None:
-    rc.connect(1, Signal.parse("1500us lost 0.95", RC))
+    rc.signals[1] = Signal.parse("1500us lost 0.95", RC)
     seen = [raw[0] for raw in ticks(rc, 500 * PERIOD)]
     assert 0 < seen.count(3750) < 0.5 * len(seen)
     assert set(seen) == {None, 3750}
 
 
 def test_voltage_is_averaged_over_last_20_ms(analog: Channels) -> None:
-    analog.connect(1, Signal.voltage(0))
+    analog.signals[1] = Signal.voltage(0)
     ticks(analog, PERIOD)
     ticks(analog, PERIOD // 4)
-    analog.connect(1, Signal.voltage(5))
+    analog.signals[1] = Signal.voltage(5)
     seen = [raw[0] for raw in ticks(analog, PERIOD - PERIOD // 4)]
     assert seen[:-1] == [0] * (len(seen) - 1)
     assert seen[-1] == pytest.approx(0.75 * 1023, abs=1)
@@ -150,7 +150,7 @@ def test_voltage_is_averaged_over_last_20_ms(analog: Channels) -> None:
 
 def test_averaging_reduces_voltage_noise() -> None:
     analog = Channels(ANALOG, seed=2)
-    analog.connect(1, Signal.parse("2.5V noise 100mV", ANALOG))  # 20 counts each
+    analog.signals[1] = Signal.parse("2.5V noise 100mV", ANALOG)  # 20 counts each
     seen = [raw[0] or 0 for raw in ticks(analog, 500 * PERIOD)[PERIOD - 1 :: PERIOD]]
     mean = sum(seen) / len(seen)
     spread = (sum((value - mean) ** 2 for value in seen) / len(seen)) ** 0.5
@@ -159,6 +159,6 @@ def test_averaging_reduces_voltage_noise() -> None:
 
 
 def test_disconnect_sets_every_channel_to_rest(rc: Channels) -> None:
-    rc.connect(3, Signal.parse("1200us noise 2us", RC))
+    rc.signals[3] = Signal.parse("1200us noise 2us", RC)
     rc.disconnect()
-    assert [rc.signal(channel).text for channel in CHANNELS] == ["rest"] * 5
+    assert [rc.signals[channel].text for channel in CHANNELS] == ["rest"] * 5

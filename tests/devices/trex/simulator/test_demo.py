@@ -44,7 +44,7 @@ def test_demo_moves_voltages_in_analog_mode() -> None:
 def test_demo_leaves_user_set_channel_alone() -> None:
     line = demo_line()
     watch(line, 1)
-    line.boards[0].channels.connect(2, Signal.pulses(1234))
+    line.boards[0].channels.signals[2] = Signal.pulses(1234)
     seen = watch(line, 5)
     assert {raw[1] for raw in seen} == {3085}
     assert len({raw[0] for raw in seen}) > 100

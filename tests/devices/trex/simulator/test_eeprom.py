@@ -158,14 +158,11 @@ def test_factory_state_is_restored_in_file(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("field", ["minimum", "neutral", "maximum", "deadband"])
-def test_calibration_fields_are_written_and_lost_separately(field: str) -> None:
+def test_calibration_fields_are_written_separately(field: str) -> None:
     eeprom = Eeprom()
     eeprom.write_calibration(InputSource.RC, 2, STICK)
     eeprom.write_calibration_value(InputSource.RC, 2, field, 9)
     assert eeprom.calibration(InputSource.RC, 2) == replace(STICK, **{field: 9})
-    eeprom.lose_calibration_value(InputSource.RC, 2, field)
-    factory = getattr(DEFAULT_CALIBRATION[InputSource.RC], field)
-    assert eeprom.calibration(InputSource.RC, 2) == replace(STICK, **{field: factory})
 
 
 @given(data=st.binary(max_size=60))

@@ -90,7 +90,7 @@ class TestPower:
         board.eeprom.write_calibration(InputSource.RC, 1, Calibration(1, 2, 3, 0))
         board.eeprom.request_reset()
         board.mode_jumper, board.mix, board.so_ground = "serial", False, True
-        board.channels.connect(1, Signal.pulses(2000))
+        board.channels.signals[1] = Signal.pulses(2000)
         board.set_fault(2, fault=True)
         board.force_current(1, 5.0)
         board.physics[0].load = 9.0
@@ -171,7 +171,7 @@ class TestParameters:
         assert board.memory.busy_for == 0
 
     def test_writes_are_rejected_in_rc_mode_with_override(self, rc: Board) -> None:
-        rc.channels.connect(5, Signal.pulses(1000))
+        rc.channels.signals[5] = Signal.pulses(1000)
         rc.advance(0.025)
         assert rc.serial.in_control
         assert rc.set_parameter(0x07, 1) is ResultCode.NOT_SERIAL_MODE

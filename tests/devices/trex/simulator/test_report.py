@@ -54,7 +54,7 @@ def test_show_reports_active_line_settings(
 def test_invalid_channel_is_shown_as_null(board: Board) -> None:
     board.advance(0.025)
     assert report(board)["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "rest"}
-    board.channels.connect(1, Signal.parse("invalid", InputSource.RC))
+    board.channels.signals[1] = Signal.parse("invalid", InputSource.RC)
     assert report(board)["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "invalid"}
     board.advance(0.025)
     assert report(board)["channels"][0] == {"raw": None, "remapped": 0, "signal": "invalid"}
@@ -71,11 +71,11 @@ def test_leds_show_serial_control_and_packet_activity(board: Board, port: Serial
 
 def test_rc_mode_swaps_leds() -> None:
     board = Board(mode="rc")
-    board.channels.connect(2, Signal.pulses(1900))
+    board.channels.signals[2] = Signal.pulses(1900)
     board.power_cycle()
     board.advance(2)
     assert report(board)["leds"] == {"red": "off", "green": "fast flash"}
-    board.channels.connect(2, Signal.pulses(1500))
+    board.channels.signals[2] = Signal.pulses(1500)
     assert report(board)["leds"] == {"red": "off", "green": "fast flash"}
     board.advance(0.03)
     assert report(board)["leds"] == {"red": "off", "green": "on"}

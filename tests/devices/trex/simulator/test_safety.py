@@ -78,7 +78,7 @@ class TestSafety:
         board.serial.drive(1, FORWARD, 77)
         board.advance(2)
         assert not board.serial.uart_errors  # the channels are in control
-        board.channels.connect(5, Signal.pulses(1000))
+        board.channels.signals[5] = Signal.pulses(1000)
         board.advance(0.03)
         assert board.motors[0].direction is BRAKE
         assert board.serial.uart_errors == UartError.TIMEOUT
@@ -94,7 +94,7 @@ class TestSafety:
         assert board.serial.status == Status.UART_ERROR
 
     def test_line_error_does_not_stop_motor_driven_by_stick(self, rc: Board) -> None:
-        rc.channels.connect(1, Signal.pulses(2000))
+        rc.channels.signals[1] = Signal.pulses(2000)
         rc.advance(0.05)
         assert rc.motors[0].direction is FORWARD
         rc.report_error(UartError.FORMAT)
@@ -161,7 +161,7 @@ class TestCurrents:
         board = Board(eeprom=eeprom, mode="rc", mix=True)
         board.advance(SETTLED)
         for channel in (1, 2):
-            board.channels.connect(channel, Signal.pulses(2000))
+            board.channels.signals[channel] = Signal.pulses(2000)
         board.advance(0.05)
         assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
         assert board.motors[1].direction is BRAKE

@@ -16,7 +16,7 @@ PULSES = 0.03
 
 
 def put(board: Board, channel: int, text: str) -> None:
-    board.channels.connect(channel, Signal.parse(text, board.channels.source))
+    board.channels.signals[channel] = Signal.parse(text, board.channels.source)
 
 
 def waits(board: Board) -> bool:

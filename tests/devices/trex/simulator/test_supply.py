@@ -178,7 +178,7 @@ class TestBrownOut:
         weaken(board)
         board.advance(SETTLED)
         assert not waits(board)
-        board.channels.connect(1, Signal.pulses(2000))
+        board.channels.signals[1] = Signal.pulses(2000)
         board.advance(0.1)
         assert board.counters["brown_outs"] == 1
         assert waits(board)
@@ -186,7 +186,7 @@ class TestBrownOut:
         assert board.counters["brown_outs"] == 1
         assert waits(board)
         assert board.motors[0].direction is BRAKE
-        board.channels.connect(1, Signal.pulses(1500))
+        board.channels.signals[1] = Signal.pulses(1500)
         board.advance(SETTLED)
         assert not waits(board)
 

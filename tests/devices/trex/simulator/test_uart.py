@@ -93,7 +93,7 @@ class TestQueries:
 
     def test_raw_channels_match_documented_example(self, port: SerialPort) -> None:
         for channel, text in ((1, "3637"), (2, "invalid"), (5, "2715")):
-            port.board.channels.connect(channel, Signal.parse(text, InputSource.RC))
+            port.board.channels.signals[channel] = Signal.parse(text, InputSource.RC)
         assert ask(port, "86 13") == "FF FF FF FF FF FF"
         port.board.advance(PULSES)
         # The documentation reads 9B 0A as 2716; it is 2715.
@@ -105,7 +105,7 @@ class TestQueries:
 
     def test_remapped_channels_have_a_sign_bit(self, port: SerialPort) -> None:
         for channel, text in ((1, "2500us"), (2, "500us"), (3, "1550us")):
-            port.board.channels.connect(channel, Signal.parse(text, InputSource.RC))
+            port.board.channels.signals[channel] = Signal.parse(text, InputSource.RC)
         assert ask(port, "87 1F") == "00 00 00 00 00"
         port.board.advance(PULSES)
         assert ask(port, "87 1F") == "7F FF 05 00 00"

@@ -144,8 +144,7 @@ class ChannelControl:
 
     def _has_lost_required_channel(self) -> bool:
         return self._mode is Mode.RC and any(
-            self._channels.silent_for(channel) > _SIGNAL_REQUIRED_WITHIN
-            for channel in self._required
+            self._channels.silence[channel] > _SIGNAL_REQUIRED_WITHIN for channel in self._required
         )
 
     @property

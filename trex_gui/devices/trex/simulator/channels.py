@@ -6,7 +6,7 @@ Ref: Pololu TReX User's Guide 4.b, 4.c; TReX 1.0 command documentation 0x86.
 import math
 import re
 from dataclasses import dataclass, replace
-from enum import Enum, auto
+from enum import Enum
 from random import Random
 
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
@@ -24,17 +24,17 @@ _SIGNAL = re.compile(
 
 
 class SignalKind(Enum):
-    REST = auto()
-    PULSES = auto()
-    VOLTAGE = auto()
-    BAD_PULSES = auto()
-    SILENCE = auto()
+    """Kinds of signals; the value is the word for them, or the unit."""
+
+    REST = "rest"
+    PULSES = "us"
+    VOLTAGE = "V"
+    BAD_PULSES = "invalid"
+    SILENCE = "silent"
 
 
-_WORDS = {
-    "invalid": SignalKind.BAD_PULSES,
-    "silent": SignalKind.SILENCE,
-    "rest": SignalKind.REST,
+_WITHOUT_VALUE = {
+    kind.value: kind for kind in (SignalKind.BAD_PULSES, SignalKind.SILENCE, SignalKind.REST)
 }
 
 
@@ -59,8 +59,8 @@ class Signal:
         `noise 2us` and `lost 0.1` may follow a value. ValueError if no input can carry it.
         """
         word = text.strip().lower()
-        if word in _WORDS:
-            return cls(_WORDS[word])
+        if word in _WITHOUT_VALUE:
+            return cls(_WITHOUT_VALUE[word])
         found = _SIGNAL.fullmatch(word)
         if not found:
             raise ValueError(
@@ -110,10 +110,9 @@ class Signal:
 
     @property
     def text(self) -> str:
-        for word, kind in _WORDS.items():
-            if self.kind is kind:
-                return word
-        unit = "us" if self.kind is SignalKind.PULSES else "V"
+        unit = self.kind.value
+        if unit in _WITHOUT_VALUE:
+            return unit
         text = f"{self.value:g}{unit}"
         if self.noise:
             text += f" noise {self.noise:g}{unit}"
@@ -159,7 +158,10 @@ _SAMPLES_A_TICK = 2
 
 
 class Channels:
-    """The inputs, each measured 50 times a second; pulses arrive one after the other."""
+    """The inputs, each measured 50 times a second; pulses arrive one after the other.
+
+    `silence`: seconds since the last good pulse of each channel, infinite when there was none.
+    """
 
     def __init__(self, source: InputSource, seed: int = 0) -> None:
         self._random = Random(seed)  # noqa: S311 - noise, not secrets
@@ -168,13 +170,13 @@ class Channels:
 
     def disconnect(self) -> None:
         """Return every input to its rest signal."""
-        self._signals = dict.fromkeys(CHANNELS, Signal(SignalKind.REST))
+        self.signals = dict.fromkeys(CHANNELS, Signal(SignalKind.REST))
 
     def begin(self, source: InputSource) -> None:
         self.source = source
         unknown = 0 if source is InputSource.ANALOG else None
         self._raw: dict[int, int | None] = dict.fromkeys(CHANNELS, unknown)
-        self._silence = dict.fromkeys(CHANNELS, math.inf)
+        self.silence = dict.fromkeys(CHANNELS, math.inf)
         self._no_pulse = dict.fromkeys(CHANNELS, math.inf)
         self._converted = dict.fromkeys(CHANNELS, 0)
         self._ticks = 0
@@ -184,12 +186,6 @@ class Channels:
     def has_settled(self) -> bool:
         """Whether each channel has had time to show a signal."""
         return self._age > SIGNAL_LOST_AFTER
-
-    def signal(self, channel: int) -> Signal:
-        return self._signals[channel]
-
-    def connect(self, channel: int, signal: Signal) -> None:
-        self._signals[channel] = signal
 
     def advance(self, seconds: float) -> None:
         self._ticks += 1
@@ -201,7 +197,7 @@ class Channels:
 
     def _convert(self) -> None:
         is_due = self._ticks % _PERIOD_TICKS == 0
-        for channel, signal in self._signals.items():
+        for channel, signal in self.signals.items():
             for _ in range(_SAMPLES_A_TICK):
                 self._converted[channel] += signal.conversion(self._random)
             if is_due:
@@ -210,22 +206,18 @@ class Channels:
                 self._converted[channel] = 0
 
     def _catch_pulses(self, seconds: float) -> None:
-        for channel, signal in self._signals.items():
-            self._silence[channel] += seconds
+        for channel, signal in self.signals.items():
+            self.silence[channel] += seconds
             self._no_pulse[channel] += seconds
             if self._ticks % _PERIOD_TICKS == channel and signal.has_pulse(self._random):
                 self._no_pulse[channel] = 0.0
                 self._raw[channel] = signal.pulse(self._random)
                 if self._raw[channel] is not None:
-                    self._silence[channel] = 0.0
+                    self.silence[channel] = 0.0
             elif self._no_pulse[channel] > SIGNAL_LOST_AFTER:
                 self._raw[channel] = None
-
-    def silent_for(self, channel: int) -> float:
-        """Seconds since the last good pulse of a channel; infinite when there was none."""
-        return self._silence[channel]
 
     @property
     def raw(self) -> tuple[int | None, ...]:
         """The raw counts of channels 1-5; `None` where the board replies 0xFFFF."""
-        return tuple(self._raw[channel] for channel in CHANNELS)
+        return tuple(self._raw.values())

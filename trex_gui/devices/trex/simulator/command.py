@@ -36,18 +36,18 @@ class Demo:
     def __init__(self, board: Board, timeline: Timeline) -> None:
         self._board = board
         self._timeline = timeline
-        self._signals = {channel: board.channels.signal(channel) for channel in _SWINGS}
+        self._signals = {channel: board.channels.signals[channel] for channel in _SWINGS}
         for physics in board.physics:
             physics.load = physics.load_at_first = physics.constants.light_load
         self._move_sticks()
 
     def _move_sticks(self) -> None:
         for channel, (seconds, size) in _SWINGS.items():
-            present = self._board.channels.signal(channel)
+            present = self._board.channels.signals[channel]
             if present == self._signals[channel] or present.kind is SignalKind.REST:
                 signal = self._stick(size * math.sin(2 * math.pi * self._board.now / seconds))
                 self._signals[channel] = signal
-                self._board.channels.connect(channel, signal)
+                self._board.channels.signals[channel] = signal
         self._timeline.at(self._timeline.now + _PERIOD, self._move_sticks)
 
     def _stick(self, position: float) -> Signal:

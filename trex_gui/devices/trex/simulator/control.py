@@ -84,7 +84,7 @@ def report(board: Board) -> dict[str, Any]:
         ],
         "aux": {"speed": board.aux.speed, "target_speed": board.aux.target_speed},
         "channels": [
-            {"raw": raw, "remapped": remapped, "signal": board.channels.signal(channel).text}
+            {"raw": raw, "remapped": remapped, "signal": board.channels.signals[channel].text}
             for channel, raw, remapped in zip(
                 CHANNELS, board.channels.raw, board.remapped, strict=True
             )
@@ -155,7 +155,7 @@ def _channel(board: Board, channel: str, value: str, *more: str) -> str:
         signal = Signal.parse(" ".join((value, *more)), board.channels.source)
     except ValueError as error:
         raise ControlError(str(error)) from error
-    board.channels.connect(number, signal)
+    board.channels.signals[number] = signal
     return f"channel {number} gets {signal.text}"
 
 

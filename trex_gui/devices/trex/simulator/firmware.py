@@ -103,7 +103,8 @@ class Board:
         self.boots += 1
         self.counters["power_ups"] += 1
         self.memory.load()
-        self.mode = self._read_mode()
+        jumpers = {"rc": Mode.RC, "analog": Mode.ANALOG}
+        self.mode = jumpers.get(self.mode_jumper, self.memory.serial_source)
         self.channels.begin(self.mode.source)
         self._forget()
         self.boot_mode: BootMode | None = boot_mode(self)
@@ -135,10 +136,6 @@ class Board:
         self.channels.disconnect()
         self.machine.factory_reset()
         self.power_on()
-
-    def _read_mode(self) -> Mode:
-        jumpers = {"rc": Mode.RC, "analog": Mode.ANALOG}
-        return jumpers.get(self.mode_jumper, self.memory.serial_source)
 
     def _forget(self) -> None:
         self.motors = (Motor(), Motor())
@@ -216,12 +213,11 @@ class Board:
 
     def _motor_settings(self, number: int) -> MotorSettings:
         active = self.memory.active
+        limit = active[MotorParameter.CURRENT_LIMIT.of(number)]
         return MotorSettings(
             acceleration=active[MotorParameter.ACCELERATION.of(number)],
             brake_duration=active[MotorParameter.BRAKE_DURATION.of(number)],
-            current_limit=0
-            if self.memory.is_joint
-            else active[MotorParameter.CURRENT_LIMIT.of(number)],
+            current_limit=0 if self.memory.is_joint else limit,
             limit_gain=active[MotorParameter.CURRENT_LIMIT_P.of(number)],
         )
 

@@ -91,18 +91,6 @@ class Eeprom:
         calibration = replace(self._calibrations[source][channel], **{field: value})
         self.write_calibration(source, channel, calibration)
 
-    def lose(self, which: str | int) -> None:
-        """Lose a parameter whose write was interrupted.
-
-        Inferred, here and for calibrations: the cell is left erased, and the firmware uses the
-        factory default at the next power-up.
-        """
-        self.write(which, self._spec(which).default)
-
-    def lose_calibration_value(self, source: InputSource, channel: int, field: str) -> None:
-        value = getattr(DEFAULT_CALIBRATION[source], field)
-        self.write_calibration_value(source, channel, field, value)
-
     def factory_reset(self) -> None:
         self._values = self._factory_values()
         self._calibrations = _factory_calibrations()
@@ -230,7 +218,10 @@ the four values of a calibration have two bytes each."""
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """A value on its way into the EEPROM; `lose` is called if the power is cut before `store`."""
+    """A value on its way into the EEPROM; `lose` is called if the power is cut before `store`.
+
+    Inferred: then the cell is erased, and the firmware uses the default at the next power-up.
+    """
 
     seconds: float
     store: Callable[[], None]
@@ -321,7 +312,8 @@ class Memory:
 
     def _begin_write(self, key: str, value: int, *, at_once: bool) -> None:
         store = partial(self._store, key, value, at_once=at_once)
-        self._steps.append(_Step(PARAMETER_WRITE, store, partial(self.eeprom.lose, key)))
+        lose = partial(self.eeprom.write, key, self.parameters[key].default)
+        self._steps.append(_Step(PARAMETER_WRITE, store, lose))
 
     def set_calibration(self, channel: int, calibration: Calibration, mode: Mode) -> ResultCode:
         if not mode.is_serial:
@@ -338,9 +330,10 @@ class Memory:
         self, source: InputSource, channel: int, calibration: Calibration
     ) -> None:
         for field, value in asdict(calibration).items():
-            store = partial(self.eeprom.write_calibration_value, source, channel, field, value)
-            lose = partial(self.eeprom.lose_calibration_value, source, channel, field)
-            self._steps.append(_Step(CALIBRATION_WRITE / len(CALIBRATION_FIELDS), store, lose))
+            write = partial(self.eeprom.write_calibration_value, source, channel, field)
+            lose = partial(write, getattr(DEFAULT_CALIBRATION[source], field))
+            seconds = CALIBRATION_WRITE / len(CALIBRATION_FIELDS)
+            self._steps.append(_Step(seconds, partial(write, value), lose))
 
     def restore_line_settings(self) -> None:
         """Begin to write the default serial settings, for the recovery by jumpers."""

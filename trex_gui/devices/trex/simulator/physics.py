@@ -120,11 +120,8 @@ class MotorPhysics:
         else:  # the low side shorts the motor; the sensor does not see that current
             current = -brake * constants.back_emf * self.speed / constants.resistance
         self._time += seconds
-        self._turn(seconds, current)
-
-    def _turn(self, seconds: float, current: float) -> None:
-        gain = self.constants.back_emf / self.constants.inertia * seconds
-        friction = gain * max(self.load, self.constants.free)
+        gain = constants.back_emf / constants.inertia * seconds
+        friction = gain * max(self.load, constants.free)
         speed = self.speed + gain * current
         self.speed = math.copysign(max(0.0, abs(speed) - friction), speed)
 
@@ -142,8 +139,7 @@ class MotorPhysics:
     def clear_reading(self) -> None:
         """Discard the measurement: no power, or no current sensing."""
         self.reading = 0
-        self._charge = 0.0
-        self._time = 0.0
+        self._charge = self._time = 0.0
 
     @property
     def current(self) -> float:

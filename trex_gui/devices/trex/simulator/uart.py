@@ -6,7 +6,6 @@ Nothing here is shared with `protocol.commands`: it is written from the document
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.calibration import INVALID_RAW, Calibration
@@ -158,23 +157,23 @@ class SerialPort:
             if command == _NULL:
                 self._begin()
                 return
-        command_info = _COMMANDS.get(command)
-        if command_info is None:
+        if command not in _COMMANDS:
             self._reject()
             return
+        size, handler = _COMMANDS[command]
         polynomial = self.board.memory.crc_polynomial
-        if len(self._packet) < head + command_info.size + (polynomial is not None):
+        if len(self._packet) < head + size + (polynomial is not None):
             return
         packet = bytes(self._packet)
         self._begin()
         if polynomial is not None and remainder(packet[:-1], polynomial) != packet[-1]:
             self.board.report_error(UartError.CRC)
         else:
-            self._execute(command_info, command, packet[head : head + command_info.size])
+            self._execute(handler, command, packet[head : head + size])
 
-    def _execute(self, command_info: "_Command", command: int, data: bytes) -> None:
+    def _execute(self, handler: "_Handler", command: int, data: bytes) -> None:
         try:
-            reply = command_info.do(self.board, command, data)
+            reply = handler(self.board, command, data)
         except _IllogicalData:
             self._reject()
             return
@@ -207,19 +206,12 @@ class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
     """A data byte has an invalid value."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Command:
-    """A command with its number of data bytes.
-
-    `do` takes board, command byte and data and returns the reply, which may be empty.
-    """
-
-    size: int
-    do: Callable[[Board, int, bytes], bytes]
+_Handler = Callable[[Board, int, bytes], bytes]
+"""Takes board, command byte and data; returns the reply, which may be empty."""
 
 
-def _read(reply: Callable[[Board], bytes]) -> _Command:
-    return _Command(0, lambda board, _command, _data: reply(board))
+def _read(reply: Callable[[Board], bytes]) -> tuple[int, _Handler]:
+    return 0, lambda board, _command, _data: reply(board)
 
 
 def _selected(data: bytes) -> list[int]:
@@ -296,23 +288,23 @@ def _drive_aux(board: Board, command: int, data: bytes) -> bytes:
     return b""
 
 
-_COMMANDS: dict[int, _Command] = {
+_COMMANDS: dict[int, tuple[int, _Handler]] = {  # with the number of data bytes
     0x81: _read(lambda board: board.model.signature + board.firmware.encode("ascii")),
     0x82: _read(lambda board: board.mode.value.encode("ascii")),
     0x83: _read(lambda board: bytes([board.serial.in_control])),
     0x84: _read(lambda board: bytes([board.serial.take_status()])),
     0x85: _read(lambda board: bytes([board.serial.take_uart_errors()])),
-    0x86: _Command(1, _get_raw),
-    0x87: _Command(1, _get_remapped),
+    0x86: (1, _get_raw),
+    0x87: (1, _get_remapped),
     0x8D: _read(lambda board: bytes([board.physics[0].reading])),
     0x8E: _read(lambda board: bytes([board.physics[1].reading])),
     0x8F: _read(lambda board: bytes(physics.reading for physics in board.physics)),
-    **dict.fromkeys(range(0x90, 0x95), _Command(0, _get_calibration)),
+    **dict.fromkeys(range(0x90, 0x95), (0, _get_calibration)),
     0x95: _read(lambda board: bytes([board.eeprom.learned(board.mode.source)])),
-    0x9F: _Command(1, _get_parameter),
-    **dict.fromkeys(range(0xA0, 0xA5), _Command(10, _set_calibration)),
-    0xAF: _Command(4, _set_parameter),
-    **dict.fromkeys(range(0xC0, 0xD0), _Command(1, _drive_one)),
-    **dict.fromkeys(range(0xD0, 0xF0), _Command(2, _drive_both)),
-    **dict.fromkeys(range(0xF0, 0xF2), _Command(1, _drive_aux)),
+    0x9F: (1, _get_parameter),
+    **dict.fromkeys(range(0xA0, 0xA5), (10, _set_calibration)),
+    0xAF: (4, _set_parameter),
+    **dict.fromkeys(range(0xC0, 0xD0), (1, _drive_one)),
+    **dict.fromkeys(range(0xD0, 0xF0), (2, _drive_both)),
+    **dict.fromkeys(range(0xF0, 0xF2), (1, _drive_aux)),
 }
