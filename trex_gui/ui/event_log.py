@@ -40,13 +40,9 @@ class EventLog(QObject):
 
     Attributes:
         all: in the order of time.
-
-    Signals:
-        happened: the new `Event`.
-        cleared: all were forgotten.
     """
 
-    happened = Signal(object)
+    happened = Signal(object)  # the new `Event`
     cleared = Signal()
 
     def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:

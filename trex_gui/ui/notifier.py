@@ -4,17 +4,12 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 
 class Notifier(QObject):
-    """Carries messages to one window, which shows the newest.
+    """Carries messages to one window, which shows the newest."""
 
-    Signals:
-        info, error: what was done, and what was not and why; sentences for the user.
-        delayed_info, delayed_error: the same behind the event that is being handled; for messages
-            that come with a report whose handling clears the banner.
-        cleared: the messages so far no longer apply.
-    """
-
-    info = Signal(str)
-    error = Signal(str)
+    info = Signal(str)  # what was done, in sentences for the user
+    error = Signal(str)  # what was not done, and why
+    # The same behind the event that is being handled: for messages that come with a report whose
+    # handling clears the banner.
     delayed_info = Signal(str)
     delayed_error = Signal(str)
     cleared = Signal()

@@ -28,12 +28,9 @@ class Tour(QObject):
     """Connects to each simulated device, runs the steps of its plugin, writes PNG files.
 
     `folder` is made when it is missing.
-
-    Signals:
-        finished: whether all pictures are written; else a device did not connect, or a step could
-            not be done.
     """
 
+    # whether all pictures are written; else a device did not connect, or a step could not be done
     finished = Signal(bool)
 
     def __init__(

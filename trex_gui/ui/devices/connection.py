@@ -34,17 +34,13 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         status: `link` as a sentence.
         settings: how the line is, or was last, opened.
         traffic: every byte on the line.
-
-    Signals:
-        changed: `link` or `status`.
-        line_closed: nothing of the device is valid any more: the `Closed`; `None` at the end of
-            the program, if the session does not end in time.
-        failed: the `StudioError` that closed the line.
     """
 
-    changed = Signal()
+    changed = Signal()  # `link` or `status`
+    # nothing of the device is valid any more: the `Closed`; `None` at the end of the program, if
+    # the session does not end in time
     line_closed = Signal(object)
-    failed = Signal(object)
+    failed = Signal(object)  # the `StudioError` that closed the line
 
     def __init__(self, decoder: Decoder, parent: QObject | None = None) -> None:
         super().__init__(parent)

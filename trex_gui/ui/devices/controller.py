@@ -43,18 +43,13 @@ class DeviceController(QObject, Generic[SettingsT]):
         starting: the simulator is being started, and will be connected to.
         demo_in_use: the simulated device was chosen last and not disconnected since. It stays in
             use when the line breaks: its panel is where that is repaired.
-
-    Signals:
-        changed: any property.
-        progressed: steps done, steps in all, the next step.
-        stop_reported: progress of a stop that `stop_because` sent, in sentences.
     """
 
     has_line_settings = False
 
-    changed = Signal()
-    progressed = Signal(int, int, str)
-    stop_reported = Signal(str)
+    changed = Signal()  # any property
+    progressed = Signal(int, int, str)  # steps done, steps in all, the next step
+    stop_reported = Signal(str)  # progress of a stop that `stop_because` sent, in sentences
 
     def __init__(
         self,

@@ -193,20 +193,15 @@ class Rows(QGroupBox, Generic[SnapshotT]):
 
 @dataclass(frozen=True, slots=True)
 class CableTexts:
-    """Tool tips of the cable's controls, and the faults that can be caused once.
-
-    Attributes:
-        fault_name: object name, accessible name and tool tip of the list of faults.
-        faults: text and value of each.
-        once: object name, text and tool tip of its button.
-    """
+    """Tool tips of the cable's controls, and the faults that can be caused once."""
 
     plugged: str
     mute: str
     noise: str
+    # object name, accessible name and tool tip of the list of faults
     fault_name: tuple[str, str, str]
-    faults: Sequence[tuple[str, object]]
-    once: tuple[str, str, str]
+    faults: Sequence[tuple[str, object]]  # text and value of each
+    once: tuple[str, str, str]  # object name, text and tool tip of its button
 
 
 def cable_rows(
@@ -271,12 +266,9 @@ class DemoDock(QDockWidget):
 
     Attributes:
         wanted: whether the user wants to see it while the device is in use.
-
-    Signals:
-        wanted_changed: `wanted`.
     """
 
-    wanted_changed = Signal(bool)
+    wanted_changed = Signal(bool)  # `wanted`
 
     def __init__(
         self, name: str, key: str, use: DeviceController[Any], parent: QWidget | None = None

@@ -20,17 +20,12 @@ class DeviceManager(QObject):
 
     Attributes:
         current: controller of the device that is connected, or was last.
-
-    Signals:
-        changed: any property of `current`.
-        progressed: steps done, steps in all, the next step.
-        current_changed: `current` is another kind of device.
-        stop_reported: what an automatic stop means, in sentences; again when more is known.
     """
 
-    changed = Signal()
-    progressed = Signal(int, int, str)
-    current_changed = Signal()
+    changed = Signal()  # any property of `current`
+    progressed = Signal(int, int, str)  # steps done, steps in all, the next step
+    current_changed = Signal()  # `current` is another kind of device
+    # what an automatic stop means, in sentences; again when more is known
     stop_reported = Signal(str)
 
     def __init__(

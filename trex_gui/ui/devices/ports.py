@@ -43,12 +43,9 @@ class Ports(QObject):
     Serial ports of this computer come first, then typed addresses (pseudo-terminals and network
     ports are in no list), then a simulated device of each kind. A port leads to the first kind
     unless another one was found there, or chosen.
-
-    Signals:
-        changed: `entries`.
     """
 
-    changed = Signal()
+    changed = Signal()  # `entries`
 
     def __init__(self, plugins: Sequence[DevicePlugin], parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -20,29 +20,22 @@ from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
 
 @dataclass(frozen=True, slots=True)
 class ScanJob:
-    """Scan of one port.
-
-    Attributes:
-        probers: the prober of each device kind by its key, the most common kind first.
-        first: key of the kind to probe first.
-    """
+    """Scan of one port."""
 
     settings: PortSettings
+    # the prober of each device kind by its key, the most common kind first
     probers: Mapping[str, ProberInfo]
-    first: str | None = None
+    first: str | None = None  # key of the kind to probe first
 
 
 class ScanWorker(WorkerThread):
     """Runs one scan.
 
     `cancel` and `close` may be called from any thread. Its owner keeps it until it has ended.
-
-    Signals:
-        stepped: index of the port and the `ScanProgress` of its next step.
-        searched: index of the port and its `PortScan`, until the scan is cancelled.
     """
 
-    stepped = Signal(int, object)
+    stepped = Signal(int, object)  # index of the port and the `ScanProgress` of its next step
+    # index of the port and its `PortScan`, until the scan is cancelled
     searched = Signal(int, object)
 
     def __init__(
@@ -82,18 +75,12 @@ class ScanWorker(WorkerThread):
 
 @dataclass(frozen=True, slots=True)
 class ScanFinding:
-    """Result of one port: a device, or why none was found.
-
-    Attributes:
-        text: a paragraph for the user, or one for each kind of device.
-        found: `None` if there was no device.
-        device: key of its kind.
-    """
+    """Result of one port: a device, or why none was found."""
 
     port: Port
-    text: str
-    found: FoundDevice | None = None
-    device: str = ""
+    text: str  # a paragraph for the user, or one for each kind of device
+    found: FoundDevice | None = None  # `None` if there was no device
+    device: str = ""  # key of its kind
 
 
 class DeviceScanner(QObject):
@@ -105,18 +92,12 @@ class DeviceScanner(QObject):
         total: most probes that may be needed.
         text: what is probed now; empty while idle.
         summary: how the last scan ended, in a sentence; empty before any did.
-
-    Signals:
-        changed: `running`, `findings` or `summary`.
-        progressed: `done`, `total` or `text`.
-        finished: the ports are free again.
-        simulators_changed: `can_search` of the port of a simulated device.
     """
 
-    changed = Signal()
-    progressed = Signal()
-    finished = Signal()
-    simulators_changed = Signal()
+    changed = Signal()  # `running`, `findings` or `summary`
+    progressed = Signal()  # `done`, `total` or `text`
+    finished = Signal()  # the ports are free again
+    simulators_changed = Signal()  # `can_search` of the port of a simulated device
 
     def __init__(self, parent: QObject | None = None, *, timeouts: Timeouts | None = None) -> None:
         super().__init__(parent)

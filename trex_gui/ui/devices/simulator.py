@@ -33,16 +33,11 @@ class Simulator(QObject):
         url: address of the running simulator, empty while none runs; another one each time the
             cable is plugged in.
         plugged: whether the cable of the simulated device is plugged in.
-
-    Signals:
-        ready: the address to connect to.
-        failed: why it did not start.
-        ended: it has exited; pending replies never come.
     """
 
-    ready = Signal(str)
-    failed = Signal(str)
-    ended = Signal()
+    ready = Signal(str)  # the address to connect to
+    failed = Signal(str)  # why it did not start
+    ended = Signal()  # it has exited; pending replies never come
 
     def __init__(self, plugin: DevicePlugin, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -151,14 +146,10 @@ class DemoDevice(QObject, Generic[SnapshotT]):
 
     Attributes:
         snapshot: the last state; `None` before the first one, and when the simulator has ended.
-
-    Signals:
-        changed: `snapshot` has changed.
-        rejected: why the simulator rejected a control line, for the user.
     """
 
     changed = Signal()
-    rejected = Signal(str)
+    rejected = Signal(str)  # why the simulator rejected a control line, for the user
 
     def __init__(
         self,

@@ -20,16 +20,12 @@ class ConnectionBar(QWidget):
 
     The list shows the connected port, or the one that Connect opens: at first the port that was
     used last or the only one, then the one that was connected or chosen last.
-
-    Signals:
-        connecting: the user has chosen a port.
-        line_settings_requested: the user wants to edit them.
-        interruption_wanted: the user's choice would interrupt the writing of settings; carries
-            the function that does it anyway.
     """
 
     connecting = Signal()
     line_settings_requested = Signal()
+    # the user's choice would interrupt the writing of settings; carries the function that does it
+    # anyway
     interruption_wanted = Signal(object)
 
     def __init__(

@@ -49,33 +49,21 @@ Menus = Mapping[Menu | str, Entries]
 
 @dataclass(frozen=True, slots=True)
 class FileKind:
-    """Files of one kind that belong to a workspace.
+    """Files of one kind that belong to a workspace."""
 
-    Attributes:
-        suffixes: how their names end, in lower case.
-        name: with its article: "a settings file of a TReX".
-        open: opens one, in the workspace that is shown.
-        open_offline: opens one that was named at the start while no device is being connected;
-            `None`: `open` does.
-    """
-
-    suffixes: Collection[str]
-    name: str
-    open: Callable[[Path], object]
+    suffixes: Collection[str]  # how their names end, in lower case
+    name: str  # with its article: "a settings file of a TReX"
+    open: Callable[[Path], object]  # opens one, in the workspace that is shown
+    # opens one that was named at the start while no device is being connected; `None`: `open` does
     open_offline: Callable[[Path], object] | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class PageInfo:
-    """One page of a workspace: its tab, and its entry in the Window menu with Ctrl and its number.
+    """One page of a workspace, on a tab and in the Window menu with Ctrl and its number."""
 
-    Attributes:
-        key: names it in code and in the key of its action, `WORKSPACE_KEY`.
-        title: of its tab, with the mnemonic of its menu entry.
-    """
-
-    key: str
-    title: str
+    key: str  # names it in code and in the key of its action, `WORKSPACE_KEY`
+    title: str  # of its tab, with the mnemonic of its menu entry
     page: QWidget
 
 
@@ -89,12 +77,9 @@ class Workspace(QWidget):
         help_url: opens the documentation; without one, `help_text` is shown.
         file_kinds: files that are opened here when they are dropped or named at the start.
         docks: at the right of the window; the workspace shows and hides them.
-
-    Signals:
-        actions_changed: `enabled_actions`.
     """
 
-    actions_changed = Signal()
+    actions_changed = Signal()  # `enabled_actions`
 
     def __init__(self, key: str, notifier: Notifier, parent: QWidget | None = None) -> None:
         """`key` is that of the kind of device."""

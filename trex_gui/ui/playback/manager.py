@@ -91,29 +91,20 @@ class RecordIndicator(QWidget):
 
 @dataclass(frozen=True, slots=True)
 class RecordingTexts:
-    """Texts that depend on the device.
+    """Texts that depend on the device."""
 
-    Attributes:
-        stem: start of the names of new files.
-        unavailable: why nothing can be recorded.
-        open_command: menu command that opens a recording.
-    """
-
-    stem: str
-    unavailable: str
-    open_command: str
+    stem: str  # start of the names of new files
+    unavailable: str  # why nothing can be recorded
+    open_command: str  # menu command that opens a recording
 
 
 class RecordingManager(QObject, Generic[WindowT]):
     """Chooses files, starts recordings and owns the windows of open ones.
 
     A subclass for each device makes the windows.
-
-    Signals:
-        changed: `recorder.recording` or `recorder.can_record`.
     """
 
-    changed = Signal()
+    changed = Signal()  # `recorder.recording` or `recorder.can_record`
 
     def __init__(
         self,

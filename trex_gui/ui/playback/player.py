@@ -26,36 +26,24 @@ _CLOSE_TIMEOUT_MS = 500
 
 @dataclass(frozen=True, slots=True)
 class Curves(Generic[RecordT, StateT]):
-    """Defines what is drawn of a recording.
+    """Defines what is drawn of a recording."""
 
-    Attributes:
-        columns: number of curves.
-        rows_of: takes records into a state; returns rows (time in s, a value for each curve).
-        max_rows: rows kept, the last ones.
-        max_gap: seconds without a row that interrupt a curve.
-    """
-
-    columns: int
+    columns: int  # number of curves
+    # takes records into a state; returns rows (time in s, a value for each curve)
     rows_of: Callable[[StateT, Iterable[RecordT]], list[tuple[float, ...]]]
-    max_rows: int
-    max_gap: float
+    max_rows: int  # rows kept, the last ones
+    max_gap: float  # seconds without a row that interrupt a curve
 
 
 @dataclass(frozen=True, slots=True)
 class LoadedRecording(Generic[HeaderT, RecordT, StateT]):
-    """A recording after loading.
-
-    Attributes:
-        events: in order of time.
-        end: latest time on the session's clock.
-        rows: number of rows; the history holds the last of them.
-    """
+    """A recording after loading."""
 
     replay: Replay[HeaderT, RecordT, StateT]
     history: SampleHistory
-    events: tuple[Event, ...]
-    end: float
-    rows: int
+    events: tuple[Event, ...]  # in order of time
+    end: float  # latest time on the session's clock
+    rows: int  # number of rows; the history holds the last of them
 
 
 def load_recording(
@@ -117,16 +105,11 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
 
     Attributes:
         share: of loading or exporting that is done, 0 to 1.
-
-    Signals:
-        loaded: all of it was read.
-        exported: a span was written; its `Path`.
-        failed: why loading or an export ended early, for the user.
     """
 
-    loaded = Signal()
-    exported = Signal(object)
-    failed = Signal(str)
+    loaded = Signal()  # all of it was read
+    exported = Signal(object)  # a span was written; its `Path`
+    failed = Signal(str)  # why loading or an export ended early, for the user
 
     def __init__(
         self,

@@ -20,16 +20,11 @@ class PlaybackCursor(QObject):
 
     Attributes:
         is_loaded: whether `end` is known.
-
-    Signals:
-        progressed: `end` may have changed.
-        moved: `position`.
-        playing_changed: `playing` or `speed`.
     """
 
-    progressed = Signal()
-    moved = Signal()
-    playing_changed = Signal()
+    progressed = Signal()  # `end` may have changed
+    moved = Signal()  # `position`
+    playing_changed = Signal()  # `playing` or `speed`
 
     def __init__(self, start: float, parent: QObject | None = None) -> None:
         super().__init__(parent)

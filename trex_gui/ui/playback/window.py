@@ -36,9 +36,6 @@ class RecordingWindow(QMainWindow):
 
     A subclass for each device calls `arrange` and describes the device. The window may cover the
     main window while motors turn, so `arrange` takes a stop button.
-
-    Signals:
-        closed: the window was closed.
     """
 
     closed = Signal()

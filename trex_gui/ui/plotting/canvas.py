@@ -124,24 +124,15 @@ class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
 
 
 class PlotCanvas(QWidget):
-    """A plot with fixed axes. Pixels are those of its `viewport`, from the left.
+    """A plot with fixed axes. Pixels are those of its `viewport`, from the left."""
 
-    Signals:
-        arranged: the plot has another size, or its axes another range.
-        hovered, clicked: the mouse, with its left button, is at this pixel.
-        unhovered: the mouse has left the plot.
-        selected: a span was dragged, from one pixel to another.
-        zoomed: show this many times as much, around this pixel.
-        panned: the content was dragged this many pixels to the right.
-    """
-
-    arranged = Signal()
-    hovered = Signal(float)
+    arranged = Signal()  # the plot has another size, or its axes another range
+    hovered = Signal(float)  # the mouse is at this pixel
     unhovered = Signal()
-    clicked = Signal(float)
-    selected = Signal(float, float)
-    zoomed = Signal(float, float)
-    panned = Signal(float)
+    clicked = Signal(float)  # with the left button, at this pixel
+    selected = Signal(float, float)  # a span was dragged, from one pixel to another
+    zoomed = Signal(float, float)  # show this many times as much, around this pixel
+    panned = Signal(float)  # the content was dragged this many pixels to the right
 
     def __init__(
         self, name: str, parent: QWidget | None = None, *, is_navigable: bool = False

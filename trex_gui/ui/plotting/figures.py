@@ -265,13 +265,9 @@ class TraceTableView(QTableView):
 
 
 class EventList(QListWidget):
-    """A line for each event of a plot: its time since the origin of the plot, and its text.
+    """A line for each event of a plot: its time since the origin of the plot, and its text."""
 
-    Signals:
-        chosen: the `Event` to show.
-    """
-
-    chosen = Signal(object)
+    chosen = Signal(object)  # the `Event` to show
 
     def __init__(self, plot: TracePlot, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -63,13 +63,9 @@ def charge_text(found: Statistics) -> str:
 
 
 class EventMarks(QWidget):
-    """The strip above the plot with a word for each event; the tool tip has all of it.
+    """The strip above the plot with a word for each event; the tool tip has all of it."""
 
-    Signals:
-        chosen: an `Event` was clicked.
-    """
-
-    chosen = Signal(object)
+    chosen = Signal(object)  # the `Event` that was clicked
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)

@@ -47,11 +47,6 @@ class TracePlot(FocusFramed):
     values of the left axis: a second view box would cost as much as a second plot. x is seconds
     from the right edge, so that nothing but the curves moves while live.
 
-    Signals:
-        view_changed: another span is shown, or it is live again or no longer.
-        cursor_changed: `cursor_time` or `mark_time`.
-        event_chosen: an `Event` was clicked.
-
     Attributes:
         source: the curves; see `set_source`.
         shown: the names of the curves that are drawn; see `set_shown`.
@@ -61,9 +56,9 @@ class TracePlot(FocusFramed):
         points_drawn: the points of all curves in the last frame.
     """
 
-    view_changed = Signal()
-    cursor_changed = Signal()
-    event_chosen = Signal(object)
+    view_changed = Signal()  # another span is shown, or it is live again or no longer
+    cursor_changed = Signal()  # `cursor_time` or `mark_time`
+    event_chosen = Signal(object)  # the `Event` that was clicked
 
     def __init__(
         self, parent: QWidget | None = None, *, name: str = "", line_width: float = 1

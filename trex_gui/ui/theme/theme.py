@@ -60,13 +60,9 @@ def read_colours(scheme: str) -> Colours:
 
 
 class Theme(QObject):
-    """The scheme in use. There is one, and `theme()` returns it.
+    """The scheme in use. There is one, and `theme()` returns it."""
 
-    Signals:
-        changed: the colours are others now; the application's palette is set already.
-    """
-
-    changed = Signal()
+    changed = Signal()  # the colours are others now; the application's palette is set already
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

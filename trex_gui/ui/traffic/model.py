@@ -59,17 +59,13 @@ class TrafficModel(QObject):
     Rows other than successful polls have a buffer of their own, so that telemetry does not
     displace a write of ten minutes ago.
 
-    Signals:
-        changed: there are more rows, or the last one has more bytes.
-        cleared: all rows were dropped.
-
     Attributes:
         everything: the newest transactions.
         without_polling: the newest ones other than successful polls.
         faults: number of faulty rows since the last `clear`.
     """
 
-    changed = Signal()
+    changed = Signal()  # there are more rows, or the last one has more bytes
     cleared = Signal()
 
     def __init__(self, line: SessionThread, decoder: Decoder) -> None:

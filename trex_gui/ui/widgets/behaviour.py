@@ -80,12 +80,10 @@ class PressMonitor(QObject):
 
     A menu or a dialog that opens swallows the release of a mouse button or a key without any
     event, so the control is also polled while it is held.
-
-    Signals:
-        lost: the widget lost focus or mouse, was hidden or disabled, or is covered by a menu, a
-            dialog or another window.
     """
 
+    # the widget lost focus or mouse, was hidden or disabled, or is covered by a menu, a dialog or
+    # another window
     lost = Signal()
 
     def __init__(self, widget: QWidget) -> None:

@@ -12,12 +12,9 @@ class FileDrop(QObject):
     """Takes dropped files, by default all that no other widget takes.
 
     Create one with the default before others: Qt asks the newest event filter first.
-
-    Signals:
-        dropped: a list of `Path`s, at least one.
     """
 
-    dropped = Signal(object)
+    dropped = Signal(object)  # a list of `Path`s, at least one
 
     def __init__(self, window: QWidget, takes: Callable[[Sequence[Path]], bool] = bool) -> None:
         super().__init__(window)

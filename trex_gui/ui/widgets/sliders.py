@@ -63,13 +63,10 @@ class PressSlider(PaintedSlider):
     """Pressed with the left button only; released, too, when `PressMonitor` reports a loss.
 
     `held` is whether the user presses it.
-
-    Signals:
-        grabbed, released: the hold has begun or ended.
     """
 
-    grabbed = Signal()
-    released = Signal()
+    grabbed = Signal()  # the hold has begun
+    released = Signal()  # the hold has ended
 
     def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
         super().__init__(lowest, highest, parent)

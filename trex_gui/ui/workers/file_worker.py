@@ -53,12 +53,9 @@ class FileWorker(WorkerThread):
 
     Attributes:
         outcome: how the work ended, once the thread has ended.
-
-    Signals:
-        progressed: share done, 0 to 1.
     """
 
-    progressed = Signal(float)
+    progressed = Signal(float)  # share done, 0 to 1
 
     def __init__(
         self, work: Callable[[ProgressCallback], object], parent: QObject | None = None
@@ -103,15 +100,10 @@ class FileWorker(WorkerThread):
 
 
 class FileTask(QObject):
-    """Runs one piece of work at a time in a `FileWorker`.
+    """Runs one piece of work at a time in a `FileWorker`."""
 
-    Signals:
-        progressed: share done, 0 to 1.
-        done: a `Done` for each start, unless `close` came first.
-    """
-
-    progressed = Signal(float)
-    done = Signal(object)
+    progressed = Signal(float)  # share done, 0 to 1
+    done = Signal(object)  # a `Done` for each start, unless `close` came first
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -161,15 +153,10 @@ class FileTask(QObject):
 
 
 class FileSaver(QObject):
-    """Writes one text file at a time, completely or not at all.
+    """Writes one text file at a time, completely or not at all."""
 
-    Signals:
-        saved: number of rows and the `Path`.
-        failed: why nothing was written, for the user.
-    """
-
-    saved = Signal(int, object)
-    failed = Signal(str)
+    saved = Signal(int, object)  # number of rows and the `Path`
+    failed = Signal(str)  # why nothing was written, for the user
 
     def __init__(self, parent: QObject | None = None, *, finishing_ms: int = 0) -> None:
         """At the end of the program a file has `finishing_ms` before it is cancelled."""

@@ -38,12 +38,9 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
 
     Attributes:
         error: why the recording ended early, for the user; set before the thread ends.
-
-    Signals:
-        progressed: bytes written so far.
     """
 
-    progressed = Signal(object)
+    progressed = Signal(object)  # bytes written so far
 
     def __init__(
         self,
@@ -96,18 +93,12 @@ class RecordThread(QObject, Generic[RecordT]):
     """Records one device into one file at a time.
 
     Subclasses define `is_available`, start with `begin` and pass records to `put`.
-
-    Signals:
-        changed: `recording`, `can_record`, `size` or `lost`.
-        ended: a recording is complete; its `Path`.
-        ended_early: why the recording ended by itself, for the user.
-        failed: why it cannot be written, for the user.
     """
 
-    changed = Signal()
-    ended = Signal(object)
-    ended_early = Signal(str)
-    failed = Signal(str)
+    changed = Signal()  # `recording`, `can_record`, `size` or `lost`
+    ended = Signal(object)  # a recording is complete; its `Path`
+    ended_early = Signal(str)  # why the recording ended by itself, for the user
+    failed = Signal(str)  # why it cannot be written, for the user
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

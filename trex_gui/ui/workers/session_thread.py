@@ -36,11 +36,9 @@ class LineWorker(WorkerThread):
     """Runs one line session.
 
     `submit` and `close` may be called from any thread. Its owner keeps it until it has ended.
-
-    Signals:
-        reported: a report of the session, emitted in the new thread. The last one is `Closed`.
     """
 
+    # a report of the session, emitted in the new thread. The last one is `Closed`.
     reported = Signal(object)
 
     def __init__(self, make_session: MakeSession, parent: QObject | None = None) -> None:
@@ -66,17 +64,12 @@ class SessionThread(QObject):
 
     Attributes:
         log: traffic log, filled if `traffic_log.logged` opens the line.
-
-    Signals:
-        started: a session starts.
-        reported: a report other than `Outcome` and `Closed`.
-        closed: the port is closed; the `Closed` of the session. After an internal error
-            `may_move` is true if any motor was driven. Not emitted for a session that ends
-            within `shut_down`.
     """
 
     started = Signal()
-    reported = Signal(object)
+    reported = Signal(object)  # a report other than `Outcome` and `Closed`
+    # the port is closed; the `Closed` of the session. After an internal error `may_move` is true if
+    # any motor was driven. Not emitted for a session that ends within `shut_down`.
     closed = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
