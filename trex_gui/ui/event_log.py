@@ -36,11 +36,7 @@ class Event:
 
 
 class EventLog(QObject):
-    """The newest events.
-
-    Attributes:
-        all: in the order of time.
-    """
+    """The newest events."""
 
     happened = Signal(object)  # the new `Event`
     cleared = Signal()
@@ -48,7 +44,7 @@ class EventLog(QObject):
     def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
         super().__init__(parent)
         self._clock = clock
-        self.all: list[Event] = []
+        self.all: list[Event] = []  # in the order of time
 
     def add(self, kind: EventKind, text: str, at: float | None = None) -> Event:
         """Note an event, now or at a time of the session's clock; return it."""

@@ -18,11 +18,7 @@ from trex_gui.ui.workers.threads import wait_for_orphans
 
 
 class Program:
-    """The window and everything below it; nothing is connected at first.
-
-    Attributes:
-        controllers, workspaces: by the key of the kind of device, in the order of the plugins.
-    """
+    """The window and everything below it; nothing is connected at first."""
 
     def __init__(self, plugins: Sequence[DevicePlugin], timeouts: Timeouts | None = None) -> None:
         self.plugins = tuple(plugins)
@@ -30,6 +26,7 @@ class Program:
         notifier = Notifier()
         self.ports = Ports(plugins)
         scanner = DeviceScanner(timeouts=self.timeouts)
+        # By the key of the kind of device, in the order of the plugins.
         self.controllers: dict[str, Controller] = {
             plugin.key: plugin.controller.load()(
                 plugin, notifier, self.ports, scanner, self.timeouts

@@ -30,7 +30,7 @@ class Tour(QObject):
     `folder` is made when it is missing.
     """
 
-    # whether all pictures are written; else a device did not connect, or a step could not be done
+    # Whether all pictures are written; else a device did not connect, or a step could not be done.
     finished = Signal(bool)
 
     def __init__(

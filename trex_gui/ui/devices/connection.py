@@ -29,27 +29,22 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     """Base of every connection: a device adds its session and what it takes from its reports.
 
     Other signals are emitted before `link` changes, and `changed` follows.
-
-    Attributes:
-        status: `link` as a sentence.
-        settings: how the line is, or was last, opened.
-        traffic: every byte on the line.
     """
 
     changed = Signal()  # `link` or `status`
-    # nothing of the device is valid any more: the `Closed`; `None` at the end of the program, if
-    # the session does not end in time
+    # Nothing of the device is valid any more: the `Closed`; `None` at the end of the program, if
+    # the session does not end in time.
     line_closed = Signal(object)
     failed = Signal(object)  # the `StudioError` that closed the line
 
     def __init__(self, decoder: Decoder, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.link = ConnectionState.DISCONNECTED
-        self.status = self.tr("Not connected.")
-        self.settings: SettingsT | None = None
+        self.status = self.tr("Not connected.")  # `link` as a sentence
+        self.settings: SettingsT | None = None  # how the line is, or was last, opened
         self._next: SettingsT | None = None
         self.open_logged = logged(self.log, open_transport, now)
-        self.traffic = TrafficModel(self, decoder)
+        self.traffic = TrafficModel(self, decoder)  # every byte on the line
         self.reported.connect(self.take)
         self.closed.connect(self._on_closed)
 

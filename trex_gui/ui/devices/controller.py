@@ -34,18 +34,9 @@ class DeviceModel(Protocol[SettingsT_contra]):
 
 
 class DeviceController(QObject, Generic[SettingsT]):
-    """Connects one kind of device, real or simulated, and stops it.
+    """Connects one kind of device, real or simulated, and stops it."""
 
-    Attributes:
-        has_line_settings: whether the user can change the line settings.
-        settings: for the next connection; the address comes with the port.
-        port: connected, or about to be.
-        starting: the simulator is being started, and will be connected to.
-        demo_in_use: the simulated device was chosen last and not disconnected since. It stays in
-            use when the line breaks: its panel is where that is repaired.
-    """
-
-    has_line_settings = False
+    has_line_settings = False  # whether the user can change the line settings
 
     changed = Signal()  # any property
     progressed = Signal(int, int, str)  # steps done, steps in all, the next step
@@ -65,9 +56,12 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model = model
         self._ports = ports
         self._scanner = scanner
+        # For the next connection; the address comes with the port.
         self.settings = self._demo_settings = default
-        self.port: Port | None = None
-        self.starting = False
+        self.port: Port | None = None  # connected, or about to be
+        self.starting = False  # the simulator is being started, and will be connected to
+        # The simulated device was chosen last and not disconnected since. It stays in use when the
+        # line breaks: its panel is where that is repaired.
         self.demo_in_use = False
         self._after_scan: Port | None = None
         self.simulator = Simulator(plugin, self)

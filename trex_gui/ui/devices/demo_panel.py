@@ -45,14 +45,11 @@ class Rows(QGroupBox, Generic[SnapshotT]):
 
     Its methods create controls and connect them to the device and, with `read`, to its state;
     `add_row`, `add_text` and `add_wide` place them.
-
-    Attributes:
-        controls: widgets that take the focus, in tab order.
     """
 
     def __init__(self, title: str, columns: Columns, parent: QWidget | None = None) -> None:
         super().__init__(title, parent)
-        self.controls: list[QWidget] = []
+        self.controls: list[QWidget] = []  # widgets that take the focus, in tab order
         self._updates: list[Callable[[SnapshotT], object]] = []
         self._row = 0
         self._grid = ui.grid(self, margins=(8, 4, 8, 6), spacing=(6, 5), stretch=[(_SLIDER, 1)])
@@ -198,7 +195,7 @@ class CableTexts:
     plugged: str
     mute: str
     noise: str
-    # object name, accessible name and tool tip of the list of faults
+    # Object name, accessible name and tool tip of the list of faults.
     fault_name: tuple[str, str, str]
     faults: Sequence[tuple[str, object]]  # text and value of each
     once: tuple[str, str, str]  # object name, text and tool tip of its button
@@ -262,11 +259,7 @@ def _tr(text: str) -> str:
 
 
 class DemoDock(QDockWidget):
-    """Visible while the simulated device is in use, unless the user has closed it.
-
-    Attributes:
-        wanted: whether the user wants to see it while the device is in use.
-    """
+    """Visible while the simulated device is in use, unless the user has closed it."""
 
     wanted_changed = Signal(bool)  # `wanted`
 
@@ -283,6 +276,7 @@ class DemoDock(QDockWidget):
         self._use = use
         self._store = QSettings(self)
         self._width = self._width_before = 0
+        # Whether the user wants to see it while the device is in use.
         self.wanted = self._store.value(key, "true") in {True, "true"}
         self.hide()
 

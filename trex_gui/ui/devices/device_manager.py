@@ -16,16 +16,12 @@ Controller = DeviceController[Any]
 
 
 class DeviceManager(QObject):
-    """Connects to one device at a time; the previous one is disconnected first.
-
-    Attributes:
-        current: controller of the device that is connected, or was last.
-    """
+    """Connects to one device at a time; the previous one is disconnected first."""
 
     changed = Signal()  # any property of `current`
     progressed = Signal(int, int, str)  # steps done, steps in all, the next step
     current_changed = Signal()  # `current` is another kind of device
-    # what an automatic stop means, in sentences; again when more is known
+    # What an automatic stop means, in sentences; again when more is known.
     stop_reported = Signal(str)
 
     def __init__(
@@ -38,7 +34,7 @@ class DeviceManager(QObject):
         super().__init__(parent)
         self.scanner = scanner
         self._controllers = {controller.plugin.key: controller for controller in controllers}
-        self.current = controllers[0]
+        self.current = controllers[0]  # controller of the device that is connected, or was last
         self._next: Callable[[], None] | None = None
         for controller in controllers:
             controller.changed.connect(self._on_changed)

@@ -23,7 +23,7 @@ class ScanJob:
     """Scan of one port."""
 
     settings: PortSettings
-    # the prober of each device kind by its key, the most common kind first
+    # The prober of each device kind by its key, the most common kind first.
     probers: Mapping[str, ProberInfo]
     first: str | None = None  # key of the kind to probe first
 
@@ -35,7 +35,7 @@ class ScanWorker(WorkerThread):
     """
 
     stepped = Signal(int, object)  # index of the port and the `ScanProgress` of its next step
-    # index of the port and its `PortScan`, until the scan is cancelled
+    # Index of the port and its `PortScan`, until the scan is cancelled.
     searched = Signal(int, object)
 
     def __init__(
@@ -84,15 +84,7 @@ class ScanFinding:
 
 
 class DeviceScanner(QObject):
-    """Scans one port after the other; requests only, moves nothing.
-
-    Attributes:
-        findings: of the ports that were scanned so far, in their order.
-        done: probes that are done or no longer needed.
-        total: most probes that may be needed.
-        text: what is probed now; empty while idle.
-        summary: how the last scan ended, in a sentence; empty before any did.
-    """
+    """Scans one port after the other; requests only, moves nothing."""
 
     changed = Signal()  # `running`, `findings` or `summary`
     progressed = Signal()  # `done`, `total` or `text`
@@ -107,12 +99,13 @@ class DeviceScanner(QObject):
         self._found_kinds: dict[str, str] = {}
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
+        # Of the ports that were scanned so far, in their order.
         self.findings: tuple[ScanFinding, ...] = ()
         self._searched = 0
-        self.done = 0
-        self.total = 1
-        self.text = ""
-        self.summary = ""
+        self.done = 0  # probes that are done or no longer needed
+        self.total = 1  # most probes that may be needed
+        self.text = ""  # what is probed now; empty while idle
+        self.summary = ""  # how the last scan ended, in a sentence; empty before any did
         self._cancelled = False
         self._faults = 0
 

@@ -26,14 +26,7 @@ def simulator_command() -> tuple[str, list[str]]:
 
 
 class Simulator(QObject):
-    """Starts the simulator once and keeps it running, with what was stored in the device.
-
-    Attributes:
-        label: name of the simulated device in messages.
-        url: address of the running simulator, empty while none runs; another one each time the
-            cable is plugged in.
-        plugged: whether the cable of the simulated device is plugged in.
-    """
+    """Starts the simulator once and keeps it running, with what was stored in the device."""
 
     ready = Signal(str)  # the address to connect to
     failed = Signal(str)  # why it did not start
@@ -43,8 +36,10 @@ class Simulator(QObject):
         super().__init__(parent)
         self._arguments = plugin.simulator_arguments
         self.label = self.tr("the Demo {0}").format(plugin.name)
+        # Address of the running simulator, empty while none runs; another one each time the cable
+        # is plugged in.
         self.url = ""
-        self.plugged = True
+        self.plugged = True  # whether the cable of the simulated device is plugged in
         self._ending = False
         self._awaited: deque[Callable[[str], None] | None] = deque()
         self._process = runtime().process(self)
@@ -143,9 +138,6 @@ class DemoDevice(QObject, Generic[SnapshotT]):
     It is polled only while watched and while the simulator runs. A slider may move faster than
     the simulator answers: one control line for each key is under way, and of those that follow
     only the newest is kept.
-
-    Attributes:
-        snapshot: the last state; `None` before the first one, and when the simulator has ended.
     """
 
     changed = Signal()
@@ -161,6 +153,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         super().__init__(parent)
         self._simulator = simulator
         self._read = read
+        # The last state; `None` before the first one, and when the simulator has ended.
         self.snapshot: SnapshotT | None = None
         self._unsent: dict[str, str] = {}
         self._under_way: set[str] = set()

@@ -24,8 +24,8 @@ class ConnectionBar(QWidget):
 
     connecting = Signal()
     line_settings_requested = Signal()
-    # the user's choice would interrupt the writing of settings; carries the function that does it
-    # anyway
+    # The user's choice would interrupt the writing of settings; carries the function that does it
+    # anyway.
     interruption_wanted = Signal(object)
 
     def __init__(

@@ -56,11 +56,7 @@ _LOG_OUT_S = 60.0
 
 
 class MainWindow(QMainWindow):
-    """Shows the workspace of the device that is connected, or was last.
-
-    Attributes:
-        question: for questions of the window and of the workspaces.
-    """
+    """Shows the workspace of the device that is connected, or was last."""
 
     def __init__(
         self,
@@ -78,7 +74,7 @@ class MainWindow(QMainWindow):
         self._store = QSettings(self)
         frame = QWidget(self)
         self._connection = ConnectionBar(device_manager, ports, frame)
-        self.question = InlinePrompt(frame)
+        self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
         self._stack = QStackedWidget(frame)
         banner = Banner(frame, notifier)
         ui.column(self._connection, banner, self.question, (self._stack, 1), into=frame)
@@ -381,9 +377,6 @@ class UnconfirmedStopWarning(QObject):
 
     It does not block, so that anything else can still end the program. A stop that is confirmed
     after all closes the window, and so does closing it again. There is no warning on log-out.
-
-    Attributes:
-        given: whether it is shown; closing the window then needs no other question.
     """
 
     def __init__(
@@ -393,7 +386,7 @@ class UnconfirmedStopWarning(QObject):
         self._manager = device_manager
         self._question = question
         self._window = window
-        self.given = False
+        self.given = False  # whether it is shown; closing the window then needs no other question
         self._log_out_at: float | None = None
         app = QApplication.instance()
         if isinstance(app, QApplication):

@@ -54,7 +54,7 @@ class FileKind:
     suffixes: Collection[str]  # how their names end, in lower case
     name: str  # with its article: "a settings file of a TReX"
     open: Callable[[Path], object]  # opens one, in the workspace that is shown
-    # opens one that was named at the start while no device is being connected; `None`: `open` does
+    # Opens one that was named at the start while no device is being connected; `None`: `open` does.
     open_offline: Callable[[Path], object] | None = None
 
 
@@ -62,7 +62,7 @@ class FileKind:
 class PageInfo:
     """One page of a workspace, on a tab and in the Window menu with Ctrl and its number."""
 
-    key: str  # names it in code and in the key of its action, `WORKSPACE_KEY`
+    key: str  # names it in code and in the key of its action, `workspace_key`
     title: str  # of its tab, with the mnemonic of its menu entry
     page: QWidget
 
@@ -71,12 +71,6 @@ class Workspace(QWidget):
     """The pages of a device, the bar below them, and its menu entries.
 
     A device sets and overrides what it needs.
-
-    Attributes:
-        stop_text, help_title: menu entries, of Esc and F1.
-        help_url: opens the documentation; without one, `help_text` is shown.
-        file_kinds: files that are opened here when they are dropped or named at the start.
-        docks: at the right of the window; the workspace shows and hides them.
     """
 
     actions_changed = Signal()  # `enabled_actions`
@@ -86,10 +80,12 @@ class Workspace(QWidget):
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
-        self.stop_text = self.tr("&Stop motors")
-        self.help_title = self.tr("Online &documentation…")
-        self.help_url = ""
+        self.stop_text = self.tr("&Stop motors")  # menu entry of Esc
+        self.help_title = self.tr("Online &documentation…")  # menu entry of F1
+        self.help_url = ""  # opens the documentation; without one, `help_text` is shown
+        # Files that are opened here when they are dropped or named at the start.
         self.file_kinds: Sequence[FileKind] = ()
+        # At the right of the window; the workspace shows and hides them.
         self.docks: Sequence[QDockWidget] = ()
         self.pages = QTabWidget(self)
         self.pages.setDocumentMode(True)

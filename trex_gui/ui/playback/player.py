@@ -29,7 +29,7 @@ class Curves(Generic[RecordT, StateT]):
     """Defines what is drawn of a recording."""
 
     columns: int  # number of curves
-    # takes records into a state; returns rows (time in s, a value for each curve)
+    # Takes records into a state; returns rows (time in s, a value for each curve).
     rows_of: Callable[[StateT, Iterable[RecordT]], list[tuple[float, ...]]]
     max_rows: int  # rows kept, the last ones
     max_gap: float  # seconds without a row that interrupt a curve
@@ -102,9 +102,6 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
     """One recording and a position in it; subclasses define the curves of a device.
 
     Before it is loaded only the header is known.
-
-    Attributes:
-        share: of loading or exporting that is done, 0 to 1.
     """
 
     loaded = Signal()  # all of it was read
@@ -130,7 +127,7 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
         self._rows = 0
         self._history = SampleHistory(curves.columns, capacity=4096)
         self._traces: Traces | None = None
-        self.share = 0.0
+        self.share = 0.0  # of loading or exporting that is done, 0 to 1
         self._task = FileTask(self)
         self._task.progressed.connect(self._on_progressed)
         self._task.done.connect(self._on_done)

@@ -16,11 +16,7 @@ _PER_SECOND = 100
 
 
 class PlaybackCursor(QObject):
-    """A position between `start` and `end`; all times are on the session's clock (s).
-
-    Attributes:
-        is_loaded: whether `end` is known.
-    """
+    """A position between `start` and `end`; all times are on the session's clock (s)."""
 
     progressed = Signal()  # `end` may have changed
     moved = Signal()  # `position`
@@ -30,7 +26,7 @@ class PlaybackCursor(QObject):
         super().__init__(parent)
         self.start = self.end = self.position = start
         self.speed = 1.0
-        self.is_loaded = False
+        self.is_loaded = False  # whether `end` is known
         self._timer = new_timer(self, _FRAME_MS, self._on_frame)
         self._last_frame = 0.0
 

@@ -46,14 +46,6 @@ class TracePlot(FocusFramed):
     Curves of the source's first unit are on the left axis, all others on the right one, drawn in
     values of the left axis: a second view box would cost as much as a second plot. x is seconds
     from the right edge, so that nothing but the curves moves while live.
-
-    Attributes:
-        source: the curves; see `set_source`.
-        shown: the names of the curves that are drawn; see `set_shown`.
-        origin: the time of the first sample, which times are counted from.
-        peaks_since: the time from which peaks are held; `None` while they are not.
-        cursor_time, mark_time: `None` while there is none.
-        points_drawn: the points of all curves in the last frame.
     """
 
     view_changed = Signal()  # another span is shown, or it is live again or no longer
@@ -68,12 +60,14 @@ class TracePlot(FocusFramed):
         self._line_width = line_width
         self.span = Span()
         self.source: Traces | None = None
-        self.shown: set[str] = set()
+        self.shown: set[str] = set()  # names of the curves that are drawn
+        # The time of the first sample, which times are counted from.
         self.origin: float | None = None
+        # The time from which peaks are held; `None` while they are not.
         self.peaks_since: float | None = None
         self.cursor_time: float | None = None
         self.mark_time: float | None = None
-        self.points_drawn = 0
+        self.points_drawn = 0  # the points of all curves in the last frame
         self._left, self._right = ValueAxis(""), ValueAxis("")
         self._curves: dict[str, Curve] = {}
         self._limits: dict[str, Line] = {}

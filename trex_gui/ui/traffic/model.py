@@ -58,11 +58,6 @@ class TrafficModel(QObject):
 
     Rows other than successful polls have a buffer of their own, so that telemetry does not
     displace a write of ten minutes ago.
-
-    Attributes:
-        everything: the newest transactions.
-        without_polling: the newest ones other than successful polls.
-        faults: number of faulty rows since the last `clear`.
     """
 
     changed = Signal()  # there are more rows, or the last one has more bytes
@@ -70,9 +65,9 @@ class TrafficModel(QObject):
 
     def __init__(self, line: SessionThread, decoder: Decoder) -> None:
         super().__init__(line)
-        self.everything = RowBuffer()
-        self.without_polling = RowBuffer()
-        self.faults = 0
+        self.everything = RowBuffer()  # the newest transactions
+        self.without_polling = RowBuffer()  # the newest ones other than successful polls
+        self.faults = 0  # number of faulty rows since the last `clear`
         self.log = line.log
         self.decoder = decoder
         self._assembler = TransactionAssembler(decoder)

@@ -38,18 +38,13 @@ Index = QModelIndex | QPersistentModelIndex
 
 
 class TrafficTable(QAbstractTableModel):
-    """One row per transaction; `refresh` adds new rows, so a hidden page costs nothing.
-
-    Attributes:
-        rows: the listed transactions, oldest first.
-        mono: font of the bytes.
-    """
+    """One row per transaction; `refresh` adds new rows, so a hidden page costs nothing."""
 
     def __init__(self, traffic: TrafficModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._traffic = traffic
         self._decoder = traffic.decoder
-        self.rows: list[Transaction] = []
+        self.rows: list[Transaction] = []  # the listed transactions, oldest first
         self._count = 0
         self._last: Transaction | None = None
         self._polling = False

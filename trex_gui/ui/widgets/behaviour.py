@@ -82,8 +82,8 @@ class PressMonitor(QObject):
     event, so the control is also polled while it is held.
     """
 
-    # the widget lost focus or mouse, was hidden or disabled, or is covered by a menu, a dialog or
-    # another window
+    # The widget lost focus or mouse, was hidden or disabled, or is covered by a menu, a dialog or
+    # another window.
     lost = Signal()
 
     def __init__(self, widget: QWidget) -> None:

@@ -50,9 +50,6 @@ class FileWorker(WorkerThread):
 
     Objects that the function uses belong to this thread until it ends. Its owner keeps it until
     then.
-
-    Attributes:
-        outcome: how the work ended, once the thread has ended.
     """
 
     progressed = Signal(float)  # share done, 0 to 1
@@ -62,7 +59,7 @@ class FileWorker(WorkerThread):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("FileWorker")
-        self.outcome = Done()
+        self.outcome = Done()  # how the work ended, once the thread has ended
         self._work = work
         self._cancelled = threading.Event()
         self._last_progress = self._last_yield = 0.0

@@ -34,11 +34,7 @@ _SHUTDOWN_TIMEOUT_MS = 3000
 
 
 class RecordWorker(WorkerThread, Generic[RecordT]):
-    """Writes one recording; ends with its backlog or on an error.
-
-    Attributes:
-        error: why the recording ended early, for the user; set before the thread ends.
-    """
+    """Writes one recording; ends with its backlog or on an error."""
 
     progressed = Signal(object)  # bytes written so far
 
@@ -51,7 +47,7 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
         """Write the records of a backlog; `open_writer` is called in the new thread."""
         super().__init__(parent)
         self.setObjectName("RecordWorker")
-        self.error = ""
+        self.error = ""  # why the recording ended early, for the user; set before the thread ends
         self._backlog = backlog
         self._open_writer = open_writer
 

@@ -38,7 +38,7 @@ class LineWorker(WorkerThread):
     `submit` and `close` may be called from any thread. Its owner keeps it until it has ended.
     """
 
-    # a report of the session, emitted in the new thread. The last one is `Closed`.
+    # A report of the session, emitted in the new thread. The last one is `Closed`.
     reported = Signal(object)
 
     def __init__(self, make_session: MakeSession, parent: QObject | None = None) -> None:
@@ -60,21 +60,17 @@ class LineWorker(WorkerThread):
 
 
 class SessionThread(QObject):
-    """Runs one session after another, never two at a time.
-
-    Attributes:
-        log: traffic log, filled if `traffic_log.logged` opens the line.
-    """
+    """Runs one session after another, never two at a time."""
 
     started = Signal()
     reported = Signal(object)  # a report other than `Outcome` and `Closed`
-    # the port is closed; the `Closed` of the session. After an internal error `may_move` is true if
+    # The port is closed; the `Closed` of the session. After an internal error `may_move` is true if
     # any motor was driven. Not emitted for a session that ends within `shut_down`.
     closed = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.log = TrafficLog()
+        self.log = TrafficLog()  # traffic log, filled if `traffic_log.logged` opens the line
         self._worker: LineWorker | None = None
         self._late: LineWorker | None = None  # shut down; its last report still counts
         self._ending: list[LineWorker] = []  # orphaned, or between last report and end
