@@ -240,6 +240,13 @@ was {0}</numerusform>
             <numerusform>Both motors are slowed down: their currents passed the limit.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>And %n more problem(s).</source>
+        <translation>
+            <numerusform>And %n more problem.</numerusform>
+            <numerusform>And %n more problems.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>RecordIndicator</name>

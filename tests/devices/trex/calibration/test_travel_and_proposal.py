@@ -318,7 +318,9 @@ def test_remark_describes_throttle_beyond_its_rest() -> None:
     found = check(THROTTLE, 3)
     assert found.problems == ()
     (text,) = found.remarks
-    assert text.startswith("Below its rest the motor speeds up again, whatever the sign: at 1000")
+    assert text.startswith(
+        "Below its rest position the motor speeds up again, whatever the sign: at 1000"
+    )
 
 
 def test_full_speed_beyond_throttle_rest_is_reported() -> None:
@@ -369,7 +371,8 @@ def test_proposed_calibration_has_no_problems(channel: int) -> None:
 
 def test_switching_point_is_reported_as_inferred() -> None:
     (text,) = check(THROTTLE, 5).remarks
-    assert "Active above 1495 µs, off at rest (inferred" in text
+    assert "Active above 1495 µs (inferred" in text
+    assert text.endswith("At rest it is off.")
 
 
 def test_unreversed_switch_resting_low_is_reported() -> None:

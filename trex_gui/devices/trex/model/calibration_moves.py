@@ -3,9 +3,13 @@
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from trex_gui.core.errors import BadRequest
+from PySide6.QtCore import QCoreApplication
+
+from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadRequest
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
+
+translate = QCoreApplication.translate
 
 
 class Handle(Enum):
@@ -50,30 +54,44 @@ def moved(calibration: Calibration, handle: Handle, count: int) -> CalibrationMo
     match handle:
         case Handle.MINIMUM:
             limits = 0, min(c.neutral, c.maximum - 1)
-            why = "Minimum cannot pass neutral." if c.neutral < c.maximum else _DIFFER
+            why = translate("CalibrationMoves", "Minimum cannot pass neutral.")
+            if c.neutral >= c.maximum:
+                why = _differ_text()
         case Handle.NEUTRAL:
             limits = c.minimum, c.maximum
-            passed = "minimum" if count < c.minimum else "maximum"
-            why = f"Neutral cannot pass {passed}."
+            if count < c.minimum:
+                why = translate("CalibrationMoves", "Neutral cannot pass minimum.")
+            else:
+                why = translate("CalibrationMoves", "Neutral cannot pass maximum.")
         case Handle.MAXIMUM:
             limits = max(c.neutral, c.minimum + 1), HIGHEST_CODED
-            why = "Maximum cannot pass neutral." if c.neutral > c.minimum else _DIFFER
+            why = translate("CalibrationMoves", "Maximum cannot pass neutral.")
+            if c.neutral <= c.minimum:
+                why = _differ_text()
         case Handle.DEADBAND_LOW | Handle.DEADBAND_HIGH:
             field = "deadband"
             value = count - c.neutral if handle is Handle.DEADBAND_HIGH else c.neutral - count
             limits = 0, max(c.neutral - c.minimum, c.maximum - c.neutral, 0)
-            why = "The deadband cannot be wider than the travel."
+            why = translate("CalibrationMoves", "The deadband cannot be wider than the travel.")
             if value < 0:
-                why = "The deadband ends at neutral."
+                why = translate("CalibrationMoves", "The deadband ends at neutral.")
     kept = max(limits[0], min(limits[1], value))
     return CalibrationMove(replace(c, **{field: kept}), "" if kept == value else why)
 
 
-_DIFFER = "Minimum and maximum must differ."
+def _differ_text() -> str:
+    return translate("CalibrationMoves", "Minimum and maximum must differ.")
+
 
 _BEYOND_INPUT = {
-    InputSource.RC: ("A pulse cannot be shorter than", "A pulse cannot be longer than"),
-    InputSource.ANALOG: ("A voltage cannot be lower than", "A voltage cannot be higher than"),
+    InputSource.RC: (
+        QT_TRANSLATE_NOOP("CalibrationMoves", "A pulse cannot be shorter than {0}."),
+        QT_TRANSLATE_NOOP("CalibrationMoves", "A pulse cannot be longer than {0}."),
+    ),
+    InputSource.ANALOG: (
+        QT_TRANSLATE_NOOP("CalibrationMoves", "A voltage cannot be lower than {0}."),
+        QT_TRANSLATE_NOOP("CalibrationMoves", "A voltage cannot be higher than {0}."),
+    ),
 }
 
 
@@ -88,10 +106,10 @@ def within_input(
     lowest, highest = min(source.lowest_count, now), max(source.highest_count, now)
     if lowest <= count <= highest:
         return count, ""
-    below, above = _BEYOND_INPUT[source]
+    below, above = (translate("CalibrationMoves", text) for text in _BEYOND_INPUT[source])
     if count < lowest:
-        return lowest, f"{below} {source.text(source.lowest_count)}."
-    return highest, f"{above} {source.text(source.highest_count)}."
+        return lowest, below.format(source.text(source.lowest_count))
+    return highest, above.format(source.text(source.highest_count))
 
 
 def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) -> Calibration:
@@ -118,10 +136,11 @@ def why_not_symmetric(calibration: Calibration, source: InputSource, *, larger: 
     travel = _equal_travel(calibration, source, larger=larger)
     if travel > calibration.deadband + FULL_SCALE:
         return ""
-    return (
-        f"That would leave {source.text(travel)} to each side of neutral, of which the deadband "
-        f"takes {source.text(calibration.deadband)}: too little for every output up to full."
-    )
+    return translate(
+        "CalibrationMoves",
+        "That would leave {0} to each side of neutral, of which the deadband takes {1}: too "
+        "little for every output up to full.",
+    ).format(source.text(travel), source.text(calibration.deadband))
 
 
 def _equal_travel(calibration: Calibration, source: InputSource, *, larger: bool) -> int:

@@ -3,6 +3,8 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from PySide6.QtCore import QCoreApplication
+
 from trex_gui.devices.trex.calibration.neutral import Neutral
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
@@ -10,6 +12,8 @@ from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.channel_text import concern
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
+
+translate = QCoreApplication.translate
 
 _ASIDE = {InputSource.RC: 250, InputSource.ANALOG: 102}
 """Counts beyond rest at which the speed of a throttle is given: 100 us, 0.5 V."""
@@ -100,12 +104,21 @@ class Check:
         threshold = self.curve.threshold(self.channel)
         if threshold is None:
             return ""
-        where, end = ("above", "maximum") if self.curve.reversed_ else ("below", "minimum")
-        state = "active" if self.curve.is_switched(self.channel, self.neutral.value) else "off"
-        return (
-            f"Active {where} {self.neutral.source.text(round(threshold))}, {state} at rest "
-            f"(inferred: it switches halfway between neutral and {end})."
-        )
+        if self.curve.reversed_:
+            text = translate(
+                "Check",
+                "Active above {0} (inferred: it switches halfway between neutral and maximum).",
+            )
+        else:
+            text = translate(
+                "Check",
+                "Active below {0} (inferred: it switches halfway between neutral and minimum).",
+            )
+        if self.curve.is_switched(self.channel, self.neutral.value):
+            rest = translate("Check", "At rest it is active.")
+        else:
+            rest = translate("Check", "At rest it is off.")
+        return f"{text.format(self.neutral.source.text(round(threshold)))} {rest}"
 
     def _aside(self, idle: Way) -> tuple[int, int]:
         """Return a place beyond the rest, on the side it never goes to, and the speed there."""
@@ -119,8 +132,16 @@ class Check:
         if idle is None or self.travel.task is not Task.ONE_WAY:
             return ""
         place, speed = self._aside(idle)
-        side = "Above" if idle is Way.UP else "Below"
-        return (
-            f"{side} its rest the motor speeds up again, whatever the sign: at "
-            f"{self.neutral.source.text(place)} to {speed} of {FULL_SCALE}."
-        )
+        if idle is Way.UP:
+            text = translate(
+                "Check",
+                "Above its rest position the motor speeds up again, whatever the sign: at {0} to "
+                "{1} of {2}.",
+            )
+        else:
+            text = translate(
+                "Check",
+                "Below its rest position the motor speeds up again, whatever the sign: at {0} to "
+                "{1} of {2}.",
+            )
+        return text.format(self.neutral.source.text(place), speed, FULL_SCALE)

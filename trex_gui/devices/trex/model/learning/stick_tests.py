@@ -6,6 +6,8 @@ mixed and flipped.
 
 from collections.abc import Mapping, Sequence
 
+from PySide6.QtCore import QCoreApplication
+
 from trex_gui.devices.trex.calibration.neutral import LIMITS
 from trex_gui.devices.trex.calibration.travel import TASKS, Task
 from trex_gui.devices.trex.model.device import Device
@@ -13,6 +15,8 @@ from trex_gui.devices.trex.model.learning.channels import stored_curve
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, NEARLY_NEUTRAL, Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+
+translate = QCoreApplication.translate
 
 _HELD = 3  # samples in a row (60 ms) that make an end reached
 _REST_SECONDS = 0.5  # how long a channel has to give 0 to be at rest
@@ -86,27 +90,44 @@ class StickTest:
     def text(self) -> str:
         """What is still to be done, or that the channel is good."""
         if self.ignored:
-            return "Ignored: the board holds it at neutral. There is nothing to test."
+            return translate(
+                "StickTests", "Ignored: the board holds it at neutral. There is nothing to test."
+            )
         if self.output is None:
-            return "No signal."
+            return translate("StickTests", "No signal.")
         if self.passed:
-            return "Good."
+            return translate("StickTests", "Good.")
         task = TASKS[self.channel]
         if task is Task.SWITCH:
             if not self.off and not self.on:
-                return "Move the switch to all its positions."
-            seen = "off" if self.off else "on"
-            return f"Only {seen} was seen. Move the switch to its other position."
-        ends = {"forward (+127)": self.forward, "reverse (−127)": self.reverse}
-        missing = [name for name, seen in ends.items() if not seen]
-        if task is Task.ONE_WAY and len(missing) == 2:
-            return "Full output not reached yet. Push it all the way."
-        if task is Task.STICK and missing:
-            return f"Full output not reached yet: {' and '.join(missing)}."
+                return translate("StickTests", "Move the switch to all its positions.")
+            if self.off:
+                return translate(
+                    "StickTests", "Only off was seen. Move the switch to its other position."
+                )
+            return translate(
+                "StickTests", "Only on was seen. Move the switch to its other position."
+            )
+        if task is Task.ONE_WAY and not (self.forward or self.reverse):
+            return translate("StickTests", "Full output not reached yet. Push it all the way.")
+        if task is Task.STICK and not (self.forward and self.reverse):
+            return self._unreached_text()
         if self.output == 0:
-            return "Full output reached. Let it rest for a moment."
+            return translate("StickTests", "Full output reached. Let it rest for a moment.")
         now = f"{self.output:+d}".replace("-", "−")
-        return f"Full output reached. Release it: at rest the output must be 0, but it is {now}."
+        return translate(
+            "StickTests",
+            "Full output reached. Release it: at rest the output must be 0, but it is {0}.",
+        ).format(now)
+
+    def _unreached_text(self) -> str:
+        if self.forward:
+            return translate("StickTests", "Full output not reached yet: reverse (−127).")
+        if self.reverse:
+            return translate("StickTests", "Full output not reached yet: forward (+127).")
+        return translate(
+            "StickTests", "Full output not reached yet: forward (+127) and reverse (−127)."
+        )
 
 
 def idle_side(calibration: Calibration, *, reversed_: bool) -> int:
@@ -132,16 +153,17 @@ def safe_start_blockers(
     channel 5 is active.
     """
     reasons = [
-        f"channel {channel} is required and has no signal"
+        translate("StickTests", "channel {0} is required and has no signal").format(channel)
         for channel in channels_in(required)
         if rc and outputs.get(channel) is None
     ]
     for channel in (1, 3) if joint else (1, 2, 3):
         output = outputs.get(channel)
         if output is not None and abs(output) > NEARLY_NEUTRAL:
-            reasons.append(f"channel {channel} gives {output:+d}".replace("-", "−"))
+            given = f"{output:+d}".replace("-", "−")
+            reasons.append(translate("StickTests", "channel {0} gives {1}").format(channel, given))
     if override:
-        reasons.append("channel 5 overrides")
+        reasons.append(translate("StickTests", "channel 5 overrides"))
     return tuple(reasons)
 
 
@@ -234,6 +256,8 @@ class StickTests:
         if not self.heard:
             return ""
         if reasons := self.safe_start_reasons:
-            because = "; ".join(reasons)
-            return f"In {self.mode} mode safe-start would hold the motors now: {because}."
-        return f"In {self.mode} mode safe-start would release the motors now."
+            return translate(
+                "StickTests", "In {0} mode safe-start would hold the motors now: {1}."
+            ).format(self.mode, "; ".join(reasons))
+        text = translate("StickTests", "In {0} mode safe-start would release the motors now.")
+        return text.format(self.mode)

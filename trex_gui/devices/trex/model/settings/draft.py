@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
@@ -18,6 +18,8 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import Settings, specs_for
+
+translate = QCoreApplication.translate
 
 
 class SettingsDraft(QObject):
@@ -169,10 +171,10 @@ def diff_against_draft(draft: SettingsDraft, settings: Settings) -> Comparison:
     """
     shown = draft.shown
     if shown is None:
-        raise BadRequest("there are no settings to compare with")
+        raise BadRequest(translate("Draft", "There are no settings to compare with"))
     if settings.product.key != shown.product.key:
-        message = f"these settings are for a {settings.product.name}, not a {shown.product.name}"
-        raise BadRequest(message)
+        message = translate("Draft", "These settings are for a {0}, not a {1}")
+        raise BadRequest(message.format(settings.product.name, shown.product.name))
     known = {spec.key for spec in shown.specs.readable}
     unread = [key for key in settings.parameters if key in known and not draft.can_edit(key)]
     hidden = [key for key in settings.calibrations if not draft.can_edit(key)]
@@ -184,10 +186,12 @@ def diff_against_draft(draft: SettingsDraft, settings: Settings) -> Comparison:
             calibrations={k: c for k, c in settings.calibrations.items() if k not in hidden},
         ),
     )
-    notes = [f"{key} is left out: it could not be read from the board." for key in unread]
-    notes += [
-        f"The {name} calibrations are left out: the board accepts them only while it reads its "
-        f"inputs as {name}."
-        for name in sorted({key.source.value for key in hidden})
-    ]
+    not_read = translate("Draft", "{0} is left out: it could not be read from the board.")
+    not_shown = translate(
+        "Draft",
+        "The {0} calibrations are left out: the board accepts them only while it reads its inputs "
+        "as {0}.",
+    )
+    notes = [not_read.format(key) for key in unread]
+    notes += [not_shown.format(name) for name in sorted({key.source.value for key in hidden})]
     return replace(result, left_out=(*result.left_out, *notes))

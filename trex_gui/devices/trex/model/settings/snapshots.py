@@ -20,6 +20,7 @@ from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.model.settings.rows import renew_rows
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
+from trex_gui.ui.translations import Plural
 
 Index = QModelIndex | QPersistentModelIndex
 Stamp = tuple[int, int]
@@ -201,7 +202,9 @@ def _in_short(error: SettingsError) -> str:
     first = error.findings[:_FINDINGS]
     more = len(error.findings) - len(first)
     sentences = [f"{str(found)[:1].upper()}{str(found)[1:]}." for found in first]
-    return " ".join([*sentences, f"And {more} more."] if more else sentences)
+    if more:
+        sentences.append(Plural.tr("And %n more problem(s).", "", more))
+    return " ".join(sentences)
 
 
 def _minute(snapshot: Snapshot) -> datetime:
