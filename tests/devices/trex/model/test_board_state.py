@@ -98,7 +98,7 @@ def written(*results: WriteResult) -> SettingsDraft:
     draft.take_state(STATE, None, power_cycled=True)
     outcome = Outcome(1, Written(results, STATE, ConnectionSettings("virtual")))
     apply = Apply(draft, SettingsHistory(), lambda make, then: then(outcome))
-    apply.store(STATE, None, "motor_mode", 1)
+    apply.write(STATE, None, "test", (("motor_mode", 1),))
     return draft
 
 

@@ -201,11 +201,7 @@ class TrexClient:
         """Accept a reply as that of the last request only if no other one follows it.
 
         Missing replies may have been delayed by an adapter or the system, and all arrive now: then
-        this one belongs to an earlier request.
-
-        Raises:
-            BadReply: more bytes arrived.
-            PortUnavailable: the line is gone.
+        this one belongs to an earlier request, and raises a `BadReply`.
         """
         more = self.transport.read(1, self.transport.latency)
         if more:

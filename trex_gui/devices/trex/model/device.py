@@ -181,9 +181,9 @@ class Device(QObject):
             self._on_request_failed(self.tr("No board is connected."))
             return
         spec = self.state.specs[_TIMEOUT]
-        self._apply.store(
-            self.state, self.settings, _TIMEOUT, spec.check(round(seconds / spec.scale))
-        )
+        wire = spec.check(round(seconds / spec.scale))
+        reason = self.tr("{0} set").format(spec.name)
+        self._apply.write(self.state, self.settings, reason, ((_TIMEOUT, wire),))
 
     def reload(self) -> None:
         self._request(Reload, self._on_reloaded)
@@ -208,7 +208,9 @@ class Device(QObject):
             return
         defaults = factory_settings(self.state.signature.model, self.state.signature.firmware)
         self._expect_after(defaults.parameters)
-        if self._apply.reset(self.state, self.settings):
+        spec = self.state.specs[ParameterKey.FACTORY_RESET]
+        reason = self.tr("Reset to factory defaults")
+        if self._apply.write(self.state, self.settings, reason, ((spec.key, spec.maximum),)):
             self.draft.discard_edits()
 
     def note_power_cycled(self) -> None:
@@ -326,6 +328,6 @@ class Device(QObject):
     @Slot(object)
     def _on_closed(self, _last: Closed | None) -> None:
         self.state = None
-        self._apply.forget()
+        self._apply.running = False
         self.telemetry.forget()
         self.state_changed.emit()

@@ -38,19 +38,11 @@ class Language(Enum):
 
     @property
     def title(self) -> str:
-        return _TITLES[self]
+        return {"arduino": "Arduino sketch"}.get(self.value, f"{self.value.capitalize()} program")
 
     @property
     def suffix(self) -> str:
-        return _SUFFIXES[self]
-
-
-_TITLES = {
-    Language.ARDUINO: "Arduino sketch",
-    Language.PYTHON: "Python program",
-    Language.C: "C program",
-}
-_SUFFIXES = {Language.ARDUINO: ".ino", Language.PYTHON: ".py", Language.C: ".c"}
+        return {"arduino": ".ino", "python": ".py", "c": ".c"}[self.value]
 
 
 def file_name(settings: Settings, language: Language) -> str:

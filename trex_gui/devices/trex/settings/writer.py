@@ -23,11 +23,8 @@ _CALIBRATION_TITLES = {
 def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> str:
     """Return the text of a settings file, which reads back as the same settings.
 
-    A value that the board would reject becomes a comment with the reason.
-
-    Args:
-        settings: what to write.
-        title_lines: comments for the head of the file.
+    A value that the board would reject becomes a comment with the reason. `title_lines` are
+    comments for the head of the file.
 
     Raises:
         BadRequest: the settings hold a key that their model and firmware do not have.

@@ -6,7 +6,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.runtime import runtime
+from trex_gui.ui.runtime import new_timer
 
 
 class CalibrationPreconditions(QObject):
@@ -124,9 +124,7 @@ class StandstillCheck(QObject):
         self._device = device
         self._run = 0
         self._since: float | None = None
-        self._timer = runtime().timer(self)
-        self._timer.setSingleShot(True)
-        self._timer.timeout.connect(self._on_timeout)
+        self._timer = new_timer(self, 0, self._on_timeout, single_shot=True)
         device.telemetry.updated.connect(self._on_updated)
 
     def begin(self) -> None:

@@ -40,7 +40,7 @@ class Apply(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self.running = False
+        self.running = False  # cleared from outside when the line closes: no outcome will come
         self._draft = draft
         self._history = history
         self._request = request
@@ -60,29 +60,9 @@ class Apply(QObject):
         )
         if count := len(parameters) + len(calibrations):
             reason = self.tr("Apply of %n setting(s)", "", count)
-            self._write(state, link, reason, parameters, calibrations)
+            self.write(state, link, reason, parameters, calibrations)
 
-    def store(
-        self, state: DeviceState, link: ConnectionSettings | None, key: str, wire: int
-    ) -> None:
-        """Write one parameter now; other edits stay pending."""
-        reason = self.tr("{0} set").format(state.specs[key].name)
-        self._write(state, link, reason, ((key, wire),))
-
-    def reset(self, state: DeviceState, link: ConnectionSettings | None) -> bool:
-        """Request a reset of every parameter at the next start; return whether it was sent.
-
-        The request cannot be read back, so its reply is the only confirmation.
-        """
-        spec = state.specs[ParameterKey.FACTORY_RESET]
-        reason = self.tr("Reset to factory defaults")
-        return self._write(state, link, reason, ((spec.key, spec.maximum),))
-
-    def forget(self) -> None:
-        """Stop waiting for an outcome: the line is closed."""
-        self.running = False
-
-    def _write(
+    def write(
         self,
         state: DeviceState,
         link: ConnectionSettings | None,
@@ -90,6 +70,10 @@ class Apply(QObject):
         parameters: tuple[tuple[str, int], ...],
         calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
     ) -> bool:
+        """Write these values, other edits stay pending; return whether the request was sent.
+
+        A factory reset cannot be read back, so its reply is the only confirmation.
+        """
         if self.running:
             return False
         adapter = "" if link is None else link.name or link.url
