@@ -85,10 +85,7 @@ class Profile:
         return replace(self, speed=ceiling if self.speed > 0 else -ceiling)
 
     def plateau(self, end: float) -> tuple[float, float] | None:
-        """Return the first span of constant speed, in a test that ended at `end`.
-
-        `None` without one: no current is steady there.
-        """
+        """Return the first span of constant speed in a test until `end`; `None` without one."""
         if self.shape is Shape.SINE:
             return None
         first = self.period if self.shape is Shape.RAMP else 0.0
@@ -129,33 +126,20 @@ class End(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Run:
-    """A test and its measurements; all times in seconds since its first setpoint.
+    """A test and its measurements; all times in seconds since its first setpoint."""
 
-    Attributes:
-        motor: 1 or 2.
-        accelerate: whether the speeds went through the board's ramp.
-        abort_current: A; one reading above it aborts the test.
-        ampere: A per count of the current measurement.
-        started: local date and time.
-        reason: why it was aborted, for the user.
-        ended: when the motor began to brake.
-        setpoints: time and signed speed of each.
-        currents: time and A of each reading, also after the end.
-        settings: name and value, for the user, of the motor's stored parameters.
-    """
-
-    motor: int
+    motor: int  # 1 or 2
     profile: Profile
-    accelerate: bool
-    abort_current: float
-    ampere: float
-    started: datetime
+    accelerate: bool  # whether the speeds went through the board's ramp
+    abort_current: float  # A; one reading above it aborts the test
+    ampere: float  # A per count of the current measurement
+    started: datetime  # local date and time
     end: End
-    reason: str = ""
-    ended: float
-    setpoints: Sequence[tuple[float, int]]
-    currents: Sequence[tuple[float, float]]
-    settings: Sequence[tuple[str, str]] = ()
+    reason: str = ""  # why it was aborted, for the user
+    ended: float  # when the motor began to brake
+    setpoints: Sequence[tuple[float, int]]  # time and signed speed of each
+    currents: Sequence[tuple[float, float]]  # time and A of each reading, also after the end
+    settings: Sequence[tuple[str, str]] = ()  # the motor's stored parameters as texts
 
     @property
     def title(self) -> str:

@@ -34,11 +34,7 @@ _MEDIAN_ERROR = 1.25  # deviation of a median of normal values, times the root o
 _MAD_TO_DEVIATION = 1.4826  # of a normal distribution, for a median absolute deviation of 1
 _LEAST_DEVIATION = 1.0  # counts; a converter that rounds to whole counts cannot be trusted to less
 
-_STILL = 0.75
-"""Share of equal neighbours from which a signal counts as standing still.
-
-The board renews its inputs 50 times a second; polling as often reads some values twice.
-"""
+_STILL = 0.75  # share of equal neighbours at standstill; polling reads some values twice anyway
 
 
 @dataclass(frozen=True, slots=True)

@@ -82,16 +82,12 @@ class _End:
 
     An end is held when some samples in a row agree with the furthest place. On a slow line one
     sample beyond that place is enough to doubt it, until it is held again.
-
-    Attributes:
-        furthest: the furthest median so far, in counts; `None` before there was one.
-        distances: from rest to `furthest`, after each sample.
     """
 
     def __init__(self, way: Way, neutral: Neutral) -> None:
-        self.furthest: int | None = None
+        self.furthest: int | None = None  # the furthest median so far; `None`: none yet
         self.is_held = False
-        self.distances: list[int] = []
+        self.distances: list[int] = []  # from rest to `furthest`, after each sample
         self._sign = way.value
         self._neutral = neutral
         self._held_at: int | None = None
@@ -118,19 +114,14 @@ class _End:
 
 
 class Travel:
-    """Follows one channel; wild single samples do not count.
-
-    Attributes:
-        neutral, deadband: in counts, as measured at rest.
-        now: the newest valid count.
-    """
+    """Follows one channel; wild single samples do not count."""
 
     def __init__(self, neutral: Neutral, task: Task) -> None:
         self.source = neutral.source
         self.task = task
-        self.neutral = neutral.value
-        self.deadband = neutral.deadband
-        self.now: int | None = None
+        self.neutral = neutral.value  # in counts, as measured at rest
+        self.deadband = neutral.deadband  # likewise
+        self.now: int | None = None  # the newest valid count
         self._deviation = neutral.deviation
         self._ends = {way: _End(way, neutral) for way in Way}
         self._recent: deque[int] = deque(maxlen=WINDOW)

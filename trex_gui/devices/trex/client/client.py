@@ -35,7 +35,6 @@ Inferred: no source gives more than the response delay.
 
 _LONGEST_REPLY = 16  # bytes: the ten of five raw channels, a CRC and the echo of the request
 _NULL = Framing().encode(Null())
-
 _ECHO_PROBES = 2  # a corrupted byte must not hide an echo
 
 
@@ -61,7 +60,7 @@ class TrexClient:
     """Runs transactions on one line.
 
     Attributes:
-        echo: whether everything sent comes back, as it does on the board's RS-232 side.
+        echo: whether everything sent comes back, as on the RS-232 side of the board.
         keepalive_while_waiting: whether to send a null command while waiting for a late reply,
             so that the board's serial timeout does not stop motors that are driven.
         settings: how the line was opened, with the board's present number.

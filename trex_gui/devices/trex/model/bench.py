@@ -19,9 +19,7 @@ _HOLDER = "bench"  # the name by which the bench acquires the motors
 _MAX_RUNS = 10  # tests kept for comparison
 _HIGHEST_COUNT = 255  # the current measurement is one byte (0x8D)
 _TREX_AMPERE = 0.15
-
-_TUNED = ("acceleration", "brake_duration", "current_limit", "current_limit_p")
-"""The parameters of its motor that a bench test tunes, by the end of their keys."""
+_TUNED = ("acceleration", "brake_duration", "current_limit", "current_limit_p")  # ends of keys
 
 _ABORT_COUNTS = 100
 """The default abort current in counts: 15 A, on a Jr 4 A.
@@ -49,10 +47,6 @@ class Bench(QObject):
 
     Releasing the button brakes the motor. Everything else that ends a test stops, disarms and
     locks out all motors: too high a current, a fault, missing readings, loss of serial control.
-
-    Attributes:
-        plan: the next test.
-        runs: the last tests, oldest first.
     """
 
     changed = Signal()  # the plan, `phase` or `blocker`; the readings of `current` grow silently
@@ -61,9 +55,9 @@ class Bench(QObject):
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.plan = Plan()
+        self.plan = Plan()  # the next test
         self.phase = Phase.IDLE
-        self.runs: tuple[Run, ...] = ()
+        self.runs: tuple[Run, ...] = ()  # the last tests, oldest first
         self._device = device
         self._motors = device.motors
         self._run: Run | None = None

@@ -19,13 +19,7 @@ log = logging.getLogger(__name__)
 
 
 class Connection(DeviceConnection[ConnectionSettings]):
-    """The line to one board, or none.
-
-    Attributes:
-        echo: whether everything sent comes back: the RS-232 side of the board.
-        port_rates: the baud rates that this computer's port supports; `None`: unknown.
-        counters: line statistics since it was opened.
-    """
+    """The line to one board, or none."""
 
     device_read = Signal(object)  # the board was read, or read again: the `Connected`
     ready = Signal()  # `device_read` was handled, and `link` is `CONNECTED`
@@ -38,9 +32,9 @@ class Connection(DeviceConnection[ConnectionSettings]):
     def __init__(self, parent: QObject | None = None) -> None:
         self._decoder = TrexDecoder()
         super().__init__(self._decoder, parent)
-        self.echo = False
-        self.port_rates: frozenset[int] | None = None
-        self.counters = Counters()
+        self.echo = False  # whether everything sent comes back: the RS-232 side of the board
+        self.port_rates: frozenset[int] | None = None  # what the port supports; `None`: unknown
+        self.counters = Counters()  # line statistics since it was opened
 
     def moves(self, request: object) -> bool:
         return isinstance(request, SetpointRequest)

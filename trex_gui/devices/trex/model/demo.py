@@ -199,10 +199,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
             self._send_stick(channel)
 
     def set_automatic(self, automatic: bool) -> None:
-        """Let all sticks move by themselves, or hold them where they are.
-
-        Disconnected sticks stay disconnected.
-        """
+        """Let all connected sticks move by themselves, or hold them where they are."""
         if (snapshot := self.snapshot) is None:
             return
         low, high = STICK_ENDS[snapshot.source]

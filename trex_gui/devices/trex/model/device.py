@@ -46,7 +46,7 @@ class Device(QObject):
     """One board, or none.
 
     Attributes:
-        draft: what the board stores and its edits; `parameters` and `calibrations` are its parts.
+        draft: what the board stores, and its edits.
         history: what boards stored before each Apply.
         events: what happened since the line was opened, on the clock of `telemetry`.
         state: what was read from the board; `None` while none is connected.
@@ -143,10 +143,7 @@ class Device(QObject):
 
     @property
     def serial_timeout_s(self) -> float | None:
-        """Seconds of silence after which the board stops its motors by itself, 0 for never.
-
-        `None` while no board is connected, or if it was not read.
-        """
+        """Seconds of silence after which the board stops its motors; 0: never; `None`: unknown."""
         wire = None if self.state is None else self.state.parameters.get(_TIMEOUT)
         if self.state is None or wire is None or self.link is not ConnectionState.CONNECTED:
             return None
@@ -155,10 +152,7 @@ class Device(QObject):
     # --- User actions -------------------------------------------------------------------
 
     def connect_to(self, settings: ConnectionSettings) -> None:
-        """Open a line and read everything; ends in `ConnectionState.CONNECTED` or in `failed`.
-
-        A line that is open is closed first.
-        """
+        """Open a line, after closing another one, and read everything from the board."""
         self.connection.open(settings, may_move=self.may_move)
 
     def disconnect_line(self) -> None:

@@ -81,11 +81,7 @@ class ErrorLog(QObject):
         self.changed.emit()
 
 
-GOES_ON = 1.0
-"""Seconds within which a repeated bit is the same event.
-
-A fault that lasts latches its bit again right after each reading, ten times a second.
-"""
+GOES_ON = 1.0  # seconds in which a repeated bit is one event: a fault repeats ten a second
 
 _KINDS: dict[Status, EventKind] = {
     Status.MOTOR1_FAULT: EventKind.FAULT,

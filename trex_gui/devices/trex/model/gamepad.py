@@ -26,16 +26,6 @@ class Gamepad(QObject):
 
     It drives while `attend` has no objection; its stop button works whenever it is switched on.
     One gamepad is read at a time. Each kind of gamepad has its own profile, which is remembered.
-
-    Attributes:
-        on: whether gamepads are read.
-        failure: why gamepads could not be switched on, and what helps; empty if they could.
-        pads: the gamepads that are connected.
-        pad: the one that is read.
-        gone: the name of the gamepad that was read and was disconnected, until another one is.
-        state: what it shows; `None` while none is read.
-        request: its setpoints, whether the motors follow or not.
-        text: what it does or waits for, as a sentence; empty while it is switched off.
     """
 
     changed = Signal()  # any attribute but `state` and `request`
@@ -48,15 +38,15 @@ class Gamepad(QObject):
         self._drive_with = MomentaryDrive(device.motors, HOLDER)
         self._source = source
         self._store = QSettings(self)
-        self.on = False
-        self.failure = ""
-        self.pads: tuple[Pad, ...] = ()
-        self.pad: Pad | None = None
-        self.gone = ""
+        self.on = False  # whether gamepads are read
+        self.failure = ""  # why gamepads cannot be read, and what helps; empty if they can
+        self.pads: tuple[Pad, ...] = ()  # the gamepads that are connected
+        self.pad: Pad | None = None  # the one that is read
+        self.gone = ""  # the name of the gamepad that was disconnected, until another is read
         self.profile = GamepadProfile()
-        self.state: PadState | None = None
-        self.request = _NOTHING
-        self.text = ""
+        self.state: PadState | None = None  # what it shows; `None` while none is read
+        self.request = _NOTHING  # its setpoints, whether the motors follow or not
+        self.text = ""  # what it does or waits for, as a sentence; empty while it is switched off
         self._pilot = Pilot(self.profile)
         self._has_read = False  # since the pilot began
         self._unattended = ""

@@ -116,15 +116,7 @@ class Choice:
 
 
 class LearnedChannel:
-    """Collects the measurements of one channel and derives its values.
-
-    Attributes:
-        curve_before: with the values that the board stores, not with pending edits; `None` if
-            they are not known.
-        raw: the newest count; `None` without a signal.
-        samples: of the rest position, of which `neutral` is made.
-        travel: follows the ends; `None` while no rest position is known.
-    """
+    """Collects the measurements of one channel and derives its values."""
 
     def __init__(self, device: Device, number: int, source: InputSource) -> None:
         parameters = device.parameters
@@ -134,14 +126,14 @@ class LearnedChannel:
 
         self.number = number
         self.source = source
-        self.curve_before = stored_curve(device, number)
+        self.curve_before = stored_curve(device, number)  # without pending edits
         self.reversed_now = is_in(parameters.stored_of(ParameterKey.REVERSED_CHANNELS))
         self._parabolic = is_in(parameters.value_of(ParameterKey.PARABOLIC_CHANNELS))
         self._ignored = is_in(parameters.value_of(ParameterKey.IGNORED_CHANNELS))
-        self.raw: int | None = None
-        self.samples: list[Sample] = []
+        self.raw: int | None = None  # the newest count; `None` without a signal
+        self.samples: list[Sample] = []  # of the rest position, of which `neutral` is made
         self.neutral: Neutral | None = None
-        self.travel: Travel | None = None
+        self.travel: Travel | None = None  # follows the ends; `None` without a rest position
         self.proposal: Proposal | None = None
         self.choice: Choice | None = None
         self._heard_at: float | None = None

@@ -43,13 +43,6 @@ class Learning(QObject):
     """Learns channels of a board in serial mode; there the sticks move no motor.
 
     Nothing is written, and nothing is edited before `use_values`.
-
-    Attributes:
-        trouble: why it failed, or what is doubtful, for the user.
-        news: what led to the test, for the user; empty if the user started it.
-        numbers: the channels that were learned or tested last.
-        tests: `None` before the test step.
-        sampling: whether the rest positions are sampled right now.
     """
 
     changed = Signal()  # the step, `sampling`, `inputs.stalled` or a choice
@@ -60,12 +53,12 @@ class Learning(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = LearningStep.ENDED
-        self.trouble = ""
-        self.news = ""
-        self.numbers: tuple[int, ...] = ()
+        self.trouble = ""  # why it failed, or what is doubtful, for the user
+        self.news = ""  # what led to the test, for the user; empty if the user started it
+        self.numbers: tuple[int, ...] = ()  # the channels that were learned or tested last
         self.channels: tuple[LearnedChannel, ...] = ()
-        self.tests: StickTests | None = None
-        self.sampling = False
+        self.tests: StickTests | None = None  # `None` before the test step
+        self.sampling = False  # whether the rest positions are sampled right now
         self.preconditions = CalibrationPreconditions(device, self)
         self.inputs = MeasuredInputs(device.telemetry, self)
         self.pending = PendingLearnedValues(device, self)

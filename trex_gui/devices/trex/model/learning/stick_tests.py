@@ -23,26 +23,17 @@ _REST_SECONDS = 0.5  # how long a channel has to give 0 to be at rest
 
 
 class StickTest:
-    """Follows the output of one channel.
-
-    Attributes:
-        output: -127 to 127 now; `None` without a signal.
-        forward, reverse: full output was reached on that side.
-        is_at_rest: it has given 0 for a while.
-        on, off: a switch was seen active, inactive.
-        ignored: the board ignores it, so there is nothing to test.
-        passed: everything that the channel is for was seen, and it rests now.
-        was_good: it had passed at some time.
-    """
+    """Follows the output of one channel."""
 
     def __init__(self, channel: int) -> None:
         self.channel = channel
-        self.output: int | None = None
-        self.forward = self.reverse = False
-        self.is_at_rest = False
-        self.on = self.off = False
-        self.ignored = False
-        self.passed = self.was_good = False
+        self.output: int | None = None  # -127 to 127 now; `None` without a signal
+        self.forward = self.reverse = False  # full output was reached on that side
+        self.is_at_rest = False  # it has given 0 for a while
+        self.on = self.off = False  # a switch was seen active, inactive
+        self.ignored = False  # the board ignores it, so there is nothing to test
+        self.passed = False  # everything that the channel is for was seen, and it rests now
+        self.was_good = False  # it had passed at some time
         self._full = {1: 0, -1: 0}  # samples in a row with full output, by its sign
         self._switched = {False: 0, True: 0}
         self._zero_since: float | None = None

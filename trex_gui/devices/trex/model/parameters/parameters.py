@@ -47,13 +47,7 @@ class Role(IntEnum):
 
 
 class ParameterModel(QAbstractItemModel):
-    """Groups with a heading each, below it one row per parameter; edits go over an undo stack.
-
-    Attributes:
-        text: the texts of the cells.
-        model_key: the kind of board that the rows belong to; empty before the first.
-        both_motors: whether an edit for one motor is made for the other, too.
-    """
+    """Groups with a heading each, below it one row per parameter; edits go over an undo stack."""
 
     pending_changed = Signal(int)  # the number of edits
     rejected = Signal(str)  # why an edit was rejected, for the user
@@ -67,8 +61,8 @@ class ParameterModel(QAbstractItemModel):
         self._draft = Draft()
         self._problems: dict[str, str] = {}
         self.text = ParameterText(self._specs, self._draft, self._problems, self)
-        self.model_key = ""
-        self.both_motors = False
+        self.model_key = ""  # the kind of board that the rows belong to; empty before the first
+        self.both_motors = False  # whether an edit for one motor is made for the other, too
         self._headers = (
             self.tr("Parameter"),
             self.tr("Value"),

@@ -17,7 +17,7 @@ class Calibrations(QObject):
     """A board shows the set of its active input source only; a file may hold both sets.
 
     Attributes:
-        source: the active input source; a board accepts calibrations for this one only.
+        source: the active one; a board accepts none for the other.
         edited: the edits for both input sources.
         left_out: the stored calibrations that Save leaves out of a file.
     """

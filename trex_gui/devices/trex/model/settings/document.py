@@ -22,11 +22,6 @@ class SettingsDocument(QObject):
 
     While a text has errors, the text itself is edited. Then the draft is edited, and `text`
     follows it with comments and order kept.
-
-    Attributes:
-        path: `None` before the file is saved.
-        readable: whether the text has settings.
-        draft: the settings with their edits; empty while the text is not readable.
     """
 
     changed = Signal()  # text, findings, file or `readable`
@@ -36,14 +31,14 @@ class SettingsDocument(QObject):
     ) -> None:
         """Start with a text; with a `doubt` the user must check it before it is read."""
         super().__init__()
-        self.draft = SettingsDraft(self)
+        self.draft = SettingsDraft(self)  # empty while the text is not readable
         self._name = name
-        self.path = path
+        self.path = path  # `None` before the file is saved
         self._base = text
         self._saved = text
         self._text = text
         self._on_disk: bytes | None = None
-        self.readable = False
+        self.readable = False  # whether the text has settings
         self._trouble = ""
         self._findings: tuple[Finding, ...] = ()
         self._announcing = new_timer(self, 0, self._look, single_shot=True)

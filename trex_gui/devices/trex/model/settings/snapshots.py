@@ -169,10 +169,7 @@ class SnapshotTable(QAbstractTableModel):
         return "\n".join(lines)
 
     def time_text(self, snapshot: Snapshot) -> str:
-        """Return when a snapshot was taken, such as `today 14:03`; local time.
-
-        Snapshots of the same minute have seconds.
-        """
+        """Return local time such as `today 14:03`, with seconds if the minute has several."""
         local = snapshot.taken.astimezone()
         today = datetime.now().astimezone().date()
         clock = local.strftime("%H:%M:%S" if _minute(snapshot) in self._busy_minutes else "%H:%M")
