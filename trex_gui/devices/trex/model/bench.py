@@ -118,7 +118,7 @@ class Bench(QObject):
         moving = any(drive and not drive.is_brake and drive.speed for drive in drives)
         if device.link is ConnectionState.NOT_RESPONDING:
             return self.tr("The board does not respond.")
-        if device.link is not ConnectionState.CONNECTED:
+        if not device.is_connected:
             return self.tr("Connect to a board to test its motors.")
         if device.is_joint:
             return self.tr(
@@ -268,7 +268,7 @@ class Bench(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._run is not None and self._device.link is not ConnectionState.CONNECTED:
+        if self._run is not None and not self._device.is_connected:
             self.abort("")
             self._finish()
         self.changed.emit()
@@ -285,7 +285,7 @@ class Bench(QObject):
     def _external_reason(self) -> str:
         if self._device.link is ConnectionState.NOT_RESPONDING:
             return self.tr("The board stopped responding.")
-        if self._device.link is not ConnectionState.CONNECTED:
+        if not self._device.is_connected:
             return self.tr("The connection was closed.")
         if self._device.telemetry.serial_controls is False:
             return self.tr("Serial commands no longer control the motors.")

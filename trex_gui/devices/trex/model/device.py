@@ -102,6 +102,15 @@ class Device(QObject):
         return self.connection.link
 
     @property
+    def is_connected(self) -> bool:
+        return self.link is ConnectionState.CONNECTED
+
+    @property
+    def is_writable(self) -> bool:
+        """Whether the board is connected and no settings are being written."""
+        return self.is_connected and not self.applying
+
+    @property
     def status(self) -> str:
         return self.connection.status
 
@@ -137,7 +146,7 @@ class Device(QObject):
     def control_text(self) -> str:
         """Who controls the motors, as a sentence; empty while no board is connected."""
         by_serial = self.telemetry.serial_controls
-        if self.state is None or by_serial is None or self.link is not ConnectionState.CONNECTED:
+        if self.state is None or by_serial is None or not self.is_connected:
             return ""
         return who_controls(self.state.mode, by_serial, joint=self.is_joint)
 
@@ -145,7 +154,7 @@ class Device(QObject):
     def serial_timeout_s(self) -> float | None:
         """Seconds of silence after which the board stops its motors; 0: never; `None`: unknown."""
         wire = None if self.state is None else self.state.parameters.get(_TIMEOUT)
-        if self.state is None or wire is None or self.link is not ConnectionState.CONNECTED:
+        if self.state is None or wire is None or not self.is_connected:
             return None
         return wire * self.state.specs[_TIMEOUT].scale
 

@@ -5,7 +5,6 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.settings.rules import Context, LintFinding, lint
-from trex_gui.ui.devices.connection import ConnectionState
 
 
 class SettingsLinter(QObject):
@@ -62,7 +61,7 @@ class BoardLinter(SettingsLinter):
     @Slot()
     def _on_board_changed(self) -> None:
         settings = self._device.settings
-        if settings is None or self._device.link is not ConnectionState.CONNECTED:
+        if settings is None or not self._device.is_connected:
             self._drove = False
             self.set_context(None)
             return

@@ -48,7 +48,7 @@ class PowerCycle(QObject):
     def begin(self) -> None:
         """Wait until the board is switched off, and on again."""
         state, settings = self._device.state, self._device.settings
-        if state is None or settings is None or self._device.link is not ConnectionState.CONNECTED:
+        if state is None or settings is None or not self._device.is_connected:
             return
         signature, stored = state.signature, state.parameters
         if self._device.draft.reset_pending:
@@ -60,7 +60,7 @@ class PowerCycle(QObject):
 
     def confirm(self) -> None:
         """Note that the user reports a power cycle."""
-        if self._device.link is ConnectionState.CONNECTED:
+        if self._device.is_connected:
             self._device.note_power_cycled()
             self._go(PowerCycleStage.BACK)
 

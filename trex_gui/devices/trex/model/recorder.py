@@ -42,7 +42,7 @@ class Recorder(RecordThread[Record]):
 
     @property
     def is_available(self) -> bool:
-        return self._device.link is ConnectionState.CONNECTED and self._device.state is not None
+        return self._device.is_connected and self._device.state is not None
 
     def start(self, path: Path) -> bool:
         state = self._device.state

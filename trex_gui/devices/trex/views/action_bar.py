@@ -162,13 +162,16 @@ class ActionBar(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         motors, pending = self._device.motors, self._device.draft.pending > 0
-        is_connected = self._device.link is ConnectionState.CONNECTED
-        is_beyond_reach = is_connected and not motors.is_available and motors.locked_for > 0
-        self._state.show_note(
-            self._state_text(), alarming=motors.armed or self._device.may_move or is_beyond_reach
-        )
+        alarming = motors.armed or self._device.may_move or self._is_beyond_reach
+        self._state.show_note(self._state_text(), alarming=alarming)
         self._unapplied.setVisible(pending)
-        self._apply.setEnabled(pending and is_connected and not self._device.applying)
+        self._apply.setEnabled(pending and self._device.is_writable)
+
+    @property
+    def _is_beyond_reach(self) -> bool:
+        """Whether the user pressed Stop while channels control the motors."""
+        motors = self._device.motors
+        return self._device.is_connected and not motors.is_available and motors.locked_for > 0
 
     def _state_text(self) -> str:
         motors, link = self._device.motors, self._device.link
@@ -180,15 +183,15 @@ class ActionBar(QWidget):
             if link is ConnectionState.DISCONNECTED:
                 return self.tr("The connection was lost: motors may still turn. Cut their power.")
             return self.tr("Unknown: motors may still turn. The stop is being repeated.")
-        if link is ConnectionState.CONNECTED and not motors.is_available and motors.locked_for:
+        if self._is_beyond_reach:
             return self.tr("Channels control the motors: Stop does not affect them.")
         if motors.locked_for:
             left = math.ceil(motors.locked_for)
             return self.tr("Stopped. Motors are locked for {0} s.").format(left)
-        if link is ConnectionState.CONNECTED and motors.stop_reason:
+        if link is not ConnectionState.CONNECTED:
+            return self.tr("Motors: N/A")
+        if motors.stop_reason:
             return self.tr("Stopped. {0}").format(motors.stop_reason)
-        if link is ConnectionState.CONNECTED and motors.is_available:
+        if motors.is_available:
             return self.tr("Not armed: no command is sent until you click Run motor.")
-        if link is ConnectionState.CONNECTED:
-            return self.tr("Channels control the motors; Run motor needs serial control.")
-        return self.tr("Motors: N/A")
+        return self.tr("Channels control the motors; Run motor needs serial control.")

@@ -210,7 +210,7 @@ class SnapshotPane(QWidget):
             return blocker
         if not self._against_board:
             return self.tr("To restore, compare with the board.")
-        if self._device.link is not ConnectionState.CONNECTED:
+        if not self._device.is_connected:
             return self.tr("The board does not respond, so nothing can be restored.")
         if self._device.applying:
             return self.tr("Settings are being written; wait until that is done.")

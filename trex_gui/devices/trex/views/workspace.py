@@ -29,7 +29,6 @@ from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
@@ -196,21 +195,20 @@ class TrexWorkspace(Workspace):
 
     def enabled_actions(self) -> Mapping[str, bool]:
         device, draft = self._device, self._device.draft
-        recorder = self.recordings.recorder
-        connected = device.link is ConnectionState.CONNECTED
-        writable = connected and not device.applying
+        recorder, writable = self.recordings.recorder, device.is_writable
         shown = draft.shown is not None and not device.applying
         to_activate = bool(device.parameters.waiting_for_power) or device.draft.reset_pending
         return {
             **dict.fromkeys(
-                ("reload", "defaults", "serial_defaults", "learn", "test_sticks"), writable
+                ("reload", "defaults", "serial_defaults", "learn", "test_sticks"),
+                device.is_writable,
             ),
             **dict.fromkeys(("save", "print", "export"), shown),
             "open": not device.applying,
             "record": recorder.recording or recorder.can_record,
             "run": device.motors.can_arm,
             "apply": writable and draft.pending > 0,
-            "power": connected and to_activate,
+            "power": device.is_connected and to_activate,
             "discard": shown and draft.pending > 0,
             "undo": shown and draft.undo.canUndo(),
             "redo": shown and draft.undo.canRedo(),
@@ -221,7 +219,7 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        is_connected = self._device.link is ConnectionState.CONNECTED
+        is_connected = self._device.is_connected
         if is_connected and not self._was_connected:
             self.notifier.cleared.emit()
         self._was_connected = is_connected
@@ -267,11 +265,7 @@ class TrexWorkspace(Workspace):
         self._question.ask(
             self.tr("Read the settings from the board and discard the edits made here?"),
             PromptAnswer("reloadYes", self.tr("Discard and reload"), self._forget_and_reload),
-            still=lambda: (
-                self._device.draft.pending > 0
-                and self._device.link is ConnectionState.CONNECTED
-                and not self._device.applying
-            ),
+            still=lambda: self._device.draft.pending > 0 and self._device.is_writable,
         )
 
     def _forget_and_reload(self) -> None:

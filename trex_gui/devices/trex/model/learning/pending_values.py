@@ -9,7 +9,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channels import Choice
 from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.ui.devices.connection import ConnectionState
 
 _REVERSED = ParameterKey.REVERSED_CHANNELS
 
@@ -89,7 +88,7 @@ class PendingLearnedValues(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._device.link is not ConnectionState.CONNECTED:
+        if not self._device.is_connected:
             self.forget()
 
     @Slot()

@@ -58,7 +58,7 @@ class CalibrationPreconditions(QObject):
     def blocker(self) -> str:
         """Why sticks must not be moved now, for the user; empty if they move nothing."""
         state = self._device.state
-        if self._device.link is not ConnectionState.CONNECTED or state is None:
+        if not self._device.is_connected or state is None:
             return self.tr("Connect to a board first.")
         if not state.mode.is_serial:
             if self._device.telemetry.serial_controls:
@@ -88,7 +88,7 @@ class CalibrationPreconditions(QObject):
         device, state = self._device, self._device.state
         if device.link is ConnectionState.NOT_RESPONDING:
             return self.tr("The board has stopped responding: its power or its cable was cut.")
-        if device.link is not ConnectionState.CONNECTED or state is None:
+        if not device.is_connected or state is None:
             return self.tr("The connection to the board was lost.")
         if not state.mode.is_serial or state.source is not self._source:
             text = self.tr("The board was started in another mode.")

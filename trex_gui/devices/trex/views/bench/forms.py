@@ -13,7 +13,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import motor_name
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 
@@ -226,8 +225,7 @@ class TuningForm(QGroupBox):
         self.setTitle(self.tr("Settings of motor {0}").format(self._bench.plan.motor))
         self._empty.setVisible(not keys)
         self._show_values()
-        is_up = device.link is ConnectionState.CONNECTED
-        can_edit = is_up and not device.applying and not self._bench.is_driving
+        can_edit = device.is_writable and not self._bench.is_driving
         for _, editor in self._fields.values():
             editor.setEnabled(can_edit)
         self.apply.setEnabled(can_edit and device.draft.pending > 0)

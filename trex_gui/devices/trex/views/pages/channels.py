@@ -8,7 +8,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 
@@ -82,7 +81,7 @@ class ChannelsPage(QWidget):
     @Slot()
     def _on_device_changed(self) -> None:
         state = self._device.state
-        is_connected = state is not None and self._device.link is ConnectionState.CONNECTED
+        is_connected = state is not None and self._device.is_connected
         if state is None:
             self._summary.setText(self.tr("Connect to a board to see its inputs."))
         else:

@@ -17,7 +17,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 
@@ -103,7 +102,7 @@ class StatusPage(QWidget):
     @Slot()
     def _on_device_changed(self) -> None:
         state, settings = self._device.state, self._device.settings
-        is_connected = self._device.link is ConnectionState.CONNECTED
+        is_connected = self._device.is_connected
         for label in self._values.values():
             label.setText(self.tr("N/A"))
             label.setEnabled(is_connected)
@@ -145,7 +144,7 @@ class StatusPage(QWidget):
     @Slot()
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
-        if self._device.link is not ConnectionState.CONNECTED:
+        if not self._device.is_connected:
             return
         counters = self._device.connection.counters
         self._values["control"].setText(self._device.control_text)

@@ -9,7 +9,6 @@ from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import factory_settings, serial_defaults
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.builders import button, column, label, row
 
 
@@ -127,7 +126,7 @@ class DefaultsDialog(QDialog):
     @Slot()
     def _describe(self) -> None:
         ticked = self._rows.table.ticked
-        can_write = self._device.link is ConnectionState.CONNECTED and not self._device.applying
+        can_write = self._device.is_writable
         self._take.setText(self.tr("Review %n change(s)…", "", len(ticked)))
         self._take.setEnabled(can_write and bool(ticked))
         self._reset.setEnabled(can_write)

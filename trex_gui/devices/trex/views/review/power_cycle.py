@@ -5,7 +5,6 @@ from PySide6.QtWidgets import QDialog, QFrame, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.builders import button, column, grid, label, named, row, set_bold
 from trex_gui.ui.widgets.labels import Note, Sign
 
@@ -138,7 +137,7 @@ class PowerCycleDialog(QDialog):
 
     def guide(self) -> None:
         """Begin a power cycle and show its steps, if a board is connected."""
-        if self._device.link is ConnectionState.CONNECTED:  # not while the window closes
+        if self._device.is_connected:  # not while the window closes
             self._cycle.begin()
             self.show()
             self.activateWindow()

@@ -95,12 +95,7 @@ class ReviewDialog(QDialog):
     @property
     def _can_write(self) -> bool:
         """Whether the board accepts settings now and will keep them."""
-        device = self._device
-        return (
-            device.link is ConnectionState.CONNECTED
-            and not device.applying
-            and not device.draft.reset_pending
-        )
+        return self._device.is_writable and not self._device.draft.reset_pending
 
     # --- User actions -------------------------------------------------------------------
 
@@ -226,7 +221,7 @@ class ReviewDialog(QDialog):
                 return self.tr("%n setting(s) written and verified.", "", count), False
         if count == 0:
             return self.tr("There is nothing to write: no setting was changed."), False
-        if self._device.link is not ConnectionState.CONNECTED:
+        if not self._device.is_connected:
             return self.tr("No board is responding. The edits are kept."), False
         if self._device.draft.reset_pending:
             return self.tr(

@@ -15,7 +15,6 @@ from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel, line_of_key
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Note
 
@@ -180,8 +179,8 @@ class LoadDialog(QDialog):
     def _update_take(self) -> None:
         count = len(self._view.table.ticked)
         self._take.setText(self.tr("&Load %n change(s)", "", count))
-        can_stage = self._device.link is ConnectionState.CONNECTED and not self._device.applying
-        self._take.setEnabled(can_stage and count > 0 and not self._view.isHidden())
+        offered = count > 0 and not self._view.isHidden()
+        self._take.setEnabled(offered and self._device.is_writable)
 
 
 class CompareDialog(QDialog):

@@ -20,7 +20,6 @@ from trex_gui.devices.trex.views.settings_editor.compare_dialogs import CompareD
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
@@ -271,9 +270,7 @@ class SettingsEditor(QMainWindow):
     @Slot()
     def _update_actions(self) -> None:
         readable = self.document.readable
-        connected = (
-            self._device.link is ConnectionState.CONNECTED and self._device.state is not None
-        )
+        connected = self._device.is_connected and self._device.state is not None
         undo, text = self.document.draft.undo, self._text.editor.document()
         for key, enabled in {
             "print": readable,

@@ -9,7 +9,6 @@ from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import button, column, label, named, row
@@ -209,7 +208,6 @@ class OtherSource(QWidget):
             self._cycle.hide()
             return
         name, wire = channel_text.SOURCE_NAMES[source], int(source is InputSource.ANALOG)
-        is_connected = self._device.link is ConnectionState.CONNECTED
         is_serial = state.mode.is_serial
         is_edited = parameters.value_of(_KEY) == wire
         is_stored = parameters.stored_of(_KEY) == wire
@@ -224,9 +222,9 @@ class OtherSource(QWidget):
         self._text.setText(f"{text} {values}")
         self._switch.setText(self.tr("Read {0} after the next power cycle").format(name))
         self._switch.setVisible(is_serial and not is_edited)
-        self._switch.setEnabled(is_connected and parameters.can_edit(_KEY))
+        self._switch.setEnabled(self._device.is_connected and parameters.can_edit(_KEY))
         self._cycle.setVisible(is_serial and is_edited and is_stored)
-        self._cycle.setEnabled(is_connected)
+        self._cycle.setEnabled(self._device.is_connected)
 
     @Slot()
     def _on_switch_clicked(self) -> None:

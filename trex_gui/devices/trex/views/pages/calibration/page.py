@@ -23,7 +23,6 @@ from trex_gui.devices.trex.views.pages.calibration.heading import (
     CurveLegend,
     OtherSource,
 )
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import only_when_visible
@@ -148,8 +147,7 @@ class CalibrationPage(QWidget):
 
     @property
     def _editable(self) -> bool:
-        is_connected = self._device.link is ConnectionState.CONNECTED
-        return is_connected and self._is_active and not self._device.applying
+        return self._device.is_writable and self._is_active
 
     def _calibration(self) -> Calibration | None:
         calibrations = self._device.calibrations
@@ -162,7 +160,7 @@ class CalibrationPage(QWidget):
         state = self._device.state
         if state is not None and state.source is not self._followed:
             self.source = self._followed = state.source
-        if self._device.link is not ConnectionState.CONNECTED:
+        if not self._device.is_connected:
             self._mix.forget()
         known = self._device.calibrations.stored(1) is not None
         self._empty.setVisible(not known)
@@ -209,7 +207,7 @@ class CalibrationPage(QWidget):
         )
 
     def _show_actions(self) -> None:
-        is_connected, reason = self._device.link is ConnectionState.CONNECTED, ""
+        is_connected, reason = self._device.is_connected, ""
         if not self._is_active:
             read = channel_text.SOURCE_NAMES[self._device.calibrations.source]
             shown = channel_text.SOURCE_NAMES[self.source]
@@ -251,7 +249,7 @@ class CalibrationPage(QWidget):
         if failure := self._failure(self.channel):
             return failure
         calibration = self._calibration()
-        if calibration is None or self._device.link is not ConnectionState.CONNECTED:
+        if calibration is None or not self._device.is_connected:
             return ""
         return channel_text.concern(calibration, self.source)
 
@@ -259,7 +257,7 @@ class CalibrationPage(QWidget):
         state = self._device.state
         if not self._is_active:
             return ""
-        if self._device.link is not ConnectionState.CONNECTED:
+        if not self._device.is_connected:
             return self.tr(
                 "No board responds. Edits are kept until a board of the same kind is connected."
             )

@@ -20,7 +20,6 @@ from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
 from trex_gui.devices.trex.views.pages.motors.options import Options
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
@@ -227,8 +226,7 @@ class MotorsPage(QWidget):
 
     def _channels_drive(self) -> bool:
         state = self._device.state
-        is_connected = self._device.link is ConnectionState.CONNECTED
-        if state is None or not is_connected or state.mode.is_serial:
+        if state is None or not self._device.is_connected or state.mode.is_serial:
             return False
         return not self._device.telemetry.serial_controls
 

@@ -8,7 +8,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.builders import button, column, label, row
 
 
@@ -67,7 +66,7 @@ class ParametersPage(QWidget):
 
     @Slot()
     def _on_changed(self) -> None:
-        connected = self._device.link is ConnectionState.CONNECTED
+        connected = self._device.is_connected
         waiting = bool(self._model.waiting_for_power) or self._device.draft.reset_pending
         self._reload.setEnabled(connected)
         self._activate.setVisible(connected and waiting)
