@@ -7,8 +7,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.bench.dialog import BenchDialog
-from trex_gui.devices.trex.views.bench.hold_button import HoldButton
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog, HoldButton
 from trex_gui.devices.trex.views.bench.plot import BenchPlot
 from trex_gui.devices.trex.views.bench.results import FiguresTable
 

@@ -9,11 +9,17 @@ from trex_gui.ui.theme.theme import follow_theme, set_text_color, theme
 
 
 class Note(QLabel):
-    """Wrapped text that keeps the room of `lines` lines, so that nothing jumps below it."""
+    """Wrapped text that keeps the room of `lines` lines, so that nothing jumps below it.
+
+    With 0 lines it is hidden while it has no text.
+    """
 
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._alarming = False
+        self._hides = lines == 0
+        if self._hides:
+            self.hide()
         self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
@@ -24,6 +30,8 @@ class Note(QLabel):
         """Show a text; an alarming one is bold and in the warning colour."""
         if self.text() != text:
             self.setText(text)
+        if self._hides:
+            self.setVisible(bool(text))
         if alarming != self._alarming:
             self._alarming = alarming
             font = self.font()

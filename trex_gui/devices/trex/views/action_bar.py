@@ -88,8 +88,6 @@ class StopButton(RedButton):
 
 
 class RunButton(QPushButton):
-    """Arms the motors."""
-
     def __init__(self, device: Device, name: str, tip: str, parent: QWidget) -> None:
         super().__init__(self.tr("Run motor"), parent)
         self._motors = device.motors

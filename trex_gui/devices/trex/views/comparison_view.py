@@ -1,6 +1,6 @@
 """Settings side by side: what would change, what matches, and which changes to make."""
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize, Qt, Signal, Slot
+from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtGui import QFontMetrics, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -14,12 +14,11 @@ from trex_gui.devices.trex.model.settings.comparison_table import (
     ComparisonColumn,
     ComparisonRole,
     ComparisonTable,
+    Index,
 )
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets.builders import button, check_box, column, flat_table, label, row
-
-Index = QModelIndex | QPersistentModelIndex
 
 _ROW_MARGIN = 8
 
@@ -120,11 +119,16 @@ class ComparisonView(QWidget):
         *,
         with_ticks: bool = True,
         summary: str = "",
+        keep_ticks: bool = False,
     ) -> None:
         """Show a comparison with every change ticked; `summary` replaces the counts.
 
         `before` and `after` head the two sides; `with_ticks`: the user chooses among the changes.
+        With `keep_ticks` a comparison that is shown is only renewed.
         """
+        if keep_ticks and self._has_comparison:
+            self.renew(comparison, summary)
+            return
         self.table.show_comparison(comparison, before, after, with_ticks=with_ticks)
         self._all.setVisible(with_ticks)
         self._none.setVisible(with_ticks)
@@ -143,21 +147,6 @@ class ComparisonView(QWidget):
         for part in (self._all, self._none, self._equal):
             part.hide()
         self._summary.clear()
-
-    def update_comparison(
-        self,
-        comparison: Comparison,
-        before: str,
-        after: str,
-        *,
-        with_ticks: bool = True,
-        summary: str = "",
-    ) -> None:
-        """Show a comparison, or renew it if one is shown."""
-        if self._has_comparison:
-            self.renew(comparison, summary)
-        else:
-            self.show_comparison(comparison, before, after, with_ticks=with_ticks, summary=summary)
 
     def renew(self, comparison: Comparison, summary: str = "", *, tick_new: bool = True) -> None:
         """Update both sides; cleared check boxes stay cleared, new changes get `tick_new`."""

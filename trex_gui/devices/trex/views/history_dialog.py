@@ -7,7 +7,6 @@ from PySide6.QtCore import (
     QEvent,
     QItemSelectionModel,
     QModelIndex,
-    QPersistentModelIndex,
     Qt,
     QUrl,
     Signal,
@@ -28,6 +27,7 @@ from PySide6.QtWidgets import (
 from trex_gui.core.files import SettingsError, load, save
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import (
+    Index,
     SnapshotColumn,
     SnapshotFilter,
     SnapshotRole,
@@ -139,7 +139,6 @@ class HistoryDialog(QDialog):
         device.request_failed.connect(self._on_written)
 
     def open_history(self) -> None:
-        """Show the window, or bring it forward."""
         self.refresh()
         self.show()
         self.activateWindow()
@@ -247,9 +246,7 @@ class HistoryDialog(QDialog):
 class _Delegate(QStyledItemDelegate):
     """Marks damaged snapshots."""
 
-    def initStyleOption(
-        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
-    ) -> None:
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
         if index.column() == SnapshotColumn.BOARD and index.data(SnapshotRole.PROBLEM):
             option.icon = icon("warning", "warning")
@@ -304,7 +301,6 @@ class _SnapshotList(QWidget):
         return tuple(self._table.snapshots[row] for row in rows)
 
     def choose(self, path: Path) -> None:
-        """Select only this snapshot."""
         row = self._table.row_of(path)
         if row is not None:
             self._choose_row(self._rows.mapFromSource(self._table.index(row, 0)))

@@ -203,7 +203,6 @@ class SettingsFiles(QObject):
         return all(editor.may_close() for editor in list(self.editors))
 
     def close_all(self) -> None:
-        """Close every window without a question."""
         for editor in list(self.editors):
             editor.close_at_once()
 
@@ -279,7 +278,6 @@ class SettingsFiles(QObject):
         return text, kept.format(names) if hidden else ""
 
     def preview(self) -> QDialog | None:
-        """Show the settings shown as they would be printed."""
         settings, state = self._device.draft.shown, self._device.state
         if settings is None or state is None:
             return None

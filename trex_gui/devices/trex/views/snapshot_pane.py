@@ -340,7 +340,6 @@ class _PresentChoice(QWidget):
         return ""
 
     def clear(self) -> None:
-        """Offer nothing."""
         self._offered = None
         self._box.clear()
         self._box.setEnabled(False)

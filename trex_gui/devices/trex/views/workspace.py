@@ -2,15 +2,21 @@
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QSettings, Slot
+from PySide6.QtCore import QObject, QSettings, Signal, Slot
 from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import sentence
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.controller import TrexController
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.playback import Playback
+from trex_gui.devices.trex.model.recorder import Recorder
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
@@ -24,16 +30,47 @@ from trex_gui.devices.trex.views.pages.currents import CurrentsPage
 from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
 from trex_gui.devices.trex.views.pages.status import StatusPage
-from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
+from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import PromptAnswer
+
+if TYPE_CHECKING:
+    from trex_gui.devices.trex.views.playback import PlaybackWindow
+
+
+class Recordings(RecordingManager["PlaybackWindow"]):
+    """Records a board and owns the windows of its recordings.
+
+    Signals:
+        settings_wanted: a `SettingsDocument` to open in the settings editor.
+    """
+
+    settings_wanted = Signal(object)
+
+    def __init__(self, device: Device, window: QWidget) -> None:
+        texts = RecordingTexts(
+            stem="trex",
+            unavailable=window.tr("Nothing can be recorded: no board is connected."),
+            open_command=window.tr("File, Open recording"),
+        )
+        super().__init__(Recorder(device), texts, device.notifier, window, store="recording")
+        self._device = device
+
+    def open_window(self, path: Path) -> "PlaybackWindow":
+        playback = Playback.open(path)
+        # The plotting library takes as long to load as all of Qt: not before it is needed.
+        from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
+
+        window = PlaybackWindow(playback, self._device)
+        window.settings_wanted.connect(self.settings_wanted)
+        return window
 
 
 class TrexWorkspace(Workspace):

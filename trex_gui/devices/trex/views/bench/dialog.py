@@ -3,21 +3,19 @@
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtGui import QCloseEvent, QPixmap, QShowEvent
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QPixmap, QShowEvent
+from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from trex_gui.devices.trex.bench.figures import BAND
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.devices.trex.views.action_bar import RunButton, StopButton
 from trex_gui.devices.trex.views.bench.forms import PlanForm, TuningForm
-from trex_gui.devices.trex.views.bench.hold_button import HoldButton
 from trex_gui.devices.trex.views.bench.results import BenchFiles, FiguresTable
 from trex_gui.devices.trex.views.pages.currents import current_limit
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
@@ -29,6 +27,78 @@ if TYPE_CHECKING:
 
 _FRAME_MS = 33
 _PREVIOUS, _NOTHING = -1, -2  # choices of what to compare with, beside the runs
+
+_LOSSES = {
+    QEvent.Type.FocusOut,
+    QEvent.Type.Hide,
+    QEvent.Type.WindowDeactivate,
+    QEvent.Type.UngrabMouse,
+    QEvent.Type.TouchCancel,
+}
+"""Events after which it is not certain that the user holds the button."""
+
+
+class HoldButton(QPushButton):
+    """Held with the mouse, a finger or the space bar.
+
+    Every loss of input releases it: another window or widget takes the focus, the mouse leaves
+    it, it is hidden or disabled. Then it has to be pressed again: a mouse that comes back with
+    its button down does not count.
+
+    Signals:
+        hold_started, hold_ended: the user presses it, or no longer holds it.
+    """
+
+    hold_started = Signal()
+    hold_ended = Signal()
+
+    is_held = False
+
+    def __init__(self, text: str, parent: QWidget | None = None) -> None:
+        super().__init__(text, parent)
+        self.setAutoDefault(False)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def _begin(self) -> None:
+        if not self.is_held and self.isEnabled():
+            self.is_held = True
+            self.hold_started.emit()
+
+    def _end(self) -> None:
+        if self.is_held:
+            self.is_held = False
+            self.setDown(False)
+            self.hold_ended.emit()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        super().mousePressEvent(event)
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._begin()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self.is_held:  # else Qt would press it again when the mouse comes back
+            if not self.rect().contains(event.position().toPoint()):
+                self._end()
+            event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._end()
+        super().mouseReleaseEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        super().keyPressEvent(event)
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._begin()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._end()
+        super().keyReleaseEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() in _LOSSES or not self.isEnabled():
+            self._end()
+        return super().event(event)
 
 
 class BenchDialog(QDialog):
@@ -81,16 +151,10 @@ class BenchDialog(QDialog):
         self._figures = FiguresTable(self)
         tuning = TuningForm(device, bench, self)
         button = partial(ui.button, self, default=False)
-        self._run = button(
-            "benchRunButton",
-            self.tr("Run motor"),
-            tip=self.tr("Let tests move the motors"),
-            on_click=device.motors.arm,
-        )
-        set_icon(self._run, "run", "run_text")
-        for run_button in (self._hold, self._run):
-            ui.set_bold(run_button)
-            tint(run_button, "run")
+        run = RunButton(device, "benchRunButton", self.tr("Let tests move the motors"), self)
+        run.setAutoDefault(False)
+        ui.set_bold(self._hold)
+        tint(self._hold, "run")
         self._save = button(
             "benchSaveButton",
             self.tr("Sa&ve…"),
@@ -121,7 +185,7 @@ class BenchDialog(QDialog):
         middle.addWidget(self._hold, 1, 0)
         middle.addLayout(self._right, 0, 1, 2, 1)
         stop = StopButton(device, "benchStopButton", self)
-        buttons = ui.row(stop, self._run, 1, self._open, self._save, close)
+        buttons = ui.row(stop, run, 1, self._open, self._save, close)
         ui.column(self._note, (middle, 1), buttons, into=self)
 
         self._hold.hold_started.connect(bench.start)
@@ -137,7 +201,6 @@ class BenchDialog(QDialog):
         self._on_changed()
 
     def open_bench(self) -> None:
-        """Show it, or bring it forward."""
         self.show()
         self.activateWindow()
 
@@ -167,7 +230,6 @@ class BenchDialog(QDialog):
     @Slot()
     def _on_changed(self) -> None:
         idle = self.bench.phase is Phase.IDLE
-        self._run.setEnabled(self._device.motors.can_arm)
         self._save.setEnabled(idle and bool(self.bench.runs))
         self._open.setEnabled(idle)
         self._compare.setEnabled(idle)

@@ -215,7 +215,6 @@ class TuningForm(QGroupBox):
 
     @Slot()
     def _on_changed(self) -> None:
-        """Show the parameters of the planned motor."""
         device = self._device
         keys = tuple(key for key in self._bench.tuned_keys() if device.parameters.can_edit(key))
         shown = device.parameters.model_key, keys

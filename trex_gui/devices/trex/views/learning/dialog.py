@@ -257,7 +257,6 @@ class LearnDialog(QDialog):
     # --- Texts and buttons --------------------------------------------------------------
 
     def _describe(self) -> None:
-        """Update every text and button."""
         learning, step = self._learning, self._learning.step
         testing = learning.is_test or self._offers_test
         steps = [self.tr("Stop the motors")]

@@ -206,7 +206,6 @@ class EndSign(QWidget):
         self.show_state(EndState.OPEN)
 
     def show_state(self, state: EndState) -> None:
-        """Show the state, also to screen readers."""
         self._sign.show_sign(*state.value)
         self._label.setVisible(state is not EndState.NEEDLESS)
         texts = {

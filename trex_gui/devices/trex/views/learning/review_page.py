@@ -67,7 +67,7 @@ class ChannelForm(QWidget):
             self.tr("was reversed") if channel.reversed_now else self.tr("was not reversed"), self
         )
         self._turned = ui.named(Note(0, self), f"learnReversal{number}")
-        self._problem = ui.named(Note(1, self), f"learnProblem{number}")
+        self._problem = ui.named(Note(0, self), f"learnProblem{number}")
         self._rest = ui.button(self, f"learnUseRest{number}", on_click=self._on_rest_clicked)
         self._reasons = ui.named(Muted("", self), f"learnReasons{number}")
 
@@ -107,7 +107,6 @@ class ChannelForm(QWidget):
     @Slot(str)
     def _on_rejected(self, reason: str) -> None:
         self._problem.show_note(reason, alarming=True)
-        self._problem.setVisible(True)
 
     def refresh(self) -> None:
         channel, choice = self.channel, self.channel.choice
@@ -117,10 +116,11 @@ class ChannelForm(QWidget):
         problems = problems_text(channel.result_problems)
         if choice is None:
             reason = problems or self.tr("The channel was left out.")
-            self._show(self._problem, self.tr("Nothing was learned. {0}").format(reason))
+            text = self.tr("Nothing was learned. {0}").format(reason)
+            self._problem.show_note(text, alarming=True)
             self._rest.setVisible(False)
             return
-        self._show(self._problem, problems)
+        self._problem.show_note(problems, alarming=True)
         self._include.setChecked(choice.included)
         self._reversed.setChecked(choice.reversed_)
         for box in (*self._editors.values(), self._reversed):
@@ -132,15 +132,11 @@ class ChannelForm(QWidget):
         self._rest.setText(text.format(channel.source.text(rest or 0)))
         reasons = list(channel.remarks)
         if channel.proposal is not None:
-            self._show(self._turned, channel.proposal.reversed_reason)
+            self._turned.show_note(channel.proposal.reversed_reason, alarming=True)
             reasons += channel.proposal.reasons
         if self._learning.pending.has_edit(channel.number):
             reasons.insert(0, self.tr("This replaces a pending edit of the channel."))
         self._reasons.setText(" ".join(reasons))
-
-    def _show(self, note: Note, text: str) -> None:
-        note.show_note(text, alarming=bool(text))
-        note.setVisible(bool(text))
 
     def _show_values(self, calibration: Calibration) -> None:
         before = self.channel.curve_before
@@ -279,8 +275,7 @@ class ReviewPage(QWidget):
         self._common.setVisible(any(form.channel.choice is not None for form in self._forms))
         count = self._learning.other_edits
         text = self.tr("%n earlier pending edit(s) will be written, too.", "", count)
-        self._earlier.show_note(text, alarming=True)
-        self._earlier.setVisible(count > 0)
+        self._earlier.show_note(text if count else "", alarming=True)
         self._show_signs()
 
     @Slot()

@@ -21,9 +21,7 @@ class ChannelsPage(QWidget):
         self._device = device
         self._source = InputSource.RC
 
-        self._inputs: dict[int, QLabel] = {}
-        self._bars: dict[int, ChannelBar] = {}
-        self._outputs: dict[int, OutputBar] = {}
+        self._rows: dict[int, tuple[QLabel, ChannelBar, OutputBar]] = {}
         self._summary = ui.label(self, "channelsSummary", wrap=True)
         legend = ui.label(
             self,
@@ -74,9 +72,7 @@ class ChannelsPage(QWidget):
         )
         for column, widget in enumerate((name, value, bar, output)):
             self._grid.addWidget(widget, channel, column)
-        self._inputs[channel] = value
-        self._bars[channel] = bar
-        self._outputs[channel] = output
+        self._rows[channel] = value, bar, output
 
     @Slot()
     def _on_device_changed(self) -> None:
@@ -91,11 +87,10 @@ class ChannelsPage(QWidget):
             else:
                 text = self.tr("The inputs are read as voltages (V; 4.89 mV a count).")
             self._summary.setText(text)
-        for channel in CHANNELS:
-            bar = self._bars[channel]
-            for widget in (bar, self._outputs[channel]):
-                widget.set_connected(is_connected)
-            self._inputs[channel].setEnabled(is_connected)
+        for channel, (label, bar, output) in self._rows.items():
+            label.setEnabled(is_connected)
+            bar.set_connected(is_connected)
+            output.set_connected(is_connected)
             if state is not None:
                 bar.set_source(state.source)
                 bar.set_calibration(self._device.calibrations.stored(channel))
@@ -105,21 +100,18 @@ class ChannelsPage(QWidget):
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
         telemetry = self._device.telemetry
-        for channel in CHANNELS:
-            label = self._inputs[channel]
+        for channel, (label, bar, output) in self._rows.items():
             if telemetry.raw is None:
                 label.setText(self.tr("N/A"))
                 continue
             raw = telemetry.raw_of(channel)
-            self._bars[channel].set_raw(raw)
+            bar.set_raw(raw)
             if raw is None:
                 label.setText(self.tr("no signal"))
             else:
                 label.setText(f"{self._source.text(raw)} ({raw})")
             # Without a signal the board reports 0, which is no measurement.
-            self._outputs[channel].set_value(
-                None if raw is None else telemetry.remapped_of(channel)
-            )
+            output.set_value(None if raw is None else telemetry.remapped_of(channel))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -192,7 +192,6 @@ class ReviewDialog(QDialog):
 
     @Slot()
     def _describe(self) -> None:
-        """Update texts and buttons to the phase."""
         count = len(self._rows.table.ticked)
         reviewing, done = self._phase is _Phase.REVIEW, self._phase is _Phase.DONE
         self._progress.setVisible(self._phase is _Phase.WRITING)

@@ -241,7 +241,6 @@ class CalibrationEditor(QWidget):
 
     @Slot(str)
     def show_problem(self, text: str) -> None:
-        """Show why an edit was rejected."""
         self._note.show_note(text, alarming=True)
 
     def _selected(self) -> tuple[CalibrationKey, ...]:

@@ -49,7 +49,7 @@ class LoadDialog(QDialog):
         self._settings, self._read_findings = document.settings, document.findings
 
         self._head = label(self, "loadHead", wrap=True, plain=True)
-        self._trouble = named(Note(1, self), "loadTrouble")
+        self._trouble = named(Note(0, self), "loadTrouble")
         self._findings = named(FindingsPanel(self, with_lines=False), "loadFindings")
         self._view = ComparisonView(self)
         self._foot = label(self, "loadFoot", wrap=True)
@@ -92,7 +92,7 @@ class LoadDialog(QDialog):
         try:
             self._device.draft.stage(rows, self.tr("Load {0}").format(self._name))
         except BadRequest as error:
-            _show_trouble(self._trouble, sentence(error))
+            self._trouble.show_note(sentence(error), alarming=True)
             return
         text = self.tr("{0}: %n change(s) pending; Apply settings writes them.", "", len(rows))
         self.staged.emit(text.format(self._name))
@@ -132,7 +132,7 @@ class LoadDialog(QDialog):
         self._show_findings(mismatch)
         self._view.setVisible(comparison is not None)
         self._foot.setVisible(comparison is not None)
-        _show_trouble(self._trouble, trouble)
+        self._trouble.show_note(trouble, alarming=True)
         self._head.setText(self._head_text())
         self._update_take()
 
@@ -147,7 +147,8 @@ class LoadDialog(QDialog):
             text += "\n" + self.tr("Not in the file, so they stay as they are: {0}.").format(names)
         self._foot.setText(text)
         given = replace(comparison, rows=tuple(r for r in comparison.rows if not r.is_missing))
-        self._view.update_comparison(given, self.tr("Board, as shown"), self.tr("File"))
+        now, then = self.tr("Board, as shown"), self.tr("File")
+        self._view.show_comparison(given, now, then, keep_ticks=True)
 
     def _show_findings(self, mismatch: str) -> None:
         found, summary = self._read_findings, ""
@@ -212,7 +213,7 @@ class CompareDialog(QDialog):
         self._other_name = other_name
         self._settings: Settings | None = None
 
-        self._trouble = named(Note(1, self), "compareTrouble")
+        self._trouble = named(Note(0, self), "compareTrouble")
         self._view = ComparisonView(self)
         self._take = button(self, "takeValuesButton", icon="edited", on_click=self._on_take_clicked)
         close = button(
@@ -239,17 +240,16 @@ class CompareDialog(QDialog):
         except BadRequest as error:
             trouble = sentence(error)
             comparison = compare(mine, theirs)
-        differing = len(comparison.differing)
-        self._view.update_comparison(
+        text = self.tr("%n setting(s) differ, {0} match.", "", len(comparison.differing))
+        self._view.show_comparison(
             comparison,
             self._document.name,
             self._other_name,
             with_ticks=not trouble,
-            summary=self.tr("%n setting(s) differ, {0} match.", "", differing).format(
-                comparison.equal
-            ),
+            summary=text.format(comparison.equal),
+            keep_ticks=True,
         )
-        _show_trouble(self._trouble, trouble)
+        self._trouble.show_note(trouble, alarming=True)
         self._take.setVisible(not trouble)
         self._update_take()
 
@@ -267,12 +267,7 @@ class CompareDialog(QDialog):
         try:
             self._document.draft.stage(rows, text)
         except BadRequest as error:
-            _show_trouble(self._trouble, sentence(error))
+            self._trouble.show_note(sentence(error), alarming=True)
             return
         text = self.tr("%n value(s) taken from {0}.", "", len(rows))
         self.taken.emit(text.format(self._other_name))
-
-
-def _show_trouble(note: Note, text: str) -> None:
-    note.show_note(text, alarming=True)
-    note.setVisible(bool(text))

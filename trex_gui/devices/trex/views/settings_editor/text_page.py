@@ -190,7 +190,6 @@ class NumberedText(QPlainTextEdit):
         self._numbers.update()
 
     def show_line(self, line: int) -> None:
-        """Go to a line and highlight it."""
         block = self.document().findBlockByNumber(line - 1)
         if not block.isValid():
             return

@@ -183,7 +183,6 @@ class SettingsEditor(QMainWindow):
         return PrintedSettings(settings, self.document.name, remarks)
 
     def preview(self) -> QDialog | None:
-        """Show the pages as they would be printed."""
         printed = self._printed()
         return None if printed is None else printed.preview(self, self._banner.show_problem)
 
@@ -321,7 +320,7 @@ class SettingsEditor(QMainWindow):
         super().closeEvent(event)
 
     def close_at_once(self) -> None:
-        """Close without a question; unsaved changes are lost."""
+        """Close without a question."""
         self._on_closing()
         self.hide()
         self.deleteLater()

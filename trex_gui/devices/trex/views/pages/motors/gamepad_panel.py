@@ -46,7 +46,7 @@ class GamepadPanel(QGroupBox):
             accessible=self.tr("Set up the gamepad"),
             on_click=self._on_set_up_clicked,
         )
-        self._state = ui.named(Note(1, self), "gamepadState")
+        self._state = ui.named(Note(0, self), "gamepadState")
         self._state.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextSelectableByMouse
             | Qt.TextInteractionFlag.TextSelectableByKeyboard
@@ -120,7 +120,6 @@ class GamepadPanel(QGroupBox):
         self._set_up.setEnabled(gamepad.pad is not None)
         for widget in (self._pads, self._set_up, self._bars, self._unfocused):
             widget.setVisible(gamepad.on)
-        self._state.setVisible(bool(gamepad.text))
         self._state.show_note(gamepad.text, alarming=bool(gamepad.failure or gamepad.gone))
         self._state.setAccessibleName(gamepad.text)
         self._attend()

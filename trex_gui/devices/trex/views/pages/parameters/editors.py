@@ -177,7 +177,6 @@ class LineSettingsEditor(QWidget):
         self.valueChanged.emit(self.value())
 
     def settings(self) -> LineSettings:
-        """Return the line settings shown."""
         return LineSettings(
             int(self._baud.currentData()),
             Detection(self._detection.currentData()),

@@ -37,12 +37,10 @@ class ParameterFilter(QSortFilterProxyModel):
 
     @property
     def shown(self) -> int:
-        """How many parameters are shown."""
         return sum(self.rowCount(self.index(row, 0)) for row in range(self.rowCount()))
 
     @property
     def is_narrowed(self) -> bool:
-        """Whether any filter is active."""
         return bool(self._words or self._group or self._modified_only or self._not_default_only)
 
     def index_of(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> QModelIndex:
@@ -139,7 +137,6 @@ class ParameterFilters(QWidget):
         self._on_reset()
 
     def clear(self) -> None:
-        """Show every row again."""
         self._words.clear()
         self._group.setCurrentIndex(0)
         self._modified.setChecked(False)
