@@ -110,11 +110,7 @@ class RunButton(QPushButton):
 
 
 class ActionBar(QWidget):
-    """Stop motors in red, Run motor in green, the state of the motors, Apply settings.
-
-    Signals:
-        apply_requested: the user wants the edits written.
-    """
+    """Stop motors in red, Run motor in green, the state of the motors, Apply settings."""
 
     apply_requested = Signal()
 

@@ -42,11 +42,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class _Table(QTableView):
-    """Lets the space bar tick a row from any column.
-
-    Signals:
-        resized: the width or height has changed.
-    """
+    """Lets the space bar tick a row from any column."""
 
     resized = Signal()
 

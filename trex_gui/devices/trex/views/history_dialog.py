@@ -256,9 +256,6 @@ class _Delegate(QStyledItemDelegate):
 class _SnapshotList(QWidget):
     """A search field above the snapshots, of which one or several can be chosen.
 
-    Signals:
-        chosen_changed: the selection.
-
     Attributes:
         delete_key: pressed in the list.
     """

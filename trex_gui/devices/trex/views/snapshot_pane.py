@@ -267,9 +267,6 @@ class _PresentChoice(QWidget):
     """`Compare with:` and a list; the user's choice stays for other snapshots.
 
     By default it is the board, or without one the next snapshot.
-
-    Signals:
-        chosen: the user chose something.
     """
 
     chosen = Signal()

@@ -74,12 +74,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
 
 
 class TrexWorkspace(Workspace):
-    """Everything of the window that is about a TReX; it holds no state of the device.
-
-    Attributes:
-        files: opens and saves settings files.
-        recordings: records, and owns the windows of recordings.
-    """
+    """Everything of the window that is about a TReX; it holds no state of the device."""
 
     def __init__(self, controller: TrexController, frame: MainWindow) -> None:
         device = controller.device

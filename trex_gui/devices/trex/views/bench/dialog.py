@@ -44,9 +44,6 @@ class HoldButton(QPushButton):
     Every loss of input releases it: another window or widget takes the focus, the mouse leaves
     it, it is hidden or disabled. Then it has to be pressed again: a mouse that comes back with
     its button down does not count.
-
-    Signals:
-        hold_started, hold_ended: the user presses it, or no longer holds it.
     """
 
     hold_started = Signal()
@@ -105,9 +102,6 @@ class BenchDialog(QDialog):
     """Not modal; Esc stops the motors here as everywhere.
 
     Closing it while a test runs stops and disarms all motors.
-
-    Signals:
-        apply_requested: write the edits.
     """
 
     apply_requested = Signal()

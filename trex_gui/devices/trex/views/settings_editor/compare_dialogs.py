@@ -29,7 +29,6 @@ class LoadDialog(QDialog):
 
     Signals:
         staged: changes became edits; a message.
-        edit_wanted: the user wants to edit the file.
         ended: why the dialog closed by itself.
     """
 

@@ -35,10 +35,7 @@ class SettingsEditor(QMainWindow):
 
     Signals:
         send_requested: the user wants to load the settings into the board.
-        new_requested: the user wants a new file.
-        open_requested: the user wants to open another file.
         saved: the `Path` of the file.
-        closed: the window is closed.
     """
 
     send_requested = Signal()

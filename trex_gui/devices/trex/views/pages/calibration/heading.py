@@ -169,11 +169,7 @@ class ChannelHeading(QWidget):
 
 
 class OtherSource(QWidget):
-    """Explains how to make the board read the other input source, and edits the setting.
-
-    Signals:
-        power_cycle_requested: the edit is stored; guide the user through a power cycle.
-    """
+    """Explains how to make the board read the other input source, and edits the setting."""
 
     power_cycle_requested = Signal()
 

@@ -49,11 +49,9 @@ class CalibrationPage(QWidget):
 
     Signals:
         learn_requested: the channels, 1 to 5, to learn from the user's movements.
-        power_cycle_requested: guide the user through a power cycle.
 
     Attributes:
         source: the input source whose calibrations are shown.
-        files: loads and saves calibrations.
     """
 
     learn_requested = Signal(object)

@@ -198,11 +198,9 @@ class DriveControl(QWidget):
 
     Signals:
         speed_wanted: a speed of 0 or -127 to 127 that the user chose.
-        brake_wanted: the brake button was pressed.
 
     Attributes:
         slider: its signals report whether the user holds it.
-        brake: its button.
         reported: what the board reports of this motor.
     """
 

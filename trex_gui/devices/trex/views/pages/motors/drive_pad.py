@@ -21,7 +21,6 @@ class DrivePad(QWidget):
 
     Signals:
         steered: forward and turn, -1 to 1 each; forward and right are positive.
-        released: the hold has ended.
     """
 
     steered = Signal(float, float)

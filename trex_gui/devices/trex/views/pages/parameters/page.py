@@ -12,12 +12,7 @@ from trex_gui.ui.widgets.builders import button, column, label, row
 
 
 class ParametersPage(QWidget):
-    """The parameter table, below pending edits and the result of the last Apply.
-
-    Signals:
-        reload_requested: read everything from the board again.
-        power_cycle_requested: guide the user through a power cycle.
-    """
+    """The parameter table, below pending edits and the result of the last Apply."""
 
     reload_requested = Signal()
     power_cycle_requested = Signal()
