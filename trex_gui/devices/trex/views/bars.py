@@ -54,18 +54,14 @@ class ChannelBar(Bar):
 
     The fill runs from neutral to the value, so its side shows the direction; inside the
     deadband it is grey. The axis widens for values and calibrations that lie outside it.
-
-    Attributes:
-        marks: names and counts of the marks that are drawn.
-        axis: raw counts at the left and the right end.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         self._source = InputSource.RC
         self._calibration: Calibration | None = None
         self._raw: int | None = None
-        self.marks: dict[str, int] = {}
-        self.axis = USUAL_AXIS[self._source]
+        self.marks: dict[str, int] = {}  # names and counts of the marks that are drawn
+        self.axis = USUAL_AXIS[self._source]  # raw counts at the left and the right end
         super().__init__("bar", "bar_negative", parent)
         self.setAccessibleName(self.tr("Channel input"))
         self._refresh()

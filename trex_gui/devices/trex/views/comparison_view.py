@@ -63,12 +63,9 @@ class ComparisonView(QWidget):
     """The table with its counts above it, and the settings that are left out below.
 
     No text is cut short: the user decides by it what is written.
-
-    Signals:
-        ticked_changed: the number of ticked changes.
     """
 
-    ticked_changed = Signal(int)
+    ticked_changed = Signal(int)  # the number of ticked changes
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -19,13 +19,9 @@ _COUNTS = {"count", "counts", "#"}
 
 
 class UnitSpinBox(QSpinBox):
-    """Base of spin boxes whose input `parse` converts.
+    """Base of spin boxes whose input `parse` converts."""
 
-    Signals:
-        rejected: why the input is not a value, for the user.
-    """
-
-    rejected = Signal(str)
+    rejected = Signal(str)  # why the input is not a value, for the user
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -84,15 +80,12 @@ class UnitDelegate(QStyledItemDelegate):
 
 
 class CountEditor(UnitSpinBox):
-    """A raw count, shown in µs or V; takes `2.1 ms`, `1500` or `3750 counts`.
-
-    Attributes:
-        stepping: whether the value is being changed by a key, the wheel or a button, not typed.
-    """
+    """A raw count, shown in µs or V; takes `2.1 ms`, `1500` or `3750 counts`."""
 
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._source = source
+        # Whether the value is being changed by a key, the wheel or a button, not typed
         self.stepping = False
         self.setRange(0, HIGHEST_CODED)
         self.setToolTip(self._expected())

@@ -54,12 +54,9 @@ class HistoryDialog(QDialog):
 
     It is not modal, has its own stop button, and writes nothing: restored values become pending
     edits.
-
-    Signals:
-        restore_requested: settings of a snapshot are edits now; they are to be reviewed.
     """
 
-    restore_requested = Signal()
+    restore_requested = Signal()  # settings of a snapshot are edits now; they are to be reviewed
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -254,11 +251,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class _SnapshotList(QWidget):
-    """A search field above the snapshots, of which one or several can be chosen.
-
-    Attributes:
-        delete_key: pressed in the list.
-    """
+    """A search field above the snapshots, of which one or several can be chosen."""
 
     chosen_changed = Signal()
 
@@ -338,16 +331,9 @@ class _SnapshotList(QWidget):
 
 
 class _BoundField(QWidget):
-    """`Keep the newest 500 snapshots`; the Set button makes it the bound.
+    """`Keep the newest 500 snapshots`; the Set button makes it the bound."""
 
-    Signals:
-        changed: the bound was set; snapshots may be gone.
-
-    Attributes:
-        problem: why the bound is not known, as a sentence; empty if it is.
-    """
-
-    changed = Signal()
+    changed = Signal()  # the bound was set; snapshots may be gone
 
     def __init__(
         self, history: SettingsHistory, question: InlinePrompt, notifier: Notifier, parent: QWidget
@@ -356,7 +342,7 @@ class _BoundField(QWidget):
         self._notifier = notifier
         self._history = history
         self._question = question
-        self.problem = ""
+        self.problem = ""  # why the bound is not known, as a sentence; empty if it is
         self._stored: int | None = KEPT
 
         self._which = ui.combo_box(

@@ -18,12 +18,9 @@ from trex_gui.ui.widgets.bar import NO_VALUE, with_sign
 
 
 class PlaybackWindow(RecordingWindow):
-    """One recording of a board.
+    """One recording of a board."""
 
-    Signals:
-        settings_wanted: a `SettingsDocument` of the settings at the position, to be opened.
-    """
-
+    # A `SettingsDocument` of the settings at the position, to be opened
     settings_wanted = Signal(object)
 
     def __init__(self, playback: Playback, device: Device, parent: QWidget | None = None) -> None:

@@ -28,16 +28,9 @@ from trex_gui.ui.widgets.builders import named
 
 
 class SettingsFiles(QObject):
-    """File dialogs, editors and messages for settings files.
+    """File dialogs, editors and messages for settings files."""
 
-    Signals:
-        staged: settings of a file are edits now.
-
-    Attributes:
-        editors: the open windows, each with one file.
-    """
-
-    staged = Signal()
+    staged = Signal()  # settings of a file are edits now
 
     def __init__(self, device: Device, window: QWidget) -> None:
         super().__init__(window)
@@ -45,7 +38,7 @@ class SettingsFiles(QObject):
         self._notifier = device.notifier
         self._window = window
         self._loading: LoadDialog | None = None
-        self.editors: list[SettingsEditor] = []
+        self.editors: list[SettingsEditor] = []  # the open windows, each with one file
 
     def ask_and_open(self) -> None:
         """Let the user choose a file and show what it would change of the board."""

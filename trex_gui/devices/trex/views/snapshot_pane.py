@@ -31,14 +31,10 @@ class SnapshotPane(QWidget):
     """One snapshot beside the present, or two beside each other, with a restore button.
 
     The left side is the present, the right side the snapshot.
-
-    Signals:
-        present_chosen: the user chose what to compare with.
-        restore_requested: settings of the snapshot are edits now; they are to be reviewed.
     """
 
-    present_chosen = Signal()
-    restore_requested = Signal()
+    present_chosen = Signal()  # the user chose what to compare with
+    restore_requested = Signal()  # settings of the snapshot are edits now; they are to be reviewed
 
     def __init__(
         self, device: Device, table: SnapshotTable, notifier: Notifier, parent: QWidget
@@ -250,17 +246,11 @@ class SnapshotPane(QWidget):
 
 @dataclass(frozen=True, slots=True)
 class _Present:
-    """The left side of a comparison.
+    """The left side of a comparison."""
 
-    Attributes:
-        key: the data of its item in the list; empty without anything to compare with.
-        title: the title of its column.
-        settings: `None` for the board with its edits.
-    """
-
-    key: str
-    title: str
-    settings: Settings | None = None
+    key: str  # the data of its item in the list; empty without anything to compare with
+    title: str  # the title of its column
+    settings: Settings | None = None  # `None` for the board with its edits
 
 
 class _PresentChoice(QWidget):

@@ -46,13 +46,9 @@ if TYPE_CHECKING:
 
 
 class Recordings(RecordingManager["PlaybackWindow"]):
-    """Records a board and owns the windows of its recordings.
+    """Records a board and owns the windows of its recordings."""
 
-    Signals:
-        settings_wanted: a `SettingsDocument` to open in the settings editor.
-    """
-
-    settings_wanted = Signal(object)
+    settings_wanted = Signal(object)  # a `SettingsDocument` to open in the settings editor
 
     def __init__(self, device: Device, window: QWidget) -> None:
         texts = RecordingTexts(

@@ -29,11 +29,7 @@ _MAX_CURRENT_LABELS = 4
 
 
 class BenchPlot(QWidget):
-    """A test, the one it is compared with, and the profile of the next one.
-
-    Attributes:
-        highest: A, at the top of the lower plot.
-    """
+    """A test, the one it is compared with, and the profile of the next one."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -43,7 +39,7 @@ class BenchPlot(QWidget):
         self._before: Run | None = None
         self._profile: Profile | None = None
         self._axes = (0.0, 0.0)
-        self.highest = _MIN_CURRENT
+        self.highest = _MIN_CURRENT  # A, at the top of the lower plot
 
         self._speeds = PlotCanvas(self.tr("Speed setpoint, against time"), self)
         self._currents = PlotCanvas(self.tr("Current drawn, against time"), self)

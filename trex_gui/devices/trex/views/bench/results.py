@@ -111,13 +111,9 @@ def _text(value: float | None, unit: str, sign: str = "") -> str:
 
 
 class BenchFiles(QObject):
-    """Saves tests as files or pictures, and opens files to compare with.
+    """Saves tests as files or pictures, and opens files to compare with."""
 
-    Signals:
-        reported: the result, for the user.
-    """
-
-    reported = Signal(str)
+    reported = Signal(str)  # the result, for the user
 
     def __init__(self, bench: Bench, window: QWidget, picture: Callable[[], QPixmap]) -> None:
         """`picture` returns the plot as it is shown."""

@@ -13,15 +13,10 @@ from trex_gui.ui.widgets.builders import button, column, label, row
 
 
 class DefaultsDialog(QDialog):
-    """Not modal; writes nothing before the review or a confirmation.
+    """Not modal; writes nothing before the review or a confirmation."""
 
-    Signals:
-        staged: the selected changes are edits now; show them for review.
-        reset_requested: the board is to reset every parameter by itself.
-    """
-
-    staged = Signal()
-    reset_requested = Signal()
+    staged = Signal()  # the selected changes are edits now; show them for review
+    reset_requested = Signal()  # the board is to reset every parameter by itself
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -42,13 +42,9 @@ _KEYS = tuple(CalibrationKey)
 
 
 class CalibrationTable(QAbstractTableModel):
-    """One row per channel: its name and four counts; edits are bold, missing values italic.
+    """One row per channel: its name and four counts; edits are bold, missing values italic."""
 
-    Signals:
-        rejected: why an edit was rejected, for the user.
-    """
-
-    rejected = Signal(str)
+    rejected = Signal(str)  # why an edit was rejected, for the user
 
     def __init__(self, draft: SettingsDraft, parent: QWidget) -> None:
         super().__init__(parent)

@@ -25,16 +25,11 @@ _NO_LIMIT = (1 << 24) - 1
 
 
 class LoadDialog(QDialog):
-    """Shows what a file would change of the board; follows edits and is not modal.
+    """Shows what a file would change of the board; follows edits and is not modal."""
 
-    Signals:
-        staged: changes became edits; a message.
-        ended: why the dialog closed by itself.
-    """
-
-    staged = Signal(str)
+    staged = Signal(str)  # changes became edits; a message
     edit_wanted = Signal()
-    ended = Signal(str)
+    ended = Signal(str)  # why the dialog closed by itself
 
     def __init__(self, device: Device, document: SettingsDocument, parent: QWidget) -> None:
         super().__init__(parent)
@@ -184,13 +179,9 @@ class LoadDialog(QDialog):
 
 
 class CompareDialog(QDialog):
-    """Compares the file of an editor with other settings, whose values can be taken.
+    """Compares the file of an editor with other settings, whose values can be taken."""
 
-    Signals:
-        taken: values of the other side became edits; a message.
-    """
-
-    taken = Signal(str)
+    taken = Signal(str)  # values of the other side became edits; a message
 
     def __init__(
         self,

@@ -27,15 +27,10 @@ def line_of_key(text: str, key: str) -> int | None:
 
 
 class FindingsPanel(QWidget):
-    """A table of the findings of reader and linter.
+    """A table of the findings of reader and linter."""
 
-    Signals:
-        line_chosen: a line, from 1, was double-clicked.
-        accepted: a `LintFinding`; its change is to be made.
-    """
-
-    line_chosen = Signal(int)
-    accepted = Signal(object)
+    line_chosen = Signal(int)  # a line, from 1, was double-clicked
+    accepted = Signal(object)  # a `LintFinding`; its change is to be made
 
     def __init__(self, parent: QWidget | None = None, *, with_lines: bool = True) -> None:
         """Create the panel; `with_lines`: a double click shows the line."""

@@ -55,16 +55,9 @@ def _common_start(one: list[str], other: list[str]) -> int:
 
 
 class TextPage(QWidget):
-    """The text of the document, which can be edited here while it has errors.
+    """The text of the document, which can be edited here while it has errors."""
 
-    Signals:
-        checked: the text was read again.
-
-    Attributes:
-        editor: the text itself, for Undo and Redo.
-    """
-
-    checked = Signal()
+    checked = Signal()  # the text was read again
 
     def __init__(self, document: SettingsDocument, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -81,6 +74,7 @@ class TextPage(QWidget):
             tip=self.tr("Read the text again and list its errors"),
             on_click=self._on_check_clicked,
         )
+        # The text itself, for Undo and Redo
         self.editor = named(
             NumberedText(self), "settingsText", accessible=self.tr("Text of the settings file")
         )

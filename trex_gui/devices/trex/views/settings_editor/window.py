@@ -31,17 +31,12 @@ _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send"
 
 
 class SettingsEditor(QMainWindow):
-    """Pages around one document, which is deleted with its window.
+    """Pages around one document, which is deleted with its window."""
 
-    Signals:
-        send_requested: the user wants to load the settings into the board.
-        saved: the `Path` of the file.
-    """
-
-    send_requested = Signal()
+    send_requested = Signal()  # the user wants to load the settings into the board
     new_requested = Signal()
     open_requested = Signal()
-    saved = Signal(object)
+    saved = Signal(object)  # the `Path` of the file
     closed = Signal()
 
     def __init__(

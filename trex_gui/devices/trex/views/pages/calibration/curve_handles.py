@@ -39,18 +39,10 @@ class HandleLayer(QGraphicsObject):
     """Lines with grips and names: three from the top, the deadband's two from the bottom.
 
     All places are pixels of the plot.
-
-    Signals:
-        dragged: the held handle to this x.
-        released: no handle is held any more, whether or not it was moved.
-
-    Attributes:
-        held: the handle that the mouse drags.
-        message: why the handle `message_at` cannot move further, or its value was rejected.
     """
 
-    dragged = Signal(float)
-    released = Signal()
+    dragged = Signal(float)  # the held handle to this x
+    released = Signal()  # no handle is held any more, whether or not it was moved
 
     def __init__(self, font: QFont) -> None:
         super().__init__()
@@ -68,7 +60,8 @@ class HandleLayer(QGraphicsObject):
         self._editable = True
         self._active: Handle | None = None
         self._grabbed_at = 0.0  # pixels from the handle
-        self.held: Handle | None = None
+        self.held: Handle | None = None  # the handle that the mouse drags
+        # Why the handle `message_at` cannot move further, or its value was rejected
         self.message = ""
         self.message_at: Handle | None = None
         self.setZValue(50)

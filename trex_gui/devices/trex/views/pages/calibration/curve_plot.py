@@ -40,27 +40,17 @@ class CurvePlot(QWidget):
     """Shows the output of a channel for each input, with handles to drag its calibration.
 
     The stored curve remains visible, dashed, below the edited one.
-
-    Signals:
-        previewed: the calibration as the held handle would leave it.
-        released: no handle is held any more, whether or not one was moved.
-        edited: the calibration that a released handle left; one edit.
-
-    Attributes:
-        axis: raw counts at both ends.
-        handles: the handles over the curve, and a message beside one of them.
-        trace: the input of the last seconds.
     """
 
-    previewed = Signal(object)
-    released = Signal()
-    edited = Signal(object)
+    previewed = Signal(object)  # the calibration as the held handle would leave it
+    released = Signal()  # no handle is held any more, whether or not one was moved
+    edited = Signal(object)  # the calibration that a released handle left; one edit
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._source = InputSource.RC
         self._channel = 1
-        self.axis = USUAL_AXIS[self._source]
+        self.axis = USUAL_AXIS[self._source]  # raw counts at both ends
         self._stored: ChannelCurve | None = None
         self._shown: ChannelCurve | None = None
         self._preview: ChannelCurve | None = None
@@ -77,9 +67,10 @@ class CurvePlot(QWidget):
         self._dot.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
         self._dot.setZValue(60)
         self._canvas.add_item(self._dot)
+        # The handles over the curve, and a message beside one of them
         self.handles = HandleLayer(self._canvas.small_font())
         self._canvas.add_overlay(self.handles)
-        self.trace = InputTrace(self)
+        self.trace = InputTrace(self)  # the input of the last seconds
         column((self._canvas, 2), (self.trace, 1), into=self, margins=0, spacing=0)
 
         metrics, above = self._canvas.fontMetrics(), self.handles.room_above()

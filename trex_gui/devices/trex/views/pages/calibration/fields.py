@@ -19,16 +19,13 @@ from trex_gui.ui.widgets.labels import Muted
 
 
 class CalibrationFields(QWidget):
-    """Four fields in µs or V, each with its counts; arrow keys step by one count.
+    """Four fields in µs or V, each with its counts; arrow keys step by one count."""
 
-    Signals:
-        edited: a valid calibration, and the run of steps that it belongs to: an object, or
-            `None` for a typed value. Undo reverts a run at once.
-        rejected: why the typed text is invalid, for the user; and the field whose value
-            conflicts with another, empty when the text is no value.
-    """
-
+    # A valid calibration, and the run of steps that it belongs to: an object, or `None` for a typed
+    # value. Undo reverts a run at once.
     edited = Signal(object, object)
+    # Why the typed text is invalid, for the user; and the field whose value conflicts with another,
+    # empty when the text is no value
     rejected = Signal(str, str)
 
     def __init__(self, parent: QWidget | None = None) -> None:

@@ -19,13 +19,9 @@ _SOURCES = (InputSource.RC, InputSource.ANALOG)
 
 
 class ChannelList(QListWidget):
-    """Two lines for each channel: its number, role and mark (edited or a problem), its input.
+    """Two lines for each channel: its number, role and mark (edited or a problem), its input."""
 
-    Signals:
-        chosen: another channel, 1 to 5.
-    """
-
-    chosen = Signal(int)
+    chosen = Signal(int)  # another channel, 1 to 5
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -83,13 +79,9 @@ class ChannelList(QListWidget):
 
 
 class ChannelHeading(QWidget):
-    """Name and function of a channel, and the choice between pulses and voltages.
+    """Name and function of a channel, and the choice between pulses and voltages."""
 
-    Signals:
-        source_chosen: the input source of the calibrations to show.
-    """
-
-    source_chosen = Signal(object)
+    source_chosen = Signal(object)  # the input source of the calibrations to show
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -46,22 +46,16 @@ class CalibrationPage(QWidget):
     """The channels at the left; curve, numbers and switches of the chosen one at the right.
 
     All changes are edits until Apply. pyqtgraph is imported when the page is first shown.
-
-    Signals:
-        learn_requested: the channels, 1 to 5, to learn from the user's movements.
-
-    Attributes:
-        source: the input source whose calibrations are shown.
     """
 
-    learn_requested = Signal(object)
+    learn_requested = Signal(object)  # the channels, 1 to 5, to learn from the user's movements
     power_cycle_requested = Signal()
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("calibrationPage")
         self._device = device
-        self.source = InputSource.RC
+        self.source = InputSource.RC  # the input source whose calibrations are shown
         self._followed: InputSource | None = None
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._rejection = ""

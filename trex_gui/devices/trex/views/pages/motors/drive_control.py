@@ -126,12 +126,9 @@ class SpeedEntry(QSpinBox):
     Qt's own box also accepts a half-typed number when it loses the focus or is hidden: a motor
     would start because the user opened another page. Here the number is discarded, and the
     setpoint comes back.
-
-    Signals:
-        chosen: the speed that the user entered or stepped to.
     """
 
-    chosen = Signal(int)
+    chosen = Signal(int)  # the speed that the user entered or stepped to
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -195,16 +192,9 @@ class DriveControl(QWidget):
     """A slider and an entry box that always show the same speed.
 
     While channels drive, a bar of their command replaces both.
-
-    Signals:
-        speed_wanted: a speed of 0 or -127 to 127 that the user chose.
-
-    Attributes:
-        slider: its signals report whether the user holds it.
-        reported: what the board reports of this motor.
     """
 
-    speed_wanted = Signal(int)
+    speed_wanted = Signal(int)  # a speed of 0 or -127 to 127 that the user chose
     brake_wanted = Signal()
 
     def __init__(
@@ -215,6 +205,7 @@ class DriveControl(QWidget):
         lowest = -FULL_SCALE if two_way else 0
 
         self._title = ui.label(self, f"{name}Title", bold=True)
+        # Its signals report whether the user holds it
         self.slider = ui.named(SpeedSlider(lowest, self), f"{name}Slider")
         self._entry = ui.named(SpeedEntry(self), f"{name}Entry")
         self._entry.setRange(-FULL_SCALE, FULL_SCALE)

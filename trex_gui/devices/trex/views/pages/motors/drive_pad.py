@@ -18,12 +18,9 @@ class DrivePad(QWidget):
 
     The hold ends when the button or finger goes up, anywhere, and when `PressMonitor` reports a
     loss. Keys belong to `KeyDriver`. `held` is whether a button or finger is down in it.
-
-    Signals:
-        steered: forward and turn, -1 to 1 each; forward and right are positive.
     """
 
-    steered = Signal(float, float)
+    steered = Signal(float, float)  # forward and turn, -1 to 1 each; forward and right are positive
     released = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:

@@ -90,22 +90,14 @@ class PadView(QWidget):
 
 
 class PartRow(QWidget):
-    """A list of axes or buttons, and a button to detect one by moving or pressing it.
+    """A list of axes or buttons, and a button to detect one by moving or pressing it."""
 
-    Signals:
-        chosen: the user chose another axis or button, or its direction.
-        detect_toggled: whether to detect the one that is moved or pressed now.
-
-    Attributes:
-        label: the use of the axis or button.
-    """
-
-    chosen = Signal()
-    detect_toggled = Signal(bool)
+    chosen = Signal()  # the user chose another axis or button, or its direction
+    detect_toggled = Signal(bool)  # whether to detect the one that is moved or pressed now
 
     def __init__(self, name: str, detect: str, parent: QWidget, *, inverts: bool = False) -> None:
         super().__init__(parent)
-        self.label = QLabel(parent)
+        self.label = QLabel(parent)  # the use of the axis or button
         self._combo = ui.combo_box(self, f"gamepad{name}Combo", "", on_activate=self.chosen)
         self._combo.setSizeAdjustPolicy(self._combo.SizeAdjustPolicy.AdjustToContents)
         self._detect = ui.button(

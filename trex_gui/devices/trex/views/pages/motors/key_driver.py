@@ -57,11 +57,9 @@ class KeyDriver(QObject):
     A key is identified by its place on the keyboard: it may be released under another name than
     it was pressed, after a switch of the layout or with Num Lock. All keys count as released when
     an unknown one is released, and when a key like Shift changes.
-
-    Signals:
-        steered: forward and turn of the held keys, -1 to 1 each; 0, 0 at the end.
     """
 
+    # Forward and turn of the held keys, -1 to 1 each; 0, 0 at the end
     steered = Signal(float, float)
 
     def __init__(self, drive: MomentaryDrive, motors: Motors, page: QWidget, pad: QWidget) -> None:

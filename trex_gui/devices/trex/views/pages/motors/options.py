@@ -91,13 +91,9 @@ class Level(QObject):
 
 
 class Options(QGroupBox):
-    """Ceiling, brake strength, lock and spring return are stored; the other options are not.
+    """Ceiling, brake strength, lock and spring return are stored; the other options are not."""
 
-    Signals:
-        keys_toggled: whether keys drive wherever the focus is.
-    """
-
-    keys_toggled = Signal(bool)
+    keys_toggled = Signal(bool)  # whether keys drive wherever the focus is
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(parent)

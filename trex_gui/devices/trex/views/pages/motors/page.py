@@ -31,13 +31,9 @@ _AUXILIARY = 3
 
 
 class MotorsPage(QWidget):
-    """Nothing moves before the motors are armed; leaving the page releases every control.
+    """Nothing moves before the motors are armed; leaving the page releases every control."""
 
-    Signals:
-        parameter_wanted: the key of a parameter that the user wants to see or change.
-    """
-
-    parameter_wanted = Signal(str)
+    parameter_wanted = Signal(str)  # the key of a parameter that the user wants to see or change
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -65,13 +65,9 @@ class AccelerationEditor(NumberEditor):
 
 
 class ChoiceEditor(NoWheelComboBox):
-    """A drop-down of the values' meanings; an unknown value is kept until another is chosen.
+    """A drop-down of the values' meanings; an unknown value is kept until another is chosen."""
 
-    Signals:
-        valueChanged: the user has chosen a value, which may be the one that was shown.
-    """
-
-    valueChanged = Signal(int)
+    valueChanged = Signal(int)  # the user has chosen a value, which may be the one that was shown
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -90,13 +86,9 @@ class ChoiceEditor(NoWheelComboBox):
 
 
 class ChannelsEditor(QWidget):
-    """Five check boxes, one for each channel.
+    """Five check boxes, one for each channel."""
 
-    Signals:
-        valueChanged: the user has clicked a box.
-    """
-
-    valueChanged = Signal(int)
+    valueChanged = Signal(int)  # the user has clicked a box
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -126,13 +118,9 @@ class ChannelsEditor(QWidget):
 
 
 class LineSettingsEditor(QWidget):
-    """Baud rate, error detection and stop bits of the serial line.
+    """Baud rate, error detection and stop bits of the serial line."""
 
-    Signals:
-        valueChanged: the user has chosen a setting, which may be the one that was shown.
-    """
-
-    valueChanged = Signal(int)
+    valueChanged = Signal(int)  # the user has chosen a setting, which may be the one that was shown
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -24,13 +24,9 @@ _LEAST_ROWS = 5
 
 
 class ParameterTable(QWidget):
-    """The parameters of a board or of a file; has no access to a board.
+    """The parameters of a board or of a file; has no access to a board."""
 
-    Signals:
-        rejected: why the input is not a value, for the user.
-    """
-
-    rejected = Signal(str)
+    rejected = Signal(str)  # why the input is not a value, for the user
 
     def __init__(
         self, draft: SettingsDraft, linter: SettingsLinter, parent: QWidget | None = None

@@ -69,12 +69,9 @@ class ParameterDelegate(UnitDelegate):
 
     Where no value is given, the editor shows the default, which becomes the value only when
     something is typed or chosen, or with Enter.
-
-    Signals:
-        rejected: why the input is not a value, for the user.
     """
 
-    rejected = Signal(str)
+    rejected = Signal(str)  # why the input is not a value, for the user
 
     # --- Editing ------------------------------------------------------------------------
 
@@ -207,13 +204,9 @@ def _mute(option: QStyleOptionViewItem) -> None:
 
 
 class ParameterView(QTreeView):
-    """Spans headings and remembers closed groups; while rows are filtered every group is open.
+    """Spans headings and remembers closed groups; while rows are filtered every group is open."""
 
-    Signals:
-        rejected: why the input is not a value, for the user.
-    """
-
-    rejected = Signal(str)
+    rejected = Signal(str)  # why the input is not a value, for the user
 
     def __init__(self, rows: ParameterFilter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
