@@ -30,7 +30,7 @@ class ParametersDriver(WidgetDriver):
         self.table = ParameterTable(self.draft, SettingsLinter(self.draft))
         super().__init__(self.table, qtbot)
         self.rejected: list[str] = []
-        self.table.rejected.connect(self.rejected.append)
+        self.draft.parameters.rejected.connect(self.rejected.append)
         qtbot.addWidget(self.table)
         self.table.resize(1050, 700)
         self.table.show()

@@ -85,7 +85,7 @@ class ChannelForm(QWidget):
                 grid.addWidget(widget, row, column)
             self._editors[field], self._were[field] = editor, was
             editor.valueChanged.connect(partial(self._on_value_changed, field))
-            editor.rejected.connect(self._on_rejected)
+            editor.rejected.connect(partial(self._problem.show_note, alarming=True))
         grid.addWidget(self._reversed, len(names), 1)
         grid.addWidget(was_reversed, len(names), 2)
         grid.addWidget(self._turned, len(names) + 1, 0, 1, 3)
@@ -103,10 +103,6 @@ class ChannelForm(QWidget):
     def _on_value_changed(self, field: str, value: int) -> None:
         values = {name: editor.value() for name, editor in self._editors.items()}
         self._choose(calibration=Calibration(**{**values, field: value}))
-
-    @Slot(str)
-    def _on_rejected(self, reason: str) -> None:
-        self._problem.show_note(reason, alarming=True)
 
     def refresh(self) -> None:
         channel, choice = self.channel, self.channel.choice

@@ -75,7 +75,7 @@ class SettingsEditor(QMainWindow):
         self._text.editor.undoAvailable.connect(self._update_actions)
         self._text.editor.redoAvailable.connect(self._update_actions)
         self._text.checked.connect(self._on_checked)
-        parameters.rejected.connect(self._banner.show_problem)
+        document.draft.parameters.rejected.connect(self._banner.show_problem)
         self._findings.line_chosen.connect(self._on_line_chosen)
         self._findings.accepted.connect(self._linter.accept)
         device.link_changed.connect(self._update_actions)

@@ -175,7 +175,7 @@ class OtherSource(QWidget):
             "switchSourceButton",
             icon="calibrate",
             accessible=self.tr("Read the other input source"),
-            on_click=self._on_switch_clicked,
+            on_click=lambda: device.parameters.edit(_KEY, int(self._source is InputSource.ANALOG)),
         )
         self._cycle = button(
             self,
@@ -213,10 +213,6 @@ class OtherSource(QWidget):
         self._switch.setEnabled(self._device.is_connected and parameters.can_edit(_KEY))
         self._cycle.setVisible(is_serial and is_edited and is_stored)
         self._cycle.setEnabled(self._device.is_connected)
-
-    @Slot()
-    def _on_switch_clicked(self) -> None:
-        self._device.parameters.edit(_KEY, int(self._source is InputSource.ANALOG))
 
 
 class CurveLegend(QWidget):

@@ -52,7 +52,7 @@ class ParametersPage(QWidget):
         top = row((self._notice, 1), self._activate, self._discard, self._reload)
         column(top, (self.table, 1), into=self)
 
-        self.table.rejected.connect(self._notice.setText)
+        self._model.rejected.connect(self._notice.setText)
         self._model.modelReset.connect(self._on_changed)
         device.draft.pending_changed.connect(self._on_changed)
         device.applied.connect(self._on_applied)

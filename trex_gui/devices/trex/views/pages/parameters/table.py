@@ -3,7 +3,7 @@
 from functools import partial
 from html import escape
 
-from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
+from PySide6.QtCore import QModelIndex, Qt, Slot
 from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.linter import SettingsLinter
@@ -25,8 +25,6 @@ _LEAST_ROWS = 5
 
 class ParameterTable(QWidget):
     """The parameters of a board or of a file; has no access to a board."""
-
-    rejected = Signal(str)  # why the input is not a value, for the user
 
     def __init__(
         self, draft: SettingsDraft, linter: SettingsLinter, parent: QWidget | None = None
@@ -51,8 +49,6 @@ class ParameterTable(QWidget):
         column(FindingsList(linter, below), self._help, into=below, margins=0)
         column(self._filters, (self._view, 1), box, into=self, margins=0)
 
-        self._view.rejected.connect(self.rejected)
-        self._model.rejected.connect(self.rejected)
         self._view.selectionModel().currentChanged.connect(self._on_current_changed)
         self._model.dataChanged.connect(self._show_help)
         for changed in (

@@ -12,7 +12,6 @@ from PySide6.QtCore import (
     QRect,
     QSize,
     Qt,
-    Signal,
 )
 from PySide6.QtGui import (
     QAction,
@@ -35,7 +34,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.parameters.parameters import Index, Role
+from trex_gui.devices.trex.model.parameters.parameters import Index, ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, motor_name
 from trex_gui.devices.trex.views.count_editor import UnitDelegate
@@ -71,7 +70,9 @@ class ParameterDelegate(UnitDelegate):
     something is typed or chosen, or with Enter.
     """
 
-    rejected = Signal(str)  # why the input is not a value, for the user
+    def __init__(self, model: ParameterModel, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._model = model
 
     # --- Editing ------------------------------------------------------------------------
 
@@ -89,7 +90,7 @@ class ParameterDelegate(UnitDelegate):
 
         editor.valueChanged.connect(on_touched)
         if isinstance(editor, NumberEditor):
-            editor.rejected.connect(self.rejected)
+            editor.rejected.connect(self._model.rejected)
             editor.lineEdit().textEdited.connect(on_touched)
         return editor
 
@@ -206,8 +207,6 @@ def _mute(option: QStyleOptionViewItem) -> None:
 class ParameterView(QTreeView):
     """Spans headings and remembers closed groups; while rows are filtered every group is open."""
 
-    rejected = Signal(str)  # why the input is not a value, for the user
-
     def __init__(self, rows: ParameterFilter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._rows = rows
@@ -219,9 +218,7 @@ class ParameterView(QTreeView):
         self.setAccessibleName(self.tr("Parameters"))
         name_headers(self)
         self.setModel(rows)
-        delegate = ParameterDelegate(self)
-        delegate.rejected.connect(self.rejected)
-        self.setItemDelegate(delegate)
+        self.setItemDelegate(ParameterDelegate(self._model, self))
         self.setItemDelegateForColumn(ParameterColumn.RESET, ResetDelegate(self))
         triggers = QAbstractItemView.EditTrigger
         self.setEditTriggers(
