@@ -55,7 +55,7 @@ def test_words_match_in_any_order_and_case(rows: ParameterFilter, words: str) ->
 
 
 def test_words_match_descriptions(rows: ParameterFilter) -> None:
-    rows.narrow(words="compact packets are obeyed")
+    rows.narrow(words="accepts compact packets")
     assert shown(rows) == ["device_number"]
 
 

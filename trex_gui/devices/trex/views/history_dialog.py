@@ -3,15 +3,7 @@
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import (
-    QEvent,
-    QItemSelectionModel,
-    QModelIndex,
-    Qt,
-    QUrl,
-    Signal,
-    Slot,
-)
+from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, Qt, QUrl, Signal, Slot
 from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -192,9 +184,7 @@ class HistoryDialog(QDialog):
             return
         source = chosen[0].path
         path = file_questions.ask_to_save(
-            self,
-            self.tr("Save a copy of the snapshot"),
-            file_questions.last_folder() / source.name,
+            self, self.tr("Save a copy of the snapshot"), file_questions.last_folder() / source.name
         )
         if path is None:
             return
