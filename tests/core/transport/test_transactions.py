@@ -145,7 +145,7 @@ def test_arbitrary_bytes_can_be_decoded(talk: list[Said], cut: int) -> None:
 @pytest.mark.parametrize("sent", [b"\x84", b"\x85", b"\x8d"])
 def test_echo_is_not_taken_for_reply(sent: bytes) -> None:
     assembler = TransactionAssembler(TrexDecoder())
-    assembler.note_settings(ConnectionSettings("virtual"), echo=True)
+    assembler.settings, assembler.echo = ConnectionSettings("virtual"), True
     (row,) = assembler.feed(
         [
             TrafficEvent(1.0, TrafficDirection.SENT, sent),

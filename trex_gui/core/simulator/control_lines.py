@@ -8,7 +8,6 @@ from typing import Any
 from trex_gui.core.errors import StudioError
 from trex_gui.core.simulator.line import SimulatedLine
 
-SWITCH = {"on": True, "off": False}
 GOODBYE = "ok bye"  # reply to `quit`; the server ends after it
 _MAX_COUNT = 999_999_999
 _MAX_GARBAGE = 10_000
@@ -81,7 +80,7 @@ def wire(line: SimulatedLine, *words: str) -> str:
     faults = line.faults
     match words:
         case ["mute", ("on" | "off") as state]:
-            faults.mute = SWITCH[state]
+            faults.mute = state == "on"
             return f"line mute {state}"
         case ["drop", number]:
             faults.to_drop = amount(number)

@@ -14,7 +14,7 @@ import sys
 import time
 from collections.abc import Callable, Collection
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import serial
 from serial.tools import list_ports
@@ -100,16 +100,10 @@ class SerialTransport:
         return None if "://" in self._url else rates_of(self._port, wanted)
 
     def reconfigure(self, line: SerialFormat) -> None:
-        port = self._port
-        wanted = {
-            "baudrate": line.baud,
-            "parity": _parity(self._url, line),
-            "stopbits": serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE,
-        }
         try:
-            for name, value in wanted.items():
-                if getattr(port, name) != value:
-                    setattr(port, name, value)
+            for name, value in _options(self._url, line).items():
+                if getattr(self._port, name) != value:
+                    setattr(self._port, name, value)
         except PORT_ERRORS as error:
             if isinstance(error, ValueError) or _errno(error) in {None, errno.EINVAL}:
                 raise BadRequest(f"the port cannot be set to {line.text()}") from error
@@ -201,11 +195,11 @@ def _port_errors() -> tuple[type[Exception], ...]:
 PORT_ERRORS = _port_errors()
 
 
-def _parity(url: str, line: SerialFormat) -> str:
-    """Return pyserial's letter for the parity; pseudo-terminals reject any but none."""
-    if Path(url).resolve().is_relative_to("/dev/pts"):
-        return serial.PARITY_NONE
-    return line.parity.value
+def _options(url: str, line: SerialFormat) -> dict[str, Any]:
+    """Return pyserial's settings for a line; pseudo-terminals reject any parity."""
+    is_pseudo = Path(url).resolve().is_relative_to("/dev/pts")
+    parity = serial.PARITY_NONE if is_pseudo else line.parity.value
+    return {"baudrate": line.baud, "parity": parity, "stopbits": line.stop_bits}
 
 
 def _is_file(url: str) -> bool:
@@ -214,14 +208,9 @@ def _is_file(url: str) -> bool:
 
 
 def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
-    line = settings.line
     try:
-        port = serial.serial_for_url(settings.url, do_not_open=True)
-        port.baudrate = line.baud
-        port.bytesize = serial.EIGHTBITS
-        port.parity = _parity(settings.url, line)
-        port.stopbits = serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE
-        port.timeout = _SLICE
+        options = _options(settings.url, settings.line)
+        port = serial.serial_for_url(settings.url, do_not_open=True, timeout=_SLICE, **options)
         if settings.url.startswith("socket://") or _is_file(settings.url):
             port.write_timeout = 0  # see `_write_as_there_is_room`
         elif not settings.url.startswith("rfc2217://"):  # which cannot do it
@@ -230,7 +219,7 @@ def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
             port.exclusive = True
         _open_when_free(port, settings.url, clock)
     except PORT_ERRORS as error:
-        raise PortUnavailable(why_not_open(settings.url, line, error)) from error
+        raise PortUnavailable(why_not_open(settings.url, settings.line, error)) from error
     # FTDI adapters delay bytes by up to 16 ms; the Linux driver can turn that off.
     with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):
         port.set_low_latency_mode(True)

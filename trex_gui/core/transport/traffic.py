@@ -225,16 +225,10 @@ class TransactionAssembler:
     def __init__(self, decoder: Decoder) -> None:
         self._decoder = decoder
         self._count = 0
-        self._settings: PortSettings | None = None
-        self._echo: bool | None = None
+        # What a session knows of the line better than the log:
+        self.settings: PortSettings | None = None
+        self.echo: bool | None = None
         self._pending: Transaction | None = None
-
-    def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
-        """Set what the session knows of the line better than the log, and whether it echoes."""
-        self._settings, self._echo = settings, echo
-
-    def forget_echo(self) -> None:
-        self._echo = None
 
     def feed(self, events: Iterable[TrafficEvent]) -> list[Transaction]:
         """Take events; return every row that is new or has changed, in order."""
@@ -245,7 +239,7 @@ class TransactionAssembler:
                 if row is not None:
                     row.is_over = True
                     touched[row.number] = row
-                self._settings = event.settings or self._settings
+                self.settings = event.settings or self.settings
                 row = self._row(event)
                 self._pending = None if row.is_over else row
             elif event.direction is TrafficDirection.SENT:
@@ -272,8 +266,8 @@ class TransactionAssembler:
             event.time,
             sent,
             note=event.text,
-            settings=self._settings,
-            echo=self._echo,
+            settings=self.settings,
+            echo=self.echo,
             is_routine=bool(sent) and self._decoder.is_routine(sent),
             is_over=event.direction is TrafficDirection.LINE,
         )

@@ -80,7 +80,7 @@ class TrafficModel(QObject):
     def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
         """Set line settings that the device reported."""
         self.pull()
-        self._assembler.note_settings(settings, echo=echo)
+        self._assembler.settings, self._assembler.echo = settings, echo
 
     def decode_again(self) -> None:
         """Decode every row again, after the decoder has learned more about the device."""
@@ -147,7 +147,7 @@ class TrafficModel(QObject):
     @Slot()
     def _on_started(self) -> None:
         self._epoch = time.time() - now()
-        self._assembler.forget_echo()
+        self._assembler.echo = None
         self._timer.start()
 
     @Slot()

@@ -1,14 +1,14 @@
 from itertools import pairwise
 
 from trex_gui.devices.trex.simulator.channels import Signal
-from trex_gui.devices.trex.simulator.command import Demo
+from trex_gui.devices.trex.simulator.command import demonstrate
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 
 
 def demo_line(mode: str = "serial") -> TrexLine:
     line = TrexLine([Board(mode=mode)])
-    Demo(line.boards[0], line.timeline)
+    demonstrate(line.boards[0], line.timeline)
     return line
 
 

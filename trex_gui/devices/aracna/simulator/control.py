@@ -7,7 +7,6 @@ from typing import Any
 import click
 
 from trex_gui.core.simulator.control_lines import (
-    SWITCH,
     WIRE_USAGE,
     Command,
     ControlError,
@@ -59,7 +58,7 @@ def _servo_power(line: AracnaLine, *, on: bool) -> None:
 def _servo(line: AracnaLine, *words: str) -> str:
     match words:
         case ["power", ("on" | "off") as state]:
-            _servo_power(line, on=SWITCH[state])
+            _servo_power(line, on=state == "on")
             return f"servo power {state}"
         case [name, *rest] if name != "power" and rest:
             servo = line.servos[number_of(name, range(len(line.servos)), "a servo")]

@@ -30,30 +30,24 @@ _PERIOD = 0.02  # seconds between two pulses of a standard receiver
 _SWINGS = {1: (7.0, 0.8), 2: (11.0, 0.7), 3: (17.0, 0.6), 4: (23.0, 0.3), 5: (29.0, 0.2)}
 
 
-class Demo:
-    """Moves the sticks of one board, except those that a control line has set."""
+def demonstrate(board: Board, timeline: Timeline) -> None:
+    """Load the motors and move the sticks, except those that a control line has set."""
+    for physics in board.physics:
+        physics.load = physics.load_at_first = physics.constants.light_load
+    signals = board.channels.signals.copy()
 
-    def __init__(self, board: Board, timeline: Timeline) -> None:
-        self._board = board
-        self._timeline = timeline
-        self._signals = {channel: board.channels.signals[channel] for channel in _SWINGS}
-        for physics in board.physics:
-            physics.load = physics.load_at_first = physics.constants.light_load
-        self._move_sticks()
-
-    def _move_sticks(self) -> None:
+    def move_sticks() -> None:
         for channel, (seconds, size) in _SWINGS.items():
-            present = self._board.channels.signals[channel]
-            if present == self._signals[channel] or present.kind is SignalKind.REST:
-                signal = self._stick(size * math.sin(2 * math.pi * self._board.now / seconds))
-                self._signals[channel] = signal
-                self._board.channels.signals[channel] = signal
-        self._timeline.at(self._timeline.now + _PERIOD, self._move_sticks)
+            present = board.channels.signals[channel]
+            if present == signals[channel] or present.kind is SignalKind.REST:
+                position = size * math.sin(2 * math.pi * board.now / seconds)
+                signal = Signal.voltage(2.5 + 2.5 * position)
+                if board.channels.source is InputSource.RC:
+                    signal = Signal.pulses(1500 + 500 * position)
+                signals[channel] = board.channels.signals[channel] = signal
+        timeline.at(timeline.now + _PERIOD, move_sticks)
 
-    def _stick(self, position: float) -> Signal:
-        if self._board.channels.source is InputSource.RC:
-            return Signal.pulses(1500 + 500 * position)
-        return Signal.voltage(2.5 + 2.5 * position)
+    move_sticks()
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +102,7 @@ def simulate(
     line = TrexLine(boards, echo=echo, paced=paced, seed=seed)
     if demo:
         for board in boards:
-            Demo(board, line.timeline)
+            demonstrate(board, line.timeline)
     return Simulation(line, partial(control, line))
 
 

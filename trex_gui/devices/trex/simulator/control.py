@@ -6,7 +6,6 @@ from functools import partial
 from typing import Any
 
 from trex_gui.core.simulator.control_lines import (
-    SWITCH,
     WIRE_USAGE,
     Command,
     ControlError,
@@ -165,10 +164,10 @@ def _jumper(board: Board, which: str, state: str) -> str:
             board.mode_jumper = state
             return f"mode jumper {state}; read at power-up"
         case "mix", ("on" | "off"):
-            board.mix = SWITCH[state]
+            board.mix = state == "on"
             return f"mix jumper {state}"
         case "so-ground", ("on" | "off"):
-            board.so_ground = SWITCH[state]
+            board.so_ground = state == "on"
             effect = "; read at power-up, and no reply gets out until it is off"
             return f"so-ground jumper {state}{effect if board.so_ground else ''}"
     raise WrongUsage
@@ -206,10 +205,10 @@ def _current(board: Board, motor: str, amps: str) -> str:
 
 
 def _fault(board: Board, motor: str, state: str) -> str:
-    if state not in SWITCH:
+    if state not in {"on", "off"}:
         raise WrongUsage
     number = _motor(motor)
-    board.set_fault(number, fault=SWITCH[state])
+    board.set_fault(number, fault=state == "on")
     return f"fault {number} {state}"
 
 

@@ -243,7 +243,7 @@ class Board:
 
     def note_byte(self) -> None:
         self.counters["bytes_received"] += 1
-        self.serial.restart_timeout(self.now)
+        self.serial.last_byte = self.now
 
     def report_error(self, error: UartError) -> None:
         shut_down = bool(self.memory.active[ParameterKey.UART_ERROR_SHUTDOWN])

@@ -25,7 +25,6 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import (
     MotorParameter,
     ParameterKey,
-    ParameterSpec,
     parameters_of,
 )
 
@@ -67,13 +66,14 @@ class Eeprom:
             eeprom._load(text)
         return eeprom
 
-    def __getitem__(self, which: str | int) -> int:
-        return self._values[self._spec(which).key]
+    def __getitem__(self, key: str) -> int:
+        return self._values[key]
 
-    def write(self, which: str | int, value: int) -> None:
+    def write(self, key: str, value: int) -> None:
         """Store a wire value and save; KeyError or ValueError if there is no such one."""
-        spec = self._spec(which)
-        self._values[spec.key] = spec.check(value)
+        if key not in self._values:
+            raise KeyError(key)
+        self._values[key] = self._specs[key].check(value)
         self._save_if_possible()
 
     def calibration(self, source: InputSource, channel: int) -> Calibration:
@@ -136,15 +136,6 @@ class Eeprom:
                 draft.unlink()
             message = f"the EEPROM file {self._path} cannot be written: {error}"
             raise EepromError(message) from error
-
-    def _spec(self, which: str | int) -> ParameterSpec:
-        if isinstance(which, int):
-            spec = self._specs.number(which)
-        else:
-            spec = next((spec for spec in self._specs if spec.key == which), None)
-        if spec is None or not spec.readable:
-            raise KeyError(which)
-        return spec
 
     def _factory_values(self) -> dict[str, int]:
         return {spec.key: spec.default for spec in self._specs.readable}

@@ -27,17 +27,12 @@ class MotorDirection(Enum):
 
 @dataclass(frozen=True, slots=True)
 class MotorSettings:
-    """The parameters of one motor, in wire values: 0x0E-0x16."""
+    """The parameters of one motor, in wire values: 0x0E-0x16; no current limit is 0."""
 
     acceleration: int = 0
     brake_duration: int = 0
     current_limit: int = 0
     limit_gain: int = 0
-
-    @property
-    def limit_counts(self) -> int | None:
-        """The current limit in counts of 0x8D, twice the wire value; `None` when off."""
-        return 2 * self.current_limit or None
 
 
 class Motor:
@@ -74,10 +69,10 @@ class Motor:
 
         `current` is in counts of 0x8D.
         """
-        limit = settings.limit_counts
-        over = limit is not None and current > limit
+        limit = 2 * settings.current_limit
+        over = 0 < limit < current
         if over and self.direction is self.target_direction is not MotorDirection.BRAKE:
-            self._limit(settings.limit_gain, current - (limit or 0))
+            self._limit(settings.limit_gain, current - limit)
         else:
             self._follow_target(settings)
         return over
@@ -147,7 +142,8 @@ def _ramp(tenths: int, target: int, acceleration: int) -> int:
 class SerialControl:
     """The latest serial command to each motor, and the bits that are latched until read.
 
-    `in_control`: whether the motors obey serial commands; `errors`: number of UART errors.
+    `in_control`: whether the motors obey serial commands; `errors`: number of UART errors;
+    `last_byte`: when it was received, in seconds.
     """
 
     def __init__(
@@ -165,7 +161,7 @@ class SerialControl:
             partial(aux.set, 0),
         )
         self._commands = list(self._stops)  # for motors 1 and 2 and the auxiliary motor
-        self._last_byte = math.inf  # inferred: the timeout runs from the first byte on
+        self.last_byte = math.inf  # inferred: the timeout runs from the first byte on
 
     def drive(
         self, number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
@@ -207,16 +203,13 @@ class SerialControl:
         for stop in self._stops:
             stop()
 
-    def restart_timeout(self, now: float) -> None:
-        self._last_byte = now
-
     def check_timeout(self, now: float, timeout: int) -> None:
         """Stop after `timeout` tenths of a second without a byte; 0 for never.
 
         Inferred: only in serial control, and the bit is latched once per timeout.
         """
-        if timeout and self.in_control and now - self._last_byte >= timeout * 0.1 - 1e-9:
-            self._last_byte = math.inf
+        if timeout and self.in_control and now - self.last_byte >= timeout * 0.1 - 1e-9:
+            self.last_byte = math.inf
             self.uart_errors |= UartError.TIMEOUT
             self.status |= Status.UART_ERROR
             self._shut_down()
