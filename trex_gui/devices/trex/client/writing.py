@@ -239,22 +239,13 @@ class _Work:
     fatal_error: StudioError | None = None
 
     def store_calibration(self, key: CalibrationKey, wanted: Calibration) -> None:
-        def write() -> Calibration:
-            self._report(f"calibration of channel {key.channel}")
-            return write_calibration(self.request, key, wanted)
-
         self._check_cancelled()
-        self._try(key, write)
+        self._try(key, lambda: write_calibration(self.request, key, wanted))
 
     def store(self, key: str, wire: int, *, may_cancel: bool = True) -> None:
-        def write() -> int:
-            spec = self.specs[key]
-            self._report(spec.name)
-            return write_parameter(self.request, spec, wire)
-
         if may_cancel:
             self._check_cancelled()
-        self._try(key, write)
+        self._try(key, lambda: write_parameter(self.request, self.specs[key], wire))
 
     def store_serial(self, serial: list[tuple[str, int]]) -> None:
         """Store line settings and polynomial in the order that keeps the board reachable."""
@@ -298,9 +289,6 @@ class _Work:
                     error = PortUnavailable(str(error))
                 self.results[number] = WriteResult(_LINE, error=error)
 
-    def _report(self, name: str) -> None:
-        self.progress(len(self.results), self.total, name)
-
     def _check_cancelled(self) -> None:
         if self.fatal_error is None and self.cancelled():
             self.fatal_error = Skipped(ErrorCode.WRITE_CANCELLED)
@@ -310,6 +298,11 @@ class _Work:
         result = WriteResult(key, error=self.fatal_error)
         if self.fatal_error is None:
             try:
+                if isinstance(key, CalibrationKey):
+                    name = f"calibration of channel {key.channel}"
+                else:
+                    name = self.specs[key].name
+                self.progress(len(self.results), self.total, name)
                 result = WriteResult(key, write())
             except _FAILURES as error:
                 result = WriteResult(key, error=error)

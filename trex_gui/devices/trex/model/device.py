@@ -153,10 +153,9 @@ class Device(QObject):
     @property
     def serial_timeout_s(self) -> float | None:
         """Seconds of silence after which the board stops its motors; 0: never; `None`: unknown."""
-        wire = None if self.state is None else self.state.parameters.get(_TIMEOUT)
-        if self.state is None or wire is None or not self.is_connected:
+        if self.state is None or _TIMEOUT not in self.state.parameters or not self.is_connected:
             return None
-        return wire * self.state.specs[_TIMEOUT].scale
+        return self.state.serial_timeout
 
     # --- User actions -------------------------------------------------------------------
 

@@ -69,10 +69,6 @@ def report_text(device: Device, motor: int) -> str:
     return _tr("Board: {0}").format(", ".join(parts) or _tr("N/A"))
 
 
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("MotorsPage", text)
-
-
 # --- The serial timeout -----------------------------------------------------------------
 
 _OFFERED_S = (0.5, 1.0, 2.0, 5.0)
@@ -103,24 +99,24 @@ def timeout_warning_on(settings: ConnectionSettings, timeout: float) -> TimeoutW
 
     better = next(filter(can_keep, _OFFERED_S), _OFFERED_S[-1])
     if timeout == 0:
-        text = _timeout_tr(
+        text = _tr(
             "Serial timeout is off: motors keep turning if the cable, this computer or this "
             "program fails."
         )
     elif timeout >= better or can_keep(timeout):
         return None
     elif "://" in settings.url:
-        text = _timeout_tr(
+        text = _tr(
             "Serial timeout of {0:g} s is short for a network port: one late reply stops the "
             "motors while you drive. Set a longer one, or connect the board to this computer."
         ).format(timeout)
     else:
-        text = _timeout_tr(
+        text = _tr(
             "Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors "
             "while you drive. Set a longer one, or a faster baud rate."
         ).format(timeout, settings.line.baud)
     return TimeoutWarning(text, better)
 
 
-def _timeout_tr(text: str) -> str:
-    return QCoreApplication.translate("TimeoutNotice", text)
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("MotorsPage", text)

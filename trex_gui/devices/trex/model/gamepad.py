@@ -195,8 +195,7 @@ class Gamepad(QObject):
         self.state, self.request = None, _NOTHING
         if pad is not None:
             stored = read_profile(str(self._store.value(f"gamepad/profiles/{pad.guid}", "")))
-            fits = stored is not None and stored.fits(pad)
-            self._use(stored if stored is not None and fits else default_profile(pad))
+            self._use(stored if stored and stored.fits(pad) else default_profile(pad))
         self.moved.emit()
 
     def _use(self, profile: GamepadProfile) -> None:
