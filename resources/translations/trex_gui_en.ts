@@ -309,6 +309,13 @@ was {0}</numerusform>
         </translation>
     </message>
     <message numerus="yes">
+        <source>Cropped to the limits of the joints: %n step(s).</source>
+        <translation>
+            <numerusform>Cropped to the limits of the joints: %n step.</numerusform>
+            <numerusform>Cropped to the limits of the joints: %n steps.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n time(s)</source>
         <translation>
             <numerusform>once</numerusform>

@@ -245,6 +245,13 @@ def test_playback_begins_slowly_from_unknown_positions(robot: Robot, harness: Ro
     assert harness.sent == [(500,) * 8, (500,) * 8, (520,) * 8]
 
 
+def test_cropped_steps_of_a_sequence_are_reported(robot: Robot, harness: RobotHarness) -> None:
+    robot.play(Play(0, steps((0,) * 8, (500,) * 8, (1023,) * 8)))
+    assert harness.messages == ["Cropped to the limits of the joints: 2 steps."]
+    harness.wait(lambda: robot.state.play is None)
+    assert [robot.limits.crop(goals) for goals in harness.sent] == harness.sent
+
+
 def test_halt_ends_playback_and_holds_reported_positions(
     robot: Robot, harness: RobotHarness
 ) -> None:

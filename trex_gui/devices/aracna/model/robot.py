@@ -197,9 +197,7 @@ class Robot(DeviceConnection[PortSettings]):
             return False
         cropped = self.limits.crop(goals)
         if cropped != tuple(goals):
-            text = cropped_goals_text(goals, cropped)
-            self.events.add(EventKind.NOTE, text)
-            self.notifier.info.emit(text)
+            self._inform(cropped_goals_text(goals, cropped))
         self.targets.set_all(cropped)
         self._is_holding = False
         speeds = self.speeds
@@ -260,6 +258,8 @@ class Robot(DeviceConnection[PortSettings]):
         if not play.steps:
             self.rejected.emit(self.tr("There is nothing to play: the sequence has no steps."))
             return False
+        if cropped := sum(self.limits.crop(step.goals) != step.goals for step in play.steps):
+            self._inform(self.tr("Cropped to the limits of the joints: %n step(s).", "", cropped))
         if None in self.state.present:
             play = self._with_slow_start(play)
         self._is_holding = False
@@ -364,6 +364,10 @@ class Robot(DeviceConnection[PortSettings]):
         if blocker := self.move_blocker:
             self.rejected.emit(blocker)
         return not blocker
+
+    def _inform(self, text: str) -> None:
+        self.events.add(EventKind.NOTE, text)
+        self.notifier.info.emit(text)
 
     def _reject_because(self, text: str, error: StudioError) -> None:
         self.rejected.emit(text.format(f"{error_text(error).rstrip('. ')}."))
