@@ -80,6 +80,7 @@ class MainWindow(QMainWindow):
         ui.column(self._connection, banner, self.question, (self._stack, 1), into=frame)
         self.setCentralWidget(frame)
         self._workspaces: tuple[Workspace, ...] = ()
+        self._was_connected = False
         self._help = HelpDialog(self)
         self._warning = UnconfirmedStopWarning(device_manager, self.question, self)
         # After the event: a question about the file must not block the program it comes from.
@@ -104,7 +105,7 @@ class MainWindow(QMainWindow):
         self._connection.connecting.connect(self._notifier.cleared)
         self._connection.line_settings_requested.connect(self._edit_line_settings)
         self._connection.interruption_wanted.connect(self._on_interruption_wanted)
-        self._manager.changed.connect(self._on_actions_changed)
+        self._manager.changed.connect(self._on_link_changed)
         self._manager.current_changed.connect(self._on_device_changed)
         self._manager.stop_reported.connect(self._notifier.delayed_error)
         theme().changed.connect(self._on_theme_changed)
@@ -225,6 +226,14 @@ class MainWindow(QMainWindow):
         self._on_actions_changed()
 
     @Slot()
+    def _on_link_changed(self) -> None:
+        is_connected = self._manager.current.link is ConnectionState.CONNECTED
+        if is_connected and not self._was_connected:
+            self._notifier.cleared.emit()
+        self._was_connected = is_connected
+        self._on_actions_changed()
+
+    @Slot()
     def _on_actions_changed(self) -> None:
         device = self._manager.current
         link = device.link
@@ -285,6 +294,8 @@ class MainWindow(QMainWindow):
         if isinstance(state, QByteArray):
             self.restoreState(state)
         for workspace in self._workspaces:
+            page = str(self._store.value(f"{workspace.key}/page", 0))
+            workspace.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
             workspace.take_actions(self._actions)
         wanted = self._store.value("window/scheme", "system")
         for scheme in SCHEMES:
@@ -305,6 +316,7 @@ class MainWindow(QMainWindow):
             return
         self._store.setValue("window/state", state)
         for workspace in self._workspaces:
+            self._store.setValue(f"{workspace.key}/page", workspace.pages.currentIndex())
             workspace.prepare_to_close()
         self._connection.close_dialogs()
         self._help.close()
@@ -395,11 +407,8 @@ class UnconfirmedStopWarning(QObject):
     @property
     def is_due(self) -> bool:
         """Whether the window, with every line closed, must not close without it."""
-        return bool(self._manager.unconfirmed_stop) and not self.given and not self._is_log_out
-
-    @property
-    def _is_log_out(self) -> bool:
-        return self._log_out_at is not None and now() - self._log_out_at < _LOG_OUT_S
+        is_log_out = self._log_out_at is not None and now() - self._log_out_at < _LOG_OUT_S
+        return bool(self._manager.unconfirmed_stop) and not self.given and not is_log_out
 
     @Slot()
     def note_log_out(self) -> None:

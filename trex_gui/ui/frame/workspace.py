@@ -113,7 +113,6 @@ class Workspace(QWidget):
         ]
 
     def help_text(self) -> str:
-        """Return rich text."""
         return ""
 
     def menus(self) -> Menus:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QSettings, Slot
+from PySide6.QtCore import QObject, Slot
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
@@ -36,8 +36,6 @@ from trex_gui.ui.widgets import builders as ui
 
 if TYPE_CHECKING:
     from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
-
-_PAGE = "aracna/page"
 
 
 class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
@@ -76,8 +74,6 @@ class AracnaWorkspace(Workspace):
         self._robot = robot
         self._controller = controller
         self.library = Library(robot)
-        self._store = QSettings(self)
-        self._was_connected = False
         self._actions: Mapping[str, QAction] = {}
         self._shown_actions: Mapping[str, bool] = {}
 
@@ -111,7 +107,6 @@ class AracnaWorkspace(Workspace):
 
         controller.demo_robot.rejected.connect(self.notifier.error)
         self._demo.wanted_changed.connect(self._on_demo_wanted)
-        robot.link_changed.connect(self._on_link_changed)
         for signal in (
             controller.changed,
             robot.changed,
@@ -191,8 +186,6 @@ class AracnaWorkspace(Workspace):
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         self._actions = actions
-        page = str(self._store.value(_PAGE, 0))
-        self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
         self._demo.show_if_wanted()
         self._on_demo_wanted()
         self._on_changed()
@@ -227,14 +220,6 @@ class AracnaWorkspace(Workspace):
     # --- Updates ------------------------------------------------------------------------
 
     @Slot()
-    def _on_link_changed(self) -> None:
-        is_connected = self._robot.link is ConnectionState.CONNECTED
-        if is_connected and not self._was_connected:
-            self.notifier.cleared.emit()
-        self._was_connected = is_connected
-        self._on_changed()
-
-    @Slot()
     def _on_changed(self) -> None:
         """Update the menus only if needed: while dragging, replies arrive 30 times a second."""
         if not self._actions:
@@ -260,7 +245,6 @@ class AracnaWorkspace(Workspace):
     def prepare_to_close(self) -> None:
         QObject.disconnect(self._undo_watch)  # the stack emits at its end, too
         self._demo.leave()
-        self._store.setValue(_PAGE, self.pages.currentIndex())
 
     def finish(self) -> None:
         self.recordings.close_all()

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QSettings, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
@@ -79,8 +79,6 @@ class TrexWorkspace(Workspace):
         self._controller = controller
         self._question = frame.question
         self._frame = frame
-        self._store = QSettings(self)
-        self._was_connected = False
         self._may_leave = False
         self._actions: Mapping[str, QAction] = {}
 
@@ -143,7 +141,6 @@ class TrexWorkspace(Workspace):
         controller.demo_board.rejected.connect(self.notifier.error)
         device.applied.connect(self._on_applied)
         device.applied.connect(self._question.reconsider)
-        device.link_changed.connect(self._on_link_changed)
         for changed in (
             self.recordings.changed,
             controller.changed,
@@ -216,10 +213,8 @@ class TrexWorkspace(Workspace):
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         self._actions = actions
-        page = str(self._store.value("window/page", 0))
-        self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
         self._demo.show_if_wanted()
-        self._on_link_changed()
+        self._on_actions_changed()
 
     def enabled_actions(self) -> Mapping[str, bool]:
         device, draft = self._device, self._device.draft
@@ -244,14 +239,6 @@ class TrexWorkspace(Workspace):
         }
 
     # --- What has changed ---------------------------------------------------------------
-
-    @Slot()
-    def _on_link_changed(self) -> None:
-        is_connected = self._device.is_connected
-        if is_connected and not self._was_connected:
-            self.notifier.cleared.emit()
-        self._was_connected = is_connected
-        self._on_actions_changed()
 
     @Slot()
     def _on_actions_changed(self) -> None:
@@ -341,7 +328,6 @@ class TrexWorkspace(Workspace):
         self._bench.close()
         self._demo.leave()
         self.files.close_all()
-        self._store.setValue("window/page", self.pages.currentIndex())
 
     def finish(self) -> None:
         self.recordings.close_all()
