@@ -69,7 +69,6 @@ class Program:
             self.window.open_file(path)
 
     def _file_kind(self, path: Path) -> tuple[str, FileKind]:
-        """Return the kind of device and of file by the suffix; unknown ones are the first kind."""
         kinds = [(key, kind) for key, space in self.workspaces.items() for kind in space.file_kinds]
         suffix = path.suffix.lower()
         return next((found for found in kinds if suffix in found[1].suffixes), kinds[0])
@@ -99,6 +98,5 @@ class Program:
         return all(ends) and wait_for_orphans()
 
     def end(self) -> None:
-        """Stop the motors, close the line and end the program, without asking anything."""
         self.device_manager.shut_down()
         QCoreApplication.exit(0)

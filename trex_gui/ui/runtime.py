@@ -20,7 +20,6 @@ class Runtime:
     """The computer as it is."""
 
     def now(self) -> float:
-        """Return seconds on a clock that never goes backwards."""
         return time.monotonic()
 
     def sleep(self, seconds: float) -> None:
@@ -51,7 +50,6 @@ _runtime = Runtime()
 
 
 def runtime() -> Runtime:
-    """Return the runtime in use."""
     return _runtime
 
 
@@ -73,7 +71,6 @@ def new_timer(
 
 
 def now() -> float:
-    """Return seconds on the clock of the runtime."""
     return _runtime.now()
 
 

@@ -374,7 +374,6 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         raise NotImplementedError
 
     def state_text(self, snapshot: SnapshotT) -> str:
-        """Describe what the device does."""
         raise NotImplementedError
 
     def show_head(self, snapshot: SnapshotT | None) -> None:

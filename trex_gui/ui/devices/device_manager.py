@@ -50,7 +50,6 @@ class DeviceManager(QObject):
         self._switch_to(controller, lambda: controller.connect_to(port))
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
-        """Connect to a port where a scan found a device with these settings."""
         controller = self._controllers[port.device]
         self._switch_to(controller, lambda: controller.connect_with(port, settings))
 

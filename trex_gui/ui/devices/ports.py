@@ -108,7 +108,6 @@ class Ports(QObject):
         return self.find(port.url) or self._entry(port.kind, port.url, port.url)
 
     def _known_kinds(self) -> dict[str, str]:
-        """Return the keys of the kinds that ports lead to, by address."""
         lines = str(self._settings.value(_LEADS_TO, "")).splitlines()
         words = [line.split(" ", 1) for line in lines if " " in line]
         keys = {plugin.key for plugin in self.plugins}

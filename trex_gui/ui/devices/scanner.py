@@ -68,7 +68,6 @@ class ScanWorker(WorkerThread):
         self._cancelled.set()
 
     def close(self, timeout_ms: int = 1000) -> bool:
-        """Cancel; return whether the thread ended in time."""
         self.cancel()
         return self.wait(timeout_ms)
 
@@ -125,11 +124,9 @@ class DeviceScanner(QObject):
         return self._worker is not None
 
     def is_searching(self, port: Port) -> bool:
-        """Whether a port is being scanned, or will be."""
         return self.running and port in self._ports[self._searched :]
 
     def start(self, ports: Sequence[Port], *, full: bool = False) -> None:
-        """Scan these ports, unless a scan is running."""
         if self._worker is not None or not ports:
             return
         self._ports = tuple(ports)
@@ -170,7 +167,6 @@ class DeviceScanner(QObject):
         return in_time
 
     def _job(self, port: Port) -> ScanJob:
-        """Return the scan for every kind, first for the one found on this port before."""
         if port.kind is not PortKind.DEMO:
             first = self._found_kinds.get(port.url, port.device)
             settings = PortSettings(port.url, timeouts=self._timeouts)

@@ -241,7 +241,6 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self.changed.emit()
 
     def _discard(self) -> None:
-        """Discard all state: the simulator has ended."""
         self.snapshot = None
         self._polling = False
         self._unsent.clear()

@@ -77,7 +77,7 @@ class FindDialog(QDialog):
             self.tr("&Start"),
             icon="find",
             default=True,
-            on_click=self._on_start_clicked,
+            on_click=lambda: self._scanner.start(self._chosen, full=self._full.isChecked()),
         )
         self._cancel = ui.button(
             self,
@@ -187,10 +187,6 @@ class FindDialog(QDialog):
     # --- The search ---------------------------------------------------------------------
 
     @Slot()
-    def _on_start_clicked(self) -> None:
-        self._scanner.start(self._chosen, full=self._full.isChecked())
-
-    @Slot()
     def _on_progressed(self) -> None:
         self._progress.setRange(0, self._scanner.total)
         self._progress.setValue(self._scanner.done)
@@ -239,7 +235,6 @@ class FindDialog(QDialog):
         return row
 
     def _connect(self, finding: ScanFinding) -> None:
-        """Connect to a found device; the port leads to its kind from now on."""
         if finding.found is None:
             return
         port = self._ports.lead_to(finding.port, finding.device)

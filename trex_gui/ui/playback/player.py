@@ -151,7 +151,6 @@ class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
 
     @property
     def problems(self) -> Sequence[str]:
-        """Sentences about missing and damaged parts."""
         return self._recording.problems if self.is_loaded else ()
 
     @property

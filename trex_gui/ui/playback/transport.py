@@ -100,7 +100,9 @@ class TransportBar(QWidget):
         builders.row(self._play, (self._slider, 1), self._time, self._speed, into=self, margins=0)
 
         self._slider.valueChanged.connect(self._on_slid)
-        self._speed.currentIndexChanged.connect(self._on_speed_chosen)
+        self._speed.currentIndexChanged.connect(
+            lambda index: playback.set_speed(float(self._speed.itemData(index)))
+        )
         playback.moved.connect(self._on_moved)
         playback.progressed.connect(self._on_progressed)
         playback.playing_changed.connect(self._on_playing_changed)
@@ -121,10 +123,6 @@ class TransportBar(QWidget):
             playback.set_position(playback.end)
         else:
             playback.set_position(playback.start + value / _PER_SECOND)
-
-    @Slot(int)
-    def _on_speed_chosen(self, index: int) -> None:
-        self._playback.set_speed(float(self._speed.itemData(index)))
 
     @Slot()
     def _on_moved(self) -> None:

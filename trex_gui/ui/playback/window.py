@@ -213,7 +213,6 @@ class RecordingWindow(QMainWindow):
             self.export(target)
 
     def export(self, path: Path) -> None:
-        """Write every sample in the plot to a CSV or MCAP file."""
         if path == self.player.path:
             text = self.tr("The open recording cannot be overwritten. Choose another file.")
             self.notifier.error.emit(text)

@@ -57,7 +57,6 @@ class Line(_Shape):
     """A straight line across the plot, at a value of one axis."""
 
     def set_value(self, value: float | None) -> None:
-        """Move it there; `None` hides it."""
         self.item.setVisible(value is not None)
         if value is not None:
             self.item.setValue(value)
@@ -67,7 +66,6 @@ class Band(_Shape):
     """A filled range of the x axis."""
 
     def set_range(self, ends: tuple[float, float] | None) -> None:
-        """Set the lowest and the highest x; `None` hides it."""
         self.item.setVisible(ends is not None)
         if ends is not None:
             self.item.setRegion(ends)

@@ -129,7 +129,6 @@ class ExportButton(QToolButton):
         )
 
     def save_picture(self, path: Path) -> None:
-        """Write a picture of what is shown as SVG or PNG, as the name ends."""
         source = self._plot.source
         if source is None or source.span is None:
             self._notifier.error.emit(self.tr("There is nothing to export yet."))
@@ -158,15 +157,8 @@ def write_csv(
 
     The first column is in seconds; each curve has one, headed by its name and its unit
     in brackets; the last has the events, in the row of the first sample at or after them. Unknown
-    values are empty.
-
-    Args:
-        file: open for writing, with `newline=""`.
-        progress: gets the share done.
-        heads: name and unit of each curve.
-        columns: the times, which rise, and the values of each curve.
-        events: time and text, in the order of time.
-        origin: the time from which the first column counts.
+    values are empty. `columns` are the rising times, which are written from `origin` on, and the
+    values of each curve; `heads` are names and units, `events` times and texts in order.
     """
     writer = csv.writer(file)
     names = [f"{name} ({unit})" if unit else name for name, unit in heads]

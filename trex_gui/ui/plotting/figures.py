@@ -311,7 +311,6 @@ class EventList(QListWidget):
             item.setToolTip(event.text)
 
     def set_placeholder(self, text: str) -> None:
-        """Show a text while there are no events."""
         self._placeholder = text
         self._describe()
         self.viewport().update()

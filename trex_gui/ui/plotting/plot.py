@@ -55,7 +55,6 @@ class TracePlot(FocusFramed):
     def __init__(
         self, parent: QWidget | None = None, *, name: str = "", line_width: float = 1
     ) -> None:
-        """A screen reader reads `name`."""
         super().__init__(parent)
         self._line_width = line_width
         self.span = Span()
@@ -98,7 +97,9 @@ class TracePlot(FocusFramed):
         self._canvas.hovered.connect(self._on_hovered)
         self._canvas.unhovered.connect(lambda: self.set_cursor(None))
         self._canvas.clicked.connect(self._on_clicked)
-        self._canvas.selected.connect(self._on_selected)
+        self._canvas.selected.connect(
+            lambda x0, x1: self.show_span(self._time_at(x0), self._time_at(x1))
+        )
         self._canvas.zoomed.connect(self._on_zoomed)
         self._canvas.panned.connect(self._on_panned)
         self._canvas.arranged.connect(self._on_arranged)
@@ -125,7 +126,6 @@ class TracePlot(FocusFramed):
         self.draw()
 
     def set_empty_text(self, text: str) -> None:
-        """Show why there is nothing to draw, and what to do."""
         if text != self._empty.text():
             self._empty.setText(text)
             self._show_readout()
@@ -317,10 +317,6 @@ class TracePlot(FocusFramed):
         mark = self.mark_time
         near = mark is not None and abs(self._canvas.x_of(mark - self.span.end) - x) < _NEAR_MARK
         self.set_mark(None if near else self._time_at(x))
-
-    @Slot(float, float)
-    def _on_selected(self, x0: float, x1: float) -> None:
-        self.show_span(self._time_at(x0), self._time_at(x1))
 
     @Slot(float, float)
     def _on_zoomed(self, factor: float, x: float) -> None:

@@ -60,7 +60,6 @@ class Traces:
         return next((t.unit for t in self.traces if t.unit != self.left_unit), "")
 
     def points(self, name: str, start: float, end: float, bins: int) -> Points:
-        """See `SampleHistory.points`."""
         return self._history.points(self._columns[name], start, end, bins)
 
     def statistics(self, name: str, start: float, end: float) -> Statistics:

@@ -94,9 +94,7 @@ class Theme(QObject):
             self._system_was_dark = _is_dark(app.palette().window().color())
         self._app = app
         app.setStyle("Fusion")
-        app.styleHints().colorSchemeChanged.connect(
-            self._on_system_changed, Qt.ConnectionType.UniqueConnection
-        )
+        app.styleHints().colorSchemeChanged.connect(self._show, Qt.ConnectionType.UniqueConnection)
         self._show()
 
     def set_scheme(self, choice: Scheme) -> None:
@@ -115,10 +113,6 @@ class Theme(QObject):
             )
         self._show()
 
-    @Slot()
-    def _on_system_changed(self) -> None:
-        self._show()
-
     def _resolve(self) -> str:
         if self.choice != "system":
             return self.choice
@@ -132,6 +126,7 @@ class Theme(QObject):
             case _:  # the desktop does not report it: its palette does
                 return "dark" if self._system_was_dark else "light"
 
+    @Slot()
     def _show(self) -> None:
         scheme = self._resolve()
         changes = scheme != self.scheme

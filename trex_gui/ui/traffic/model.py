@@ -78,7 +78,6 @@ class TrafficModel(QObject):
         line.closed.connect(self._on_closed)
 
     def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
-        """Set line settings that the device reported."""
         self.pull()
         self._assembler.settings, self._assembler.echo = settings, echo
 

@@ -3,7 +3,7 @@
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QModelIndex, QSettings, Qt, Slot
+from PySide6.QtCore import QSettings, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
@@ -116,9 +116,10 @@ class TrafficPage(QWidget):
         self._search.textChanged.connect(self._typing.start)
         self._polling.toggled.connect(self._apply_filter)
         self._faults.toggled.connect(self._apply_filter)
-        self._paused.toggled.connect(self._on_paused)
-        self._view.selectionModel().currentRowChanged.connect(self._on_current_changed)
-        self._table.modelReset.connect(self._on_reset)
+        self._paused.toggled.connect(self._table.set_paused)
+        self._paused.toggled.connect(self._refresh)
+        self._view.selectionModel().currentRowChanged.connect(self._show_current)
+        self._table.modelReset.connect(lambda: self._details.show_row(None))
         self._saver.saved.connect(self._on_saved)
         self._saver.failed.connect(self._notifier.error)
         traffic.changed.connect(self._refresh)
@@ -144,11 +145,6 @@ class TrafficPage(QWidget):
         if not self._paused.isChecked():
             self._view.scrollToBottom()
         self._summarize()
-
-    @Slot(bool)
-    def _on_paused(self, paused: bool) -> None:
-        self._table.set_paused(paused)
-        self._refresh()
 
     @Slot()
     @only_when_visible
@@ -187,14 +183,7 @@ class TrafficPage(QWidget):
             "its meaning."
         ).format(self._device)
 
-    @Slot(QModelIndex)
-    def _on_current_changed(self, _current: QModelIndex) -> None:
-        self._show_current()
-
     @Slot()
-    def _on_reset(self) -> None:
-        self._details.show_row(None)
-
     def _show_current(self) -> None:
         index = self._view.currentIndex()
         self._details.show_row(self._table.rows[index.row()] if index.isValid() else None)

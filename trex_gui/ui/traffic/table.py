@@ -237,7 +237,6 @@ class TrafficView(QTableView):
         return bar.value() >= bar.maximum() - self.verticalHeader().defaultSectionSize()
 
     def set_placeholder(self, text: str) -> None:
-        """Show a text while there are no rows."""
         if text != self._placeholder:
             self._placeholder = text
             self.viewport().update()

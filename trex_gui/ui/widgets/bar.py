@@ -86,7 +86,6 @@ class Bar(QWidget):
         self._refresh()
 
     def set_value_shown(self, shown: bool) -> None:
-        """Show or hide the number right of the bar."""
         if shown != self._value_shown:
             self._value_shown = shown
             self._forget_layout()
@@ -136,7 +135,6 @@ class Bar(QWidget):
         self._static_key = ()
 
     def _refresh(self) -> None:
-        """Work out the state, say it to screen readers, repaint."""
         if not self._connected:
             self.state = BarState.DISCONNECTED
         elif not self._has_value:

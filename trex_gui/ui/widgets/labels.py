@@ -81,7 +81,6 @@ class Sign(QLabel):
         self.setFixedSize(size, size)
 
     def show_sign(self, name: str, color: str = "icon") -> None:
-        """Show an icon in a theme colour; an empty name shows none."""
         if name:
             set_sign(self, name, color, self.width())
         else:

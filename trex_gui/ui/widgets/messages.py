@@ -122,11 +122,8 @@ class InlinePrompt(_MessageRow):
     ) -> None:
         """Ask; returns before the answer.
 
-        Args:
-            text: the question.
-            answers: the ways to go on, besides Cancel.
-            still: whether the question still makes sense; see `reconsider`.
-            otherwise: what to do when it is cancelled or no longer makes sense.
+        `still` tells whether the question makes sense, see `reconsider`; `otherwise` is called
+        when it is cancelled or no longer does.
         """
         self.withdraw()
         self._still, self._otherwise = still, otherwise
