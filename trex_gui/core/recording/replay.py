@@ -31,12 +31,9 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
         self._cached: tuple[int, Sequence[RecordT]] = (-1, ())
 
     @property
-    def chunks(self) -> int:
-        return -(-self.recording.count // CHUNK)
-
-    @property
     def progress(self) -> float:
-        return len(self._starts) / self.chunks if self.chunks else 1.0
+        chunks = math.ceil(self.recording.count / CHUNK)
+        return len(self._starts) / chunks if chunks else 1.0
 
     def read_next(
         self, take: Callable[[StateT, Sequence[RecordT]], ResultT]

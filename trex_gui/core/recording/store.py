@@ -198,16 +198,15 @@ class Recording(Generic[HeaderT, RecordT]):
         self.problems: list[str] = []
         self.format = fmt
         if path.suffix.lower() == ".csv":
-            raise RecordingError(
-                str(path),
+            raise self._error(
                 "A CSV file is an export and cannot be opened as a recording. Open the recording "
-                f"({SUFFIX}) that it was exported from.",
+                f"({SUFFIX}) that it was exported from."
             )
         with _reported(path, "It cannot be opened"), path.open("rb") as file:
             head = file.read(_HEAD.size)
             size = file.seek(0, os.SEEK_END)
         if len(head) < _HEAD.size or not head.startswith(_MAGIC):
-            raise RecordingError(str(path), _NOT_A_RECORDING)
+            raise self._error(_NOT_A_RECORDING)
         page_size, pages = _HEAD.unpack(head)
         log = path.with_name(f"{path.name}-wal")  # committed, but not yet synchronised
         if size < page_size * pages and not log.exists():
@@ -249,33 +248,32 @@ class Recording(Generic[HeaderT, RecordT]):
             except sqlite3.Error as error:
                 database.close()
                 if error.sqlite_errorcode == sqlite3.SQLITE_BUSY:
-                    raise RecordingError(
-                        str(self.path),
-                        "It is still being recorded. End the recording, then open it again.",
-                    ) from error
+                    message = "It is still being recorded. End the recording, then open it again."
+                    raise self._error(message) from error
                 reason = reason_of(error)
             else:
                 return database
-        raise RecordingError(str(self.path), f"It cannot be read: {reason}.")
+        raise self._error(f"It cannot be read: {reason}.")
+
+    def _error(self, message: str) -> RecordingError:
+        return RecordingError(str(self.path), message)
 
     def _read_header(self) -> HeaderT:
         execute = self._database.execute
         if execute("PRAGMA application_id").fetchone()[0] != APPLICATION_ID:
-            raise RecordingError(str(self.path), _NOT_A_RECORDING)
+            raise self._error(_NOT_A_RECORDING)
         version = execute("PRAGMA user_version").fetchone()[0]
         if version != SCHEMA_VERSION:
-            raise RecordingError(
-                str(self.path),
-                f"Its format, {version}, is not known. A later version of TReX Studio may open it.",
+            raise self._error(
+                f"Its format, {version}, is not known. A later version of TReX Studio may open it."
             )
         values = dict(execute("SELECT key, value FROM header LIMIT 1000").fetchall())
         if values.get("device") != self.format.device:
             name = str(values.get("device_name") or values.get("device"))[:60]
-            raise RecordingError(
-                str(self.path),
+            raise self._error(
                 f"This is a recording of another device: {name}. It opens where the window shows "
                 "the pages of that device: choose its port or its demo in the list of ports, then "
-                "open the file again.",
+                "open the file again."
             )
         if _ENDED not in values:
             self.problems.append("It was not ended; samples of the last seconds may be missing.")
@@ -287,12 +285,11 @@ class Recording(Generic[HeaderT, RecordT]):
         tables = {name for (name,) in self._database.execute(plain)}
         for kind in self.kinds:
             if kind.name not in tables:
-                raise RecordingError(str(self.path), f"The table {kind.name} is missing.")
+                raise self._error(f"The table {kind.name} is missing.")
             info = self._database.execute(f"PRAGMA table_xinfo({kind.name})").fetchall()
             missing = {"record", "clock_s", "time_s", *kind.exported} - {row[1] for row in info}
             if missing:
-                name = f"{kind.name}.{min(missing)}"
-                raise RecordingError(str(self.path), f"The column {name} is missing.")
+                raise self._error(f"The column {kind.name}.{min(missing)} is missing.")
 
     def _last_record(self) -> int:
         last = 0
@@ -341,10 +338,11 @@ class Recording(Generic[HeaderT, RecordT]):
         try:
             return self._database.execute(query, (first, last)).fetchall()
         except sqlite3.ProgrammingError as error:  # closed
-            raise RecordingError(str(self.path), f"It cannot be read: {error}.") from error
+            raise self._error(f"It cannot be read: {error}.") from error
         except (sqlite3.Error, UnicodeError) as error:
-            text = f"Samples of {kind.name} among records {first} to {last} are lost: {error}."
-            self._report(text)
+            self._report(
+                f"Samples of {kind.name} among records {first} to {last} are lost: {error}."
+            )
             return []
 
     def _report(self, problem: str) -> None:

@@ -80,9 +80,9 @@ class TcpEndpoint:
             if self._listener is not None and self._listener.fileno() in ready:
                 self._accept(self._listener)
         elif self._client.fileno() in ready:
-            data = self._receive(self._client)
-            if data:
-                return self.arrivals(data)
+            with contextlib.suppress(OSError):
+                if data := self._client.recv(CHUNK):
+                    return self.arrivals(data)
             self.drop_client()
         return ()
 
@@ -132,10 +132,3 @@ class TcpEndpoint:
             self._client.setblocking(False)
             self._client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             self.welcome()
-
-    @staticmethod
-    def _receive(client: socket.socket) -> bytes | None:
-        try:
-            return client.recv(CHUNK)
-        except OSError:
-            return None

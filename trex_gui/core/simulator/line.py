@@ -206,7 +206,7 @@ class SimulatedLine:
         is_sampled = host is not None and any(
             is_other_rate(host.baud, station.baud) for station in self.stations
         )
-        byte_time = self._host_byte_time()
+        byte_time = host.seconds(1) if host is not None and self.paced else self.byte_time
         is_wanted = partial(self._is_host_turn, self._host_turn)
         for byte in data:
             start = max(self.now, self._host_busy_until)
@@ -244,11 +244,6 @@ class SimulatedLine:
 
     def _is_host_turn(self, turn: int) -> bool:
         return turn == self._host_turn
-
-    def _host_byte_time(self) -> float:
-        if not self.paced:
-            return 0.0
-        return self.byte_time if self.host is None else self.host.seconds(1)
 
     # --- Time ---------------------------------------------------------------------------
 

@@ -38,7 +38,7 @@ class Servo:
         to_fail: number of reads of a register that fail next.
     """
 
-    def __init__(self, position: float = 512, margin: int = MARGIN, ceiling: int = CEILING) -> None:
+    def __init__(self, position: float = 512, margin: int = MARGIN) -> None:
         self.position = float(position)
         self.goal = round(position)
         self.speed = 0
@@ -48,7 +48,6 @@ class Servo:
         self.blocked = False
         self.load = 0.0
         self.margin = margin
-        self.ceiling = ceiling
         self.lag = 0.0
         self.to_fail: Counter[Register] = Counter()
         self._since_goal = math.inf
@@ -96,7 +95,7 @@ class Servo:
         """Units per second in motion; 0 while it cannot move."""
         if not self.answers or self.blocked:
             return 0.0
-        speed = min(self.speed or self.ceiling, self.ceiling)
+        speed = min(self.speed or CEILING, CEILING)
         return UNITS_PER_SECOND * speed * (1 - self.load)
 
     @property

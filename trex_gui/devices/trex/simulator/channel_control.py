@@ -122,7 +122,9 @@ class ChannelControl:
         if not self._channels.has_settled:
             return False  # inferred: unmeasured channels neither override nor end safe-start
         self.override = self.setup.is_switched(5, self._channels.raw[4])
-        if self._has_lost_required_channel():
+        if self._mode is Mode.RC and any(
+            self._channels.silence[channel] > _SIGNAL_REQUIRED_WITHIN for channel in self._required
+        ):
             self.safe_start = True
         elif self.safe_start:
             self.safe_start = not self._may_leave_safe_start()
@@ -141,11 +143,6 @@ class ChannelControl:
                 brake = self._memory.active[MotorParameter.DEADBAND_BRAKE_PWM.of(number)]
                 motor.accelerate(MotorDirection.BRAKE, brake)
         aux.accelerate(abs(remapped[2]))  # inferred: one direction only, the sign is ignored
-
-    def _has_lost_required_channel(self) -> bool:
-        return self._mode is Mode.RC and any(
-            self._channels.silence[channel] > _SIGNAL_REQUIRED_WITHIN for channel in self._required
-        )
 
     @property
     def _required(self) -> tuple[int, ...]:
