@@ -90,17 +90,13 @@ class StopButton(RedButton):
 class RunButton(QPushButton):
     def __init__(self, device: Device, name: str, tip: str, parent: QWidget) -> None:
         super().__init__(self.tr("Run motor"), parent)
-        self._motors = device.motors
+        self._motors = motors = device.motors
         ui.named(self, name, tip=tip)
         ui.set_bold(self)
         tint(self, "run")
         set_icon(self, "run", "run_text")
-        self.clicked.connect(self._motors.arm)
-        for signal in (
-            self._motors.arming_changed,
-            self._motors.availability_changed,
-            self._motors.lockout_changed,
-        ):
+        self.clicked.connect(motors.arm)
+        for signal in (motors.arming_changed, motors.availability_changed, motors.lockout_changed):
             signal.connect(self._on_changed)
         self._on_changed()
 

@@ -117,7 +117,7 @@ class HistoryDialog(QDialog):
 
         self._list.chosen_changed.connect(self._later.start)
         self._list.delete_key.activated.connect(self._on_delete_clicked)
-        self._pane.present_chosen.connect(self._on_present_chosen)
+        self._pane.choice.chosen.connect(self._on_present_chosen)
         self._pane.restore_requested.connect(self.restore_requested)
         self._bound.changed.connect(self.refresh)
         device.draft.pending_changed.connect(self._on_board_changed)

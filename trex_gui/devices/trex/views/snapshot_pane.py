@@ -33,7 +33,6 @@ class SnapshotPane(QWidget):
     The left side is the present, the right side the snapshot.
     """
 
-    present_chosen = Signal()  # the user chose what to compare with
     restore_requested = Signal()  # settings of the snapshot are edits now; they are to be reviewed
 
     def __init__(
@@ -49,7 +48,7 @@ class SnapshotPane(QWidget):
 
         self._title = ui.label(self, "snapshotTitle", wrap=True, plain=True, bold=True)
         self._details = ui.label(self, "snapshotDetails", wrap=True, plain=True)
-        self._choice = _PresentChoice(device, table, notifier, self)
+        self.choice = _PresentChoice(device, table, notifier, self)
         self._rows = ComparisonView(self)
         self._note = ui.named(Note(2, self), "restoreNote")
         self._restore = ui.button(
@@ -68,14 +67,13 @@ class SnapshotPane(QWidget):
         ui.column(
             self._title,
             self._details,
-            self._choice,
+            self.choice,
             (self._rows, 1),
             below,
             into=self,
             margins=(6, 0, 0, 0),
         )
 
-        self._choice.chosen.connect(self.present_chosen)
         self._rows.ticked_changed.connect(self._update_restore)
         self.show_chosen(())
 
@@ -104,7 +102,7 @@ class SnapshotPane(QWidget):
 
     def _show_no_rows(self, reason: str) -> None:
         self._shown = None
-        self._choice.clear()
+        self.choice.clear()
         self._rows.show_nothing(reason)
 
     def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> None:
@@ -113,8 +111,8 @@ class SnapshotPane(QWidget):
         settings = self._load(snapshot)
         if settings is None or (other is not None and self._load(other) is None):
             return
-        present = self._choice.present_for(snapshot, settings, other)
-        self._choice.offer(snapshot, present)
+        present = self.choice.present_for(snapshot, settings, other)
+        self.choice.offer(snapshot, present)
         if present.settings is not None:
             comparison = compare(present.settings, settings)
             summary = self._counts(comparison, snapshot, present)
@@ -202,7 +200,7 @@ class SnapshotPane(QWidget):
             return self.tr("A damaged snapshot cannot be restored.")
         if len(chosen) == 2:
             return self.tr("To restore one of the two, select it alone.")
-        if blocker := self._choice.board_blocker(chosen[0]):
+        if blocker := self.choice.board_blocker(chosen[0]):
             return blocker
         if not self._against_board:
             return self.tr("To restore, compare with the board.")

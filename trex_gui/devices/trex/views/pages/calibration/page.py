@@ -61,7 +61,6 @@ class CalibrationPage(QWidget):
         self._rejection = ""
         self._plot: CurvePlot | None = None
         self._mix = MixWatch()
-        self._mixed_shown: bool | None = None
         self._samples_shown = -1
         self._timer = new_timer(self, _FRAME_MS, self._on_frame)
 
@@ -189,7 +188,6 @@ class CalibrationPage(QWidget):
 
     def _show_heading(self) -> None:
         channel, shown = self.channel, self._calibration()
-        self._mixed_shown = self._mix.mixed
         self._heading.show_channel(
             channel,
             self.source,
@@ -314,7 +312,7 @@ class CalibrationPage(QWidget):
 
     def _detect_mixing(self) -> None:
         """Compare the outputs of channels 1 and 2 with those that the board reports."""
-        device = self._device
+        device, before = self._device, self._mix.mixed
         raws = [device.telemetry.raw_of(channel) for channel in (1, 2, 4)]
         one, two, flip = (stored_curve(device, channel) for channel in (1, 2, 4))
         reported = device.telemetry.remapped
@@ -322,7 +320,7 @@ class CalibrationPage(QWidget):
             self._mix.forget()
         elif one and two and flip and reported and not flip.is_switched(4, raws[2]):
             self._mix.feed((one.output(raws[0]), two.output(raws[1])), (reported[0], reported[1]))
-        if self._mix.mixed is not self._mixed_shown:
+        if self._mix.mixed is not before:
             self._show_heading()
 
     def _live_text(self, raw: int | None) -> str:
