@@ -10,8 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.ui.runtime import now
 
-MOST_EVENTS = 10_000
-"""Events kept; the oldest are dropped."""
+MOST_EVENTS = 10_000  # events kept; the oldest are dropped
 
 
 class EventKind(StrEnum):

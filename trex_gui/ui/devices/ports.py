@@ -11,8 +11,7 @@ from trex_gui.core.plugin import DevicePlugin
 from trex_gui.ui.runtime import new_timer
 
 _INTERVAL_MS = 1500
-_MANY = 20
-"""Ports remembered to lead to another kind than the first."""
+_MANY = 20  # ports remembered to lead to another kind than the first
 _REMEMBERED = "ports/typed"
 _LAST = "ports/last"
 _LEADS_TO = "ports/kinds"

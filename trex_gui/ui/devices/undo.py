@@ -13,8 +13,7 @@ KeyT = TypeVar("KeyT")
 ValueT = TypeVar("ValueT")
 
 
-_OF_A_RUN = 1
-"""To Qt, commands of one kind may be merged; -1: never."""
+_OF_A_RUN = 1  # to Qt, commands of one kind may be merged; -1: never
 
 
 class Edit(QUndoCommand, Generic[KeyT, ValueT]):

@@ -29,8 +29,7 @@ class Entry:
     checkable: bool = False
 
 
-Entries = Sequence[Entry | str]
-"""Actions and separators of one menu."""
+Entries = Sequence[Entry | str]  # actions and separators of one menu
 
 
 class Menu(Enum):

@@ -20,8 +20,7 @@ from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
-_CLOSE_TIMEOUT_MS = 500
-"""A window that hangs for twice as long stops armed motors."""
+_CLOSE_TIMEOUT_MS = 500  # a window that hangs for twice as long stops armed motors
 
 
 @dataclass(frozen=True, slots=True)

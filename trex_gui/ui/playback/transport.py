@@ -11,8 +11,7 @@ SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 
 _FRAME_MS = 33
 
-_PER_SECOND = 100
-"""Slider steps per second: about the rate of the samples."""
+_PER_SECOND = 100  # slider steps per second: about the rate of the samples
 
 
 class PlaybackCursor(QObject):

@@ -25,9 +25,7 @@ from trex_gui.ui.widgets.messages import Banner
 
 _REDRAW_DELAY_MS = 100
 
-_EVENT_MARGIN = 5.0
-"""Seconds shown before and after a chosen event, unless less is shown already."""
-
+_EVENT_MARGIN = 5.0  # seconds shown before and after a chosen event, unless less is shown already
 _CSV_SUFFIX = ".csv"
 
 

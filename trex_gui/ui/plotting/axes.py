@@ -7,9 +7,7 @@ from PySide6.QtCore import QCoreApplication
 
 from trex_gui.ui.widgets.bar import MINUS
 
-Labels = list[tuple[float, str]]
-"""Values of an axis and their texts."""
-
+Labels = list[tuple[float, str]]  # values of an axis and their texts
 _TIME_STEPS = (
     *(0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0),
     *(60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0),
@@ -24,11 +22,8 @@ _SMALLEST_END = 1.0
 _SHRINK_BELOW = 0.8
 """Share of the next smaller range that values must fit in before the axis shrinks."""
 
-MIN_SPAN = 0.05
-"""Seconds shown at least: four samples of currents."""
-
-MAX_SPAN = 4 * 3600.0
-"""Seconds shown at most; a full history is shorter."""
+MIN_SPAN = 0.05  # seconds shown at least: four samples of currents
+MAX_SPAN = 4 * 3600.0  # seconds shown at most; a full history is shorter
 
 
 def round_up(value: float) -> float:

@@ -16,11 +16,8 @@ from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.builders import column
 
-_LABEL_MARGIN = 60
-"""Pixels that a label may extend beyond the end of its axis."""
-
-_ZOOM = 0.8
-"""How much less is shown after one notch of the wheel."""
+_LABEL_MARGIN = 60  # pixels that a label may extend beyond the end of its axis
+_ZOOM = 0.8  # how much less is shown after one notch of the wheel
 
 
 pg.setConfigOption("mouseRateLimit", -1)  # or fast moves of the mouse are dropped

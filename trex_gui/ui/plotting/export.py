@@ -30,12 +30,8 @@ from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback
 _LIGHT = "export/light_background"
 
 SIZE = QSize(1200, 700)
-_SCALE = 2
-"""Pixels of a PNG for each unit of `SIZE`: sharp on paper and on fine screens."""
-
-_CHUNK = 2000
-"""Rows of CSV from one progress report to the next."""
-
+_SCALE = 2  # pixels of a PNG for each unit of `SIZE`: sharp on paper and on fine screens
+_CHUNK = 2000  # rows of CSV from one progress report to the next
 _LEFT = 70
 _FONT_PIXELS = 15
 _LINE_WIDTH = 1.3

@@ -38,14 +38,9 @@ Index = QModelIndex | QPersistentModelIndex
 
 _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
-_PADDING = 8
-"""Pixels around the text of a cell, as the style paints it."""
-
-_MAX_EVENTS = 1000
-"""Events listed: the newest."""
-
-_MIN_EVENT_WIDTH = 12
-"""Characters of an event that are visible at least."""
+_PADDING = 8  # pixels around the text of a cell, as the style paints it
+_MAX_EVENTS = 1000  # events listed: the newest
+_MIN_EVENT_WIDTH = 12  # characters of an event that are visible at least
 
 
 class TraceColumn(IntEnum):

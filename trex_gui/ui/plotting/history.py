@@ -17,28 +17,15 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-Points = tuple[Floats, Floats]
-"""Times and values; NaN interrupts the line."""
-
-CAPACITY = 1_000_000
-"""Rows kept: three and a half hours at 80 a second."""
-
-MAX_GAP = 0.5
-"""Seconds without a sample that interrupt a curve: 40 samples of currents."""
-
+Points = tuple[Floats, Floats]  # times and values; NaN interrupts the line
+CAPACITY = 1_000_000  # rows kept: three and a half hours at 80 a second
+MAX_GAP = 0.5  # seconds without a sample that interrupt a curve: 40 samples of currents
 _FIRST_ROOM = 4096
 
-_MAX_GAPS_DRAWN = 200
-"""Gaps drawn in one plot; where there are more, only the longest."""
-
-FACTOR = 8
-"""Rows in a block of the lowest level, and blocks in one of the next."""
-
-_BATCH = 64
-"""Rows summarized at once: as many cost little more than a single block."""
-
-MAX_LEVELS = 6
-"""The largest block has 8 to the power of 6 rows: 55 minutes at 80 samples a second."""
+_MAX_GAPS_DRAWN = 200  # gaps drawn in one plot; where there are more, only the longest
+FACTOR = 8  # rows in a block of the lowest level, and blocks in one of the next
+_BATCH = 64  # rows summarized at once: as many cost little more than a single block
+MAX_LEVELS = 6  # the largest block has 8 to the power of 6 rows: 55 minutes at 80 samples a second
 
 
 class Pyramid:

@@ -25,17 +25,10 @@ EVENT_COLORS: dict[EventKind, str] = {
 }
 """Names of the theme; a word is beside each, so that no state is shown by colour alone."""
 
-MAX_MARKS = 200
-"""Events marked in one plot: the newest."""
-
-_NEAR = 6
-"""Pixels from an event in which the mouse still finds it."""
-
-_FAR = 60
-"""Pixels that a word may be moved from its line to make room for others."""
-
-_BESIDE = 8
-"""Pixels between the cursor and its values."""
+MAX_MARKS = 200  # events marked in one plot: the newest
+_NEAR = 6  # pixels from an event in which the mouse still finds it
+_FAR = 60  # pixels that a word may be moved from its line to make room for others
+_BESIDE = 8  # pixels between the cursor and its values
 
 
 def value_text(value: float, unit: str) -> str:

@@ -15,11 +15,8 @@ from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.builders import button, column, combo_box, label, row, splitter
 
-_WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)
-"""Seconds that can be chosen to be shown."""
-
-_EVERY = 8
-"""Frames from one refresh of the figures to the next: digits that run cannot be read."""
+_WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # seconds that can be chosen to be shown
+_EVERY = 8  # frames from one refresh of the figures to the next: digits that run cannot be read
 
 
 class TracePanel(QWidget):

@@ -29,9 +29,7 @@ from trex_gui.ui.widgets.behaviour import FocusFramed
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.labels import Muted
 
-BINS = 500
-"""Parts of the width that get two points each."""
-
+BINS = 500  # parts of the width that get two points each
 _PAN = 0.25
 _ZOOM = 0.7
 _FINE, _COARSE = 0.002, 0.05

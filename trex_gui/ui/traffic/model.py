@@ -14,14 +14,10 @@ from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
 
-MOST_KEPT = 20_000
-"""Rows of each buffer; at full telemetry all transactions of less than a minute."""
-
+MOST_KEPT = 20_000  # rows of each buffer; at full telemetry all transactions of less than a minute
 _COLUMNS = ("time", "fault", "sent", "received", "took_ms", "meaning")
 
-_CHUNK = 100
-"""Rows of a file from one progress report to the next."""
-
+_CHUNK = 100  # rows of a file from one progress report to the next
 _TRIMMED = MOST_KEPT * 9 // 10
 _INTERVAL_MS = 100
 

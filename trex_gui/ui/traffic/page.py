@@ -18,8 +18,7 @@ from trex_gui.ui.workers.file_worker import FileSaver
 
 _TYPING_MS = 200
 
-_SAVE_TIMEOUT_MS = 3000
-"""Longest wait for a file at the end of the program."""
+_SAVE_TIMEOUT_MS = 3000  # longest wait for a file at the end of the program
 
 
 class TrafficPage(QWidget):

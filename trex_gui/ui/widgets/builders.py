@@ -71,9 +71,7 @@ class RedButton(QPushButton):
             set_bold(self)
 
 
-Handler = Callable[..., object] | SignalInstance
-"""What a signal is connected to."""
-
+Handler = Callable[..., object] | SignalInstance  # what a signal is connected to
 Part = QWidget | QLayout
 Item = Part | int | tuple[Part, int] | tuple[Part, int, Qt.AlignmentFlag]
 """A part of a layout, with its stretch and alignment; a number is empty room of that stretch."""

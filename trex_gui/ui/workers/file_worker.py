@@ -29,8 +29,7 @@ Python switches threads only every 5 ms, too rarely for their many short turns.
 
 _CANCEL_TIMEOUT_MS = 1000
 
-ProgressCallback = Callable[[float], None]
-"""Receives the share done, 0 to 1."""
+ProgressCallback = Callable[[float], None]  # receives the share done, 0 to 1
 
 
 class _CancelledError(Exception):

@@ -24,12 +24,8 @@ from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orph
 
 log = logging.getLogger(__name__)
 
-_COMMIT_INTERVAL = 0.5
-"""Seconds between commits: a crash of the program loses no more."""
-
-_SYNC_INTERVAL = 5.0
-"""Seconds between synchronisations: a power failure loses no more."""
-
+_COMMIT_INTERVAL = 0.5  # seconds between commits: a crash of the program loses no more
+_SYNC_INTERVAL = 5.0  # seconds between synchronisations: a power failure loses no more
 _SHUTDOWN_TIMEOUT_MS = 3000
 
 

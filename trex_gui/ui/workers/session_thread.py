@@ -12,9 +12,7 @@ from trex_gui.core.transport.traffic import TrafficLog
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan
 
-NO_HANDLER = 0
-"""Number of a request without a handler for its outcome."""
-
+NO_HANDLER = 0  # number of a request without a handler for its outcome
 _TIMEOUT_MS = 1000
 _WRITING_TIMEOUT_MS = 3000
 """How long `shut_down` waits: line settings and polynomial must be stored together."""
