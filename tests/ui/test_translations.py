@@ -11,12 +11,15 @@ from PySide6.QtCore import QCoreApplication, QLocale
 from PySide6.QtWidgets import QApplication
 
 from trex_gui.core.resource_files import resource
-from trex_gui.ui.translations import install_translations
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
+from trex_gui.ui.translations import error_text, install_translations
 
 ROOT = Path(__file__).parents[2]
 GERMAN = """<?xml version="1.0" encoding="utf-8"?>
 <TS version="2.1" language="de_DE"><context><name>MainWindow</name>
 <message><source>&amp;Stop motors</source><translation>Motoren &amp;stoppen</translation></message>
+</context><context><name>TrexErrors</name>
+<message><source>No reply to {0}.</source><translation>Stumm: {0}</translation></message>
 </context></TS>
 """
 
@@ -55,6 +58,8 @@ def test_language_is_one_translation_file(
     monkeypatch.setattr("trex_gui.ui.translations.resource", lambda _: tmp_path)
     translators = install_translations(qapp, QLocale("de_AT"))
     assert QCoreApplication.translate("MainWindow", "&Stop motors") == "Motoren &stoppen"
+    error = TrexNoReplyError(ErrorCode.NO_REPLY, "get status")
+    assert error_text(error) == "Stumm: get status"
     for translator in translators:
         qapp.removeTranslator(translator)
 

@@ -5,6 +5,7 @@ They cross threads and processes as values, so every one pickles.
 
 from collections.abc import Callable
 from enum import Enum
+from typing import ClassVar
 
 
 class StudioError(Exception):
@@ -32,6 +33,8 @@ class CodedError(StudioError):
 
     A field may be another coded error, or a tuple of them. `str` gives the text in English.
     """
+
+    context: ClassVar[str] = ""  # in which the texts of its codes are translated
 
     def __init__(self, code: Enum, *fields: object) -> None:
         super().__init__(code, *fields)

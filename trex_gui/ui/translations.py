@@ -1,8 +1,11 @@
 """Languages of the window, compiled from Qt Linguist files in `resources/translations/`."""
 
+from functools import partial
+
 from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
 from PySide6.QtWidgets import QApplication
 
+from trex_gui.core.errors import CodedError, describe
 from trex_gui.core.resource_files import resource
 
 ENGLISH = QLocale(QLocale.Language.English)
@@ -26,3 +29,16 @@ class Plural:
     @staticmethod
     def tr(text: str, comment: str, count: int) -> str:
         return QCoreApplication.translate("Plural", text, comment, count)
+
+
+def error_text(error: BaseException) -> str:
+    """Return the message of an error in the language of the window, as far as it has a code."""
+    if isinstance(error, CodedError):
+        translate = partial(QCoreApplication.translate, error.context)
+        return describe(error.code, error.fields, translate)
+    return str(error)
+
+
+def error_sentence(error: BaseException | None) -> str:
+    """Return the message of an error as one sentence with one full stop."""
+    return f"{error_text(error).rstrip('. ')}." if error is not None else ""

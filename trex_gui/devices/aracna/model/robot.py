@@ -10,7 +10,7 @@ from trex_gui.core.session import Close, Outcome
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import Rate, RobotState
 from trex_gui.devices.aracna.model.setpoints import JointLimits, Targets
-from trex_gui.devices.aracna.model.texts import cropped_goals_text, error_text, event_of
+from trex_gui.devices.aracna.model.texts import cropped_goals_text, event_of
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, travel_seconds
 from trex_gui.devices.aracna.session.errors import suggests_scan
 from trex_gui.devices.aracna.session.messages import (
@@ -36,6 +36,7 @@ from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
 from trex_gui.ui.event_log import EventKind, EventLog
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
+from trex_gui.ui.translations import error_sentence, error_text
 from trex_gui.ui.workers.session_thread import MakeSession
 
 FIRST_SPEED = 100
@@ -370,7 +371,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.notifier.info.emit(text)
 
     def _reject_because(self, text: str, error: StudioError) -> None:
-        self.rejected.emit(text.format(f"{error_text(error).rstrip('. ')}."))
+        self.rejected.emit(text.format(error_sentence(error)))
 
     # --- Outcomes -----------------------------------------------------------------------
 

@@ -1,11 +1,9 @@
 """Texts for joints, quantities and the robot's state."""
 
 from collections.abc import Sequence
-from functools import partial
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.core.errors import CodedError, StudioError, describe
 from trex_gui.devices.aracna.model.robot_state import MissedGoal, RobotState
 from trex_gui.devices.aracna.protocol.joints import (
     JOINTS,
@@ -24,18 +22,11 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.ui.event_log import EventKind
+from trex_gui.ui.translations import error_text
 
 
 def tr(text: str) -> str:
     return QCoreApplication.translate("AracnaTexts", text)
-
-
-def error_text(error: StudioError) -> str:
-    if isinstance(error, CodedError):
-        return describe(
-            error.code, error.fields, partial(QCoreApplication.translate, "AracnaErrors")
-        )
-    return str(error)
 
 
 def joint_of(motor: int) -> Joint | None:

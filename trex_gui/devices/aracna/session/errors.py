@@ -77,6 +77,8 @@ class ErrorCode(Enum):
 class RobotError(CodedError):
     """An error of a session with a robot."""
 
+    context = "AracnaErrors"
+
 
 class RobotBusyError(RobotError, BadRequest):
     """Rejected in the present state; nothing was sent."""

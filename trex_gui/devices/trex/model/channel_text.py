@@ -2,10 +2,11 @@
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.core.errors import QT_TRANSLATE_NOOP, StudioError, sentence
+from trex_gui.core.errors import QT_TRANSLATE_NOOP, StudioError
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
+from trex_gui.ui.translations import error_sentence
 
 CHANNEL_NAMES = {1: "Motor 1", 2: "Motor 2", 3: "Auxiliary", 4: "Flip", 5: "Override"}
 """Short names of what each channel does in RC and analog mode."""
@@ -140,10 +141,12 @@ def write_failure(error: StudioError) -> str:
             "ChannelText",
             "{0} It accepts a calibration only when minimum is not above neutral, neutral is not "
             "above maximum, and minimum and maximum differ.",
-        ).format(sentence(error))
+        ).format(error_sentence(error))
     if result is ResultCode.NOT_SERIAL_MODE:
-        return translate("ChannelText", "{0} The edits are kept meanwhile.").format(sentence(error))
-    return sentence(error)
+        return translate("ChannelText", "{0} The edits are kept meanwhile.").format(
+            error_sentence(error)
+        )
+    return error_sentence(error)
 
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:

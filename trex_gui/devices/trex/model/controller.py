@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, QSettings, Slot
 
-from trex_gui.core.errors import BadRequest, NoReply, StudioError, sentence
+from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
@@ -20,6 +20,7 @@ from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.translations import error_sentence
 
 _LINE = "line/settings"
 _NUMBER = "line/device_number"
@@ -194,7 +195,7 @@ class AutomaticStop(QObject):
         text = self.tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
         if isinstance(error, NoReply):  # its text says what was sent, and what to do
             text = "{0}. {1}"
-        self._report(text.format(reason, sentence(error)))
+        self._report(text.format(reason, error_sentence(error)))
 
     @Slot()
     def _on_link_changed(self) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Collection, Mapping
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import StudioError, sentence
+from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
@@ -38,6 +38,7 @@ from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.translations import error_sentence, error_text
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
@@ -242,7 +243,9 @@ class Device(QObject):
 
     def _on_reloaded(self, outcome: Outcome) -> None:
         if outcome.error is not None:
-            self._on_request_failed(self.tr("Reading again failed. {0}").format(outcome.error))
+            self._on_request_failed(
+                self.tr("Reading again failed. {0}").format(error_text(outcome.error))
+            )
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
@@ -253,7 +256,7 @@ class Device(QObject):
 
     @Slot(object)
     def _on_connection_failed(self, error: StudioError) -> None:
-        text = str(error)
+        text = error_text(error)
         self.request_failed.emit(text)
         if suggests_scan(error):
             text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
@@ -291,7 +294,7 @@ class Device(QObject):
             self.history.take(shown, adapter="", reason=reason)
         except SettingsError as error:
             text = self.tr("The edits for the previous {0} could not be saved. {1}")
-            self.notifier.error.emit(text.format(name, sentence(error)))
+            self.notifier.error.emit(text.format(name, error_sentence(error)))
             return
         text = self.tr(
             "The settings of the previous {0}, with the edits that were not applied, are kept in "

@@ -103,6 +103,8 @@ class ErrorCode(Enum):
 class TrexError(CodedError):
     """An error of a connection to a board."""
 
+    context = "TrexErrors"
+
 
 class TrexRequestError(TrexError, BadRequest):
     """Rejected in the present state; nothing was sent."""

@@ -6,9 +6,10 @@ from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QSpinBox, QStyledItemDelegate, QWidget
 
-from trex_gui.core.errors import BadRequest, sentence
+from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.ui.translations import error_sentence
 
 _NUMBER = re.compile(r"\s*([0-9]{1,6}(?:[.,][0-9]{0,6})?)\s*(\S*)\s*")
 _UNITS = {
@@ -60,7 +61,7 @@ class UnitSpinBox(QSpinBox):
         try:
             self.parse(self.text())
         except BadRequest as error:
-            self.rejected.emit(sentence(error))
+            self.rejected.emit(error_sentence(error))
 
 
 class UnitDelegate(QStyledItemDelegate):

@@ -9,7 +9,6 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.errors import sentence
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.controller import TrexController
@@ -38,6 +37,7 @@ from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
 from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 from trex_gui.ui.traffic.page import TrafficPage
+from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import PromptAnswer
 
@@ -269,7 +269,7 @@ class TrexWorkspace(Workspace):
                 )
             return
         names = ", ".join(self._device.name_of(result.key) for result in failed)
-        reasons = " ".join(dict.fromkeys(sentence(result.error) for result in failed))
+        reasons = " ".join(dict.fromkeys(error_sentence(result.error) for result in failed))
         self.notifier.error.emit(self.tr("Not stored: {0}. {1}").format(names, reasons))
 
     @Slot()

@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 from trex_gui.devices.aracna.model.robot import FIRST_SPEED, Robot
 from trex_gui.devices.aracna.model.texts import (
     assumed_text,
-    error_text,
     missed_goals_text,
     speed_text,
     stuck_text,
@@ -20,6 +19,7 @@ from trex_gui.devices.aracna.views.robot.joint_widgets import CommonSpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import tint
+from trex_gui.ui.translations import error_text
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import take_typed
 from trex_gui.ui.widgets.labels import Note

@@ -7,6 +7,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.translations import error_text
 
 
 class CalibrationPreconditions(QObject):
@@ -144,7 +145,7 @@ class StandstillCheck(QObject):
             return
         if error is not None:
             self.cancel()
-            self.failed.emit(str(error))
+            self.failed.emit(error_text(error))
             return
         # Readings from before the stop may still arrive; they are quickly past.
         self._since = self._device.telemetry.latest

@@ -14,7 +14,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QUndoStack
 
-from trex_gui.core.errors import BadRequest, sentence
+from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.parameters.draft import Draft
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn, ParameterText, pwm_partner
@@ -25,6 +25,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     other_motor_key,
 )
 from trex_gui.ui.devices.undo import Edit
+from trex_gui.ui.translations import error_sentence
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -407,7 +408,7 @@ class ParameterModel(QAbstractItemModel):
         try:
             self.edit(spec.key, int(value))
         except BadRequest as error:
-            self.rejected.emit(sentence(error))
+            self.rejected.emit(error_sentence(error))
             return False
         except (TypeError, ValueError, OverflowError):
             self.rejected.emit(f"{spec.name} is {spec.range_text()}, not {value}.")

@@ -5,7 +5,6 @@ from typing import cast
 
 from PySide6.QtCore import QObject, Signal
 
-from trex_gui.core.errors import sentence
 from trex_gui.core.files import SettingsError
 from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
@@ -16,6 +15,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import Write, Written
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.ui.translations import error_sentence
 
 SendRequest = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None]
 """Sends a request that it gives a number, and calls back with its outcome."""
@@ -81,7 +81,7 @@ class Apply(QObject):
             self._history.take(settings_of(state), adapter=adapter, reason=reason)
         except SettingsError as error:
             text = self.tr("Nothing was written, since no snapshot could be saved first. {0}")
-            self.failed.emit(text.format(sentence(error)))
+            self.failed.emit(text.format(error_sentence(error)))
             return False
         self.running = True
         self._request(lambda number: Write(number, parameters, calibrations), self._on_written)

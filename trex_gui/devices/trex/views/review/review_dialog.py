@@ -6,7 +6,7 @@ from enum import Enum, auto
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QDialog, QWidget
 
-from trex_gui.core.errors import NoReply, PortUnavailable, StudioError, sentence
+from trex_gui.core.errors import NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
@@ -16,6 +16,7 @@ from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.review.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, column, label, named, progress_bar, row
 from trex_gui.ui.widgets.labels import Note
 
@@ -163,7 +164,7 @@ class ReviewDialog(QDialog):
                 yield self.tr("not attempted")
             else:
                 occurred = result.error
-                yield sentence(result.error)
+                yield error_sentence(result.error)
 
     def _problem_text(self, results: tuple[WriteResult, ...]) -> str:
         errors = [result.error for result in results if result.error is not None]

@@ -6,7 +6,7 @@ from dataclasses import replace
 from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtWidgets import QDialog, QWidget
 
-from trex_gui.core.errors import BadRequest, sentence
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -15,6 +15,7 @@ from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel, line_of_key
+from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Note
 
@@ -86,7 +87,7 @@ class LoadDialog(QDialog):
         try:
             self._device.draft.stage(rows, self.tr("Load {0}").format(self._name))
         except BadRequest as error:
-            self._trouble.show_note(sentence(error), alarming=True)
+            self._trouble.show_note(error_sentence(error), alarming=True)
             return
         text = self.tr("{0}: %n change(s) pending; Apply settings writes them.", "", len(rows))
         self.staged.emit(text.format(self._name))
@@ -228,7 +229,7 @@ class CompareDialog(QDialog):
         try:
             comparison = diff_against_draft(self._document.draft, theirs)
         except BadRequest as error:
-            trouble = sentence(error)
+            trouble = error_sentence(error)
             comparison = compare(mine, theirs)
         text = self.tr("%n setting(s) differ, {0} match.", "", len(comparison.differing))
         self._view.show_comparison(
@@ -257,7 +258,7 @@ class CompareDialog(QDialog):
         try:
             self._document.draft.stage(rows, text)
         except BadRequest as error:
-            self._trouble.show_note(sentence(error), alarming=True)
+            self._trouble.show_note(error_sentence(error), alarming=True)
             return
         text = self.tr("%n value(s) taken from {0}.", "", len(rows))
         self.taken.emit(text.format(self._other_name))

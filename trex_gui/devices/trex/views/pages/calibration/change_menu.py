@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
-from trex_gui.core.errors import BadRequest, sentence
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.model.calibration_moves import symmetric, why_not_symmetric
 from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
@@ -18,6 +18,7 @@ from trex_gui.devices.trex.model.settings.document import put_calibrations, take
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import Handler, action
 
@@ -140,7 +141,7 @@ class CalibrationFiles(QObject):
             )
         except (SettingsError, BadRequest) as error:
             text = self.tr("{0} could not be loaded: {1}")
-            self._notifier.error.emit(text.format(path.name, sentence(error)))
+            self._notifier.error.emit(text.format(path.name, error_sentence(error)))
             return
         file_questions.remember_folder(path)
         text = self.tr("{0} has the same calibrations.")
@@ -158,7 +159,7 @@ class CalibrationFiles(QObject):
             put_calibrations(shown, path, title)
         except (SettingsError, BadRequest) as error:
             text = self.tr("{0} could not be saved: {1}")
-            self._notifier.error.emit(text.format(path.name, sentence(error)))
+            self._notifier.error.emit(text.format(path.name, error_sentence(error)))
             return
         file_questions.remember_folder(path)
         self._notifier.info.emit(self.tr("The calibrations shown were saved in {0}.").format(path))

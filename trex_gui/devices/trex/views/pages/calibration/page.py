@@ -6,7 +6,7 @@ from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.errors import BadRequest, sentence
+from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.calibration_moves import Handle
@@ -24,6 +24,7 @@ from trex_gui.devices.trex.views.pages.calibration.heading import (
     OtherSource,
 )
 from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import button, column, label, named, row
@@ -360,7 +361,7 @@ class CalibrationPage(QWidget):
         try:
             self._device.calibrations.edit(self.channel, calibration, run=run)
         except BadRequest as error:
-            self._on_rejected(sentence(error))
+            self._on_rejected(error_sentence(error))
 
     @Slot(str, str)
     def _on_rejected(self, why: str, field: str = "") -> None:

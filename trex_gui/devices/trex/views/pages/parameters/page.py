@@ -8,6 +8,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
+from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, column, label, row
 
 
@@ -91,7 +92,7 @@ class ParametersPage(QWidget):
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):
             text = self.tr("Factory defaults take effect after the next power cycle.")
             if failed:
-                text = self.tr("Rejected by the board: {0}").format(failed[0].error)
+                text = self.tr("Rejected by the board: {0}").format(error_sentence(failed[0].error))
             self._notice.setText(text)
             return
         if failed:
