@@ -88,7 +88,7 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
     assert (stored.minimum, stored.deadband) == (2600, 60)
 
     (snapshot,) = device.history.snapshots()
-    files.files.open_file(snapshot.path, remember=False)
+    files.files.open_file(snapshot.path)
     files.load_dialog().click("takeChangesButton")
     assert device.parameters.pending == (("serial_timeout", 0),)
     apply(window)

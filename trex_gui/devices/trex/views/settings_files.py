@@ -117,27 +117,24 @@ class SettingsFiles(QObject):
 
     # --- Opening ------------------------------------------------------------------------
 
-    def open_file(self, path: Path, *, remember: bool = True) -> None:
-        """Show what a file would change of the board; with no board, the file itself.
-
-        With `remember`, the next file dialog opens in its folder.
-        """
+    def open_file(self, path: Path) -> None:
+        """Show what a file would change of the board; with no board, the file itself."""
         if self._device.state is None:
-            self.edit_file(path, remember=remember)
-        elif document := self._opened(path, remember):
+            self.edit_file(path)
+        elif document := self._opened(path):
             dialog = self._offer(document)
-            dialog.edit_wanted.connect(partial(self.edit_file, path, remember=remember))
+            dialog.edit_wanted.connect(partial(self.edit_file, path))
 
-    def edit_file(self, path: Path, *, remember: bool = True) -> None:
+    def edit_file(self, path: Path) -> None:
         """Open a file in a window of its own, or the window that has it already."""
         for editor in self.editors:
             if editor.document.path == path:
                 _raise(editor)
                 return
-        if document := self._opened(path, remember):
+        if document := self._opened(path):
             self.open_editor(document)
 
-    def _opened(self, path: Path, remember: bool) -> SettingsDocument | None:
+    def _opened(self, path: Path) -> SettingsDocument | None:
         try:
             document = SettingsDocument.open(path)
         except SettingsError as error:
@@ -145,8 +142,7 @@ class SettingsFiles(QObject):
             text = self.tr("{0} was not opened: {1}.")
             self._notifier.error.emit(text.format(path.name, reasons))
             return None
-        if remember:
-            file_questions.remember_folder(path)
+        file_questions.remember_folder(path)
         return document
 
     @Slot(object)

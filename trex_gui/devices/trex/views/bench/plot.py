@@ -132,8 +132,6 @@ class BenchPlot(QWidget):
             value_labels(ticks(0, self.highest, step), self.tr("A")),
         )
 
-    # --- The cursor ---------------------------------------------------------------------
-
     @Slot(float)
     def _on_hovered(self, x: float) -> None:
         """Show the values under the mouse, with a cursor in both plots."""
