@@ -204,12 +204,17 @@ class DeviceScanner(QObject):
 
     def _sentence(self, found: FoundDevice) -> str:
         settings = found.settings
-        text = self.tr("{0} on {1} at {2}").format(found.name, settings.label, settings.short)
-        if found.device_number is not None:
-            text += self.tr(", device {0}").format(found.device_number)
-        if found.echo:
-            text += self.tr(" (RS-232 side)")
-        return f"{text}. {found.note}".strip()
+        match found.device_number is not None, found.echo:
+            case False, False:
+                text = self.tr("{0} on {1} at {2}.")
+            case False, True:
+                text = self.tr("{0} on {1} at {2} (RS-232 side).")
+            case True, False:
+                text = self.tr("{0} on {1} at {2}, device {3}.")
+            case _:
+                text = self.tr("{0} on {1} at {2}, device {3} (RS-232 side).")
+        text = text.format(found.name, settings.label, settings.short, found.device_number)
+        return f"{text} {found.note}".strip()
 
     @Slot()
     def _on_worker_finished(self) -> None:

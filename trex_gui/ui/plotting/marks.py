@@ -196,7 +196,7 @@ class Readout(QLabel):
         lines = [clock_text(time - origin)]
         if mark is not None:
             since = f"{time - mark:+.3f} s".replace("-", MINUS)
-            lines[0] += self.tr(" ({0} from the mark)").format(since)
+            lines[0] = self.tr("{0} ({1} from the mark)").format(lines[0], since)
         for trace in source.traces:
             value = source.value_at(trace.name, time)
             if trace.name in shown and math.isfinite(value):

@@ -273,8 +273,10 @@ class RowDetails(QPlainTextEdit):
     def _lines(self, row: Transaction) -> list[str]:
         shown = self._decoder.shown
         settings = row.settings
-        where = "" if settings is None else self.tr(" at {0}").format(settings.short)
-        lines = [f"{self._table.text(row, TIME)}  #{row.number}{where}"]
+        head = f"{self._table.text(row, TIME)}  #{row.number}"
+        if settings is not None:
+            head = self.tr("{0} at {1}").format(head, settings.short)
+        lines = [head]
         if row.sent:
             lines.append(self.tr("sent      {0}").format(shown(row.sent)))
         if row.received:

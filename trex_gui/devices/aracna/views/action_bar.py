@@ -133,10 +133,12 @@ class ActionBar(QWidget):
             return (
                 self.tr("Playing blend-in.") if step.part == "in" else self.tr("Playing blend-out.")
             )
-        where = self.tr("step {0} of {1}").format(step.index + 1, len(play.steps))
-        if name := play.steps[step.index].name:
-            where += f" “{name}”"
+        number, steps, name = step.index + 1, len(play.steps), play.steps[step.index].name
+        text = self.tr("Playing step {0} of {1}.")
+        if name:
+            text = self.tr("Playing step {0} of {1} “{2}”.")
         if play.rounds != 1:
-            rounds = str(play.rounds or "∞")
-            where += self.tr(", round {0} of {1}").format(step.round + 1, rounds)
-        return self.tr("Playing {0}.").format(where)
+            text = self.tr("Playing step {0} of {1}, round {3} of {4}.")
+            if name:
+                text = self.tr("Playing step {0} of {1} “{2}”, round {3} of {4}.")
+        return text.format(number, steps, name, step.round + 1, play.rounds or "∞")

@@ -262,8 +262,8 @@ class SettingsFiles(QObject):
         except SettingsError as error:
             trouble = error.findings[0].message
             return (fresh if file_questions.may_write_fresh(self._window, trouble) else None), ""
-        names = " and ".join(sorted({key.source.value for key in hidden}))
-        kept = self.tr("Its {0} calibrations, which the board does not show now, were kept.")
+        names = ", ".join(sorted({key.source.value for key in hidden}))
+        kept = self.tr("Calibrations that the board does not show now were kept: {0}.")
         return text, kept.format(names) if hidden else ""
 
     def preview(self) -> QDialog | None:

@@ -107,12 +107,12 @@ class PoseBox(QGroupBox):
     def _update_tool_tips(self) -> None:
         for motor, box in enumerate(self._fields):
             limits = self._robot.limits.of(motor)
-            text = self.tr("Motor {0}: {1:.0f}°, limits {2} to {3}").format(
-                motor, degrees(box.value()), limits.low, limits.high
-            )
-            if not limits.allow(box.value()):
-                text += self.tr(", sent as {0}").format(limits.crop(box.value()))
-            box.setToolTip(text)
+            value = box.value()
+            text = self.tr("Motor {0}: {1:.0f}°, limits {2} to {3}")
+            if not limits.allow(value):
+                text = self.tr("Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}")
+            angle, sent = degrees(value), limits.crop(value)
+            box.setToolTip(text.format(motor, angle, limits.low, limits.high, sent))
 
     @Slot()
     def _update_buttons(self) -> None:

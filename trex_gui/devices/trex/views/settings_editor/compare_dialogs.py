@@ -163,13 +163,14 @@ class LoadDialog(QDialog):
         if settings is None:
             return self._name
         product, firmware = settings.product, settings.firmware
-        text = self.tr("{0}: settings for a {1}").format(self._name, product.name)
-        if firmware is not None:
-            text += " " + self.tr("with firmware {0}").format(firmware)
-            board = None if state is None else state.signature
-            if board is not None and board.model == product and board.firmware != firmware:
-                text += self.tr("; the board has {0}").format(board.firmware)
-        return f"{text}."
+        if firmware is None:
+            return self.tr("{0}: settings for a {1}.").format(self._name, product.name)
+        text = self.tr("{0}: settings for a {1} with firmware {2}.")
+        board = None if state is None else state.signature
+        if board is not None and board.model == product and board.firmware != firmware:
+            text = self.tr("{0}: settings for a {1} with firmware {2}; the board has {3}.")
+            return text.format(self._name, product.name, firmware, board.firmware)
+        return text.format(self._name, product.name, firmware)
 
     @Slot()
     def _update_take(self) -> None:
