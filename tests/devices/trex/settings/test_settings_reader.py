@@ -8,6 +8,7 @@ import pytest
 from tests.devices.trex.settings.samples import TREX, TREX_JR, factory, refused
 from trex_gui.core.files import LARGEST_FILE, SettingsError, Severity
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
@@ -278,6 +279,15 @@ def test_parameter_of_newer_firmware_is_reported() -> None:
     text = "product: TReX Jr\nfirmware: 1.1\nuart_response_delay: 0\n"
     assert only_finding(text) == (
         "line 3: uart_response_delay: a TReX Jr has it from firmware 1.2 on, these are for 1.1"
+    )
+
+
+def test_parameter_of_other_product_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
+    rows = {row["key"]: row for row in device_table().rows}
+    monkeypatch.setitem(rows["uart_response_delay"], "models", ["trex"])
+    text = "product: TReX Jr\nfirmware: 1.1\nuart_response_delay: 0\n"
+    assert only_finding(text) == (
+        "line 3: uart_response_delay: a TReX Jr does not have it, whatever its firmware"
     )
 
 

@@ -41,6 +41,7 @@ _MESSAGES: Mapping[str, str] = {
     "not_a_setting": "is a command to the board, not a setting",
     "value_invalid": "{allowed}, not {given}{hint}",
     "needs_firmware": "a {product} has it from firmware {since} on, these are for {firmware}",
+    "other_product": "a {product} does not have it, whatever its firmware",
     "key_unknown": "there is no such setting{guess}",
     "calibration_layout": "is written {layout}, not {given}",
     "field_unknown": "a calibration has no {field!r}{guess}",
@@ -184,9 +185,12 @@ class _Reader:
             self.error(entry.line, key, "value_invalid", **fields)
 
     def _report_unknown(self, key: str, line: int, product: Model, firmware: str | None) -> None:
-        since = next((row["since"] for row in device_table().rows if row["key"] == key), None)
-        if firmware is not None and since is not None:
-            fields = {"product": product.name, "since": since, "firmware": firmware}
+        row = next((row for row in device_table().rows if row["key"] == key), None)
+        if row is not None and product.key not in row["models"]:
+            self.error(line, shortened(key), "other_product", product=product.name)
+            return
+        if firmware is not None and row is not None:
+            fields = {"product": product.name, "since": row["since"], "firmware": firmware}
             self.error(line, shortened(key), "needs_firmware", **fields)
             return
         specs = specs_for(product, firmware).readable
