@@ -289,9 +289,9 @@ def _setpoint(  # noqa: PLR0917 - a value for each column
     return SetpointRecord(time, motor, drive, bool(accelerate))
 
 
-def measured_columns(kinds: Sequence[SampleKind]) -> list[str]:
-    measured = {Raw, Remapped, Currents, Control}
-    return [name for kind in kinds if kind.type in measured for name in kind.exported]
+def measured_kinds(kinds: Sequence[SampleKind]) -> list[SampleKind]:
+    """Return the kinds of polled values; the mode is none, since only the power changes it."""
+    return [kind for kind in kinds if kind.held and kind.type is not ModeSample]
 
 
 FORMAT = RecordingFormat(

@@ -17,18 +17,15 @@ from trex_gui.devices.trex.cli.common import identify, link_options, link_settin
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.client.telemetry import (
-    Control,
     Currents,
     LatchedStatus,
     ModeSample,
-    Raw,
-    Remapped,
     Sample,
     StatusReader,
 )
 from trex_gui.devices.trex.protocol.commands import GetMode
 from trex_gui.devices.trex.protocol.flags import Mode
-from trex_gui.devices.trex.recording import measured_columns, sample_kinds
+from trex_gui.devices.trex.recording import measured_kinds, sample_kinds
 from trex_gui.devices.trex.session.polling import Schedule, poll, rates
 
 _FLUSH = 0.25  # seconds after which other programs can read what was written
@@ -116,8 +113,10 @@ class _Table:
         self.mode = mode
         kinds = sample_kinds(mode.source, unit)
         self._kinds: dict[type[Any], SampleKind] = {kind.type: kind for kind in kinds}
-        self._missing: set[type[Any]] = {Raw, Remapped, Control}
-        self.row: Row = dict.fromkeys(["time_s", *measured_columns(kinds)])
+        measured = measured_kinds(kinds)
+        self._missing = {kind.type for kind in measured} - {Currents}
+        columns = [name for kind in measured for name in kind.exported]
+        self.row: Row = dict.fromkeys(["time_s", *columns])
         self._clear_status()
 
     def _clear_status(self) -> None:
