@@ -1,7 +1,7 @@
 """Messages cross threads and processes: each must be the same on the other side."""
 
 import pickle
-from typing import TypeVar
+from typing import TypeVar, get_args
 
 import pytest
 
@@ -17,6 +17,7 @@ from trex_gui.devices.trex.client.telemetry import (
     ModeSample,
     Raw,
     Remapped,
+    Sample,
 )
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.requests import (
@@ -103,6 +104,10 @@ REPORTS: list[Report] = [
     Closed(None),
     Closed(None, may_move=True),
 ]
+
+
+def test_every_kind_of_sample_is_among_the_examples() -> None:
+    assert {type(sample) for sample in SAMPLES} == set(get_args(Sample))
 
 
 def there_and_back(thing: ThingT) -> ThingT:

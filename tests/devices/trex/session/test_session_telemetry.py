@@ -27,7 +27,7 @@ from trex_gui.devices.trex.client.telemetry import (
 from trex_gui.devices.trex.protocol.commands import GetMode, GetStatus
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
 from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason, RunCommand, Write
-from trex_gui.devices.trex.session.polling import Topic, rates
+from trex_gui.devices.trex.session.polling import POLLED, Topic, rates
 from trex_gui.devices.trex.simulator.channels import Signal
 
 KINDS: dict[Topic, type[Sample]] = {
@@ -37,6 +37,7 @@ KINDS: dict[Topic, type[Sample]] = {
     Topic.CONTROL: Control,
     Topic.MODE: ModeSample,
 }
+assert KINDS.keys() == POLLED.keys() - {Topic.STATUS}
 
 
 def rates_seen(stage: Stage, seconds: float) -> dict[Topic, float]:

@@ -1,10 +1,11 @@
-"""The files that people start from, and the files that must never change by accident."""
+"""Sample files for users, and golden files that must not change by accident."""
 
 from pathlib import Path
 
 import pytest
 
 from tests.devices.trex.settings.samples import factory
+from tests.support.golden import assert_matches_golden
 from trex_gui.core.files import load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -116,9 +117,11 @@ def test_golden_files_cover_every_board_and_no_other() -> None:
 
 
 @every_board
-def test_written_factory_settings_match_golden_file(model: str, firmware: str) -> None:
-    # On purpose otherwise? Write the files anew with write_settings and read the difference.
-    assert write_settings(factory(model, firmware)).encode("utf-8") == golden(model, firmware)
+def test_written_factory_settings_match_golden_file(
+    model: str, firmware: str, tmp_path: Path
+) -> None:
+    known = GOLDEN / f"{model}-{firmware}.txt"
+    assert_matches_golden(write_settings(factory(model, firmware)), known, tmp_path)
 
 
 @every_board

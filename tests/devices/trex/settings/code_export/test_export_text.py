@@ -1,7 +1,6 @@
 """What is exported as text: the templates, the tables, and what may not stand in code."""
 
 import ast
-import difflib
 import re
 import subprocess
 import sys
@@ -22,6 +21,7 @@ from tests.devices.trex.settings.code_export.programs import (
     settings_for,
 )
 from tests.devices.trex.settings.samples import TREX, TREX_JR, any_settings, factory
+from tests.support.golden import assert_matches_golden
 from tests.support.matrix import examples
 from trex_gui import __version__
 from trex_gui.core.errors import BadRequest
@@ -78,15 +78,7 @@ def without_version(text: str) -> str:
     ids=["arduino", "c", "python"],
 )
 def test_exported_text_matches_golden_file(name: str, text: str, tmp_path: Path) -> None:
-    known = HERE / "golden" / f"{name}.txt"
-    new = tmp_path / name
-    new.write_text(without_version(text), encoding="ascii")
-    old = known.read_text(encoding="ascii") if known.exists() else ""
-    difference = list(
-        difflib.unified_diff(old.splitlines(), without_version(text).splitlines(), lineterm="")
-    )
-    hint = f"If this is wanted: cp {new} {known}"
-    assert not difference, "\n".join([*difference, hint])
+    assert_matches_golden(without_version(text), HERE / "golden" / f"{name}.txt", tmp_path)
 
 
 @examples(30)
