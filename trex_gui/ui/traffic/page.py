@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit, QPushButton, QWidget
 
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import new_timer
@@ -66,30 +66,6 @@ class TrafficPage(QWidget):
             self.tr("Pause"),
             tip=self.tr("Do not add rows for now; the traffic is still logged"),
         )
-        copy = ui.button(
-            self,
-            f"{key}CopyButton",
-            self.tr("Copy"),
-            icon="copy",
-            tip=self.tr("Copy the selected rows (Ctrl+C), or all rows shown"),
-            on_click=self._copy,
-        )
-        save = ui.button(
-            self,
-            f"{key}SaveButton",
-            self.tr("Save…"),
-            icon="save",
-            tip=self.tr("Save the rows shown as text"),
-            on_click=self._ask_and_save,
-        )
-        clear = ui.button(
-            self,
-            f"{key}ClearButton",
-            self.tr("Clear"),
-            icon="clear",
-            tip=self.tr("Remove every row"),
-            on_click=traffic.clear,
-        )
         self._view = ui.named(TrafficView(self._table, self), f"{key}View")
         self._details = ui.named(RowDetails(traffic, self._table, self), f"{key}Details")
         self._summary = ui.label(self, f"{key}Summary")
@@ -97,7 +73,7 @@ class TrafficPage(QWidget):
 
         above = ui.row((self._search, 1), self._polling, self._faults, self._paused)
         above.addSpacing(above.spacing())
-        for button in (copy, save, clear):
+        for button in self._make_buttons(key):
             above.addWidget(button)
         ui.column(above, (self._view, 1), self._details, self._summary, into=self)
 
@@ -125,6 +101,33 @@ class TrafficPage(QWidget):
         traffic.cleared.connect(self._refresh)
         self._polling.setChecked(self._store.value(self._polling_key, False, bool) is True)
         self._apply_filter()
+
+    def _make_buttons(self, key: str) -> tuple[QPushButton, ...]:
+        copy = ui.button(
+            self,
+            f"{key}CopyButton",
+            self.tr("Copy"),
+            icon="copy",
+            tip=self.tr("Copy the selected rows (Ctrl+C), or all rows shown"),
+            on_click=self._copy,
+        )
+        save = ui.button(
+            self,
+            f"{key}SaveButton",
+            self.tr("Save…"),
+            icon="save",
+            tip=self.tr("Save the rows shown as text"),
+            on_click=self._ask_and_save,
+        )
+        clear = ui.button(
+            self,
+            f"{key}ClearButton",
+            self.tr("Clear"),
+            icon="clear",
+            tip=self.tr("Remove every row"),
+            on_click=self._traffic.clear,
+        )
+        return copy, save, clear
 
     # --- Rows shown ---------------------------------------------------------------------
 

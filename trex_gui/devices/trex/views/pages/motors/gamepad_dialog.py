@@ -227,16 +227,7 @@ class GamepadDialog(QDialog):
         self._defaults.setObjectName("gamepadDefaultsButton")
         self._defaults.setAutoDefault(False)
 
-        form = QFormLayout(uses)
-        form.addRow(self.tr("Sticks:"), self._style)
-        for key in ("first", "second"):
-            form.addRow(self._rows[key].label, self._rows[key])
-        form.addRow(self.tr("Dead zone:"), self._dead_zone)
-        form.addRow(self.tr("Expo:"), self._expo)
-        for key in ("hold", "stop"):
-            form.addRow(self._rows[key].label, self._rows[key])
-        form.addRow(self.tr("Motor 1:"), self._motors[0])
-        form.addRow(self.tr("Motor 2:"), self._motors[1])
+        self._lay_out_assignment(uses)
         halves = ui.row((live, 2), (uses, 3))
         ui.column(self._name, (halves, 1), self._note, buttons, into=self)
 
@@ -249,6 +240,18 @@ class GamepadDialog(QDialog):
         gamepad.moved.connect(self._on_gamepad_moved)
         self._on_gamepad_changed()
         self._on_gamepad_moved()
+
+    def _lay_out_assignment(self, uses: QGroupBox) -> None:
+        form = QFormLayout(uses)
+        form.addRow(self.tr("Sticks:"), self._style)
+        for key in ("first", "second"):
+            form.addRow(self._rows[key].label, self._rows[key])
+        form.addRow(self.tr("Dead zone:"), self._dead_zone)
+        form.addRow(self.tr("Expo:"), self._expo)
+        for key in ("hold", "stop"):
+            form.addRow(self._rows[key].label, self._rows[key])
+        form.addRow(self.tr("Motor 1:"), self._motors[0])
+        form.addRow(self.tr("Motor 2:"), self._motors[1])
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)

@@ -160,21 +160,10 @@ class Options(QGroupBox):
             apply=motors.set_release_brake,
         )
         self._brake.entry.setSpecialValueText(self.tr("coast (0 %)"))
-        tip = self.tr(
-            "How long Run motor stays locked after Stop or Esc, so that a slider or key still held "
-            "cannot restart a motor (0 to {0:g} s)"
-        ).format(LONGEST)
-        self._lock = ui.named(
-            SpeedEntry(self),
-            "lockoutEntry",
-            accessible=self.tr("Seconds that Run motor is locked after Stop"),
-            tip=tip,
+        self._lock = self._make_lock()
+        lock_label = ui.label(
+            self, "", self.tr("L&ock after Stop"), tip=self._lock.toolTip(), buddy=self._lock
         )
-        self._lock.setRange(0, round(LONGEST))
-        self._lock.setSuffix(self.tr(" s"))
-        self._lock.setSpecialValueText(self.tr("none (0 s)"))
-        self._lock.setMinimumWidth(self._lock.sizeHint().width())  # as wide with any text
-        lock_label = ui.label(self, "", self.tr("L&ock after Stop"), tip=tip, buddy=self._lock)
 
         # Without a spacing of its own a column would take that of its row.
         left = ui.column(accelerate, at_once, keys, 1, spacing=_SPACING)
@@ -194,6 +183,23 @@ class Options(QGroupBox):
         motors.options_changed.connect(self._on_options_changed)
         motors.setpoints_changed.connect(self._show_link)
         self._on_options_changed()
+
+    def _make_lock(self) -> SpeedEntry:
+        tip = self.tr(
+            "How long Run motor stays locked after Stop or Esc, so that a slider or key still held "
+            "cannot restart a motor (0 to {0:g} s)"
+        ).format(LONGEST)
+        lock = ui.named(
+            SpeedEntry(self),
+            "lockoutEntry",
+            accessible=self.tr("Seconds that Run motor is locked after Stop"),
+            tip=tip,
+        )
+        lock.setRange(0, round(LONGEST))
+        lock.setSuffix(self.tr(" s"))
+        lock.setSpecialValueText(self.tr("none (0 s)"))
+        lock.setMinimumWidth(lock.sizeHint().width())  # as wide with any text
+        return lock
 
     @property
     def returns_to_zero(self) -> bool:
