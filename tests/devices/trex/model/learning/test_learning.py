@@ -17,6 +17,7 @@ from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.runtime import now
 
 UNCONFIRMED = "could not be confirmed as stopped"
 
@@ -147,6 +148,21 @@ def test_rc_mode_is_refused_with_a_remedy(setup: LearningSetup) -> None:
     assert setup.learning.step is LearningStep.FAILED
     assert "sticks drive the motors" in setup.learning.trouble
     assert "remove the mode jumper" in setup.learning.trouble
+
+
+def test_channels_in_control_fail_learning_for_good(setup: LearningSetup) -> None:
+    """After a short power break the mode may still be the old one when control is read."""
+    setup.device.telemetry.serial_controls = False
+    steps: list[LearningStep] = []
+    setup.learning.changed.connect(lambda: steps.append(setup.learning.step))
+    setup.learning.begin((1,))
+    assert setup.learning.step is LearningStep.FAILED
+    assert "the channels are in control" in setup.learning.trouble
+    until = now() + 2
+    setup.until(lambda: now() > until)
+    assert set(steps) <= {LearningStep.STOPPING, LearningStep.FAILED}
+    setup.learning.again()
+    setup.until_step(LearningStep.NEUTRAL)
 
 
 def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:

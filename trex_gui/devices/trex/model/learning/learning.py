@@ -229,7 +229,8 @@ class Learning(QObject):
             return
         self.preconditions.begin()
         self._go(LearningStep.STOPPING)
-        self._standstill.begin()
+        if self.step is LearningStep.STOPPING:  # else a precondition is violated already
+            self._standstill.begin()
 
     @Slot()
     def _on_standstill(self) -> None:
