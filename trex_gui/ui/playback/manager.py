@@ -157,7 +157,9 @@ class RecordingManager(QObject, Generic[WindowT]):
             return
         stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
         proposal = self._folder() / f"{self._texts.stem}_{stamp}{SUFFIX}"
-        path = ask_to_save(self._window, self.tr("Record"), proposal, self._filter(), (SUFFIX,))
+        path = ask_to_save(
+            self._window, self.tr("Record"), proposal, self._filter(), SUFFIX, required=True
+        )
         if path is not None:
             self.record(path)
 

@@ -90,7 +90,7 @@ class ExportButton(QToolButton):
         kinds = self.tr("Tables (*.csv)") if kind == "csv" else self.tr("Pictures (*.{0})")
         proposal = file_questions.last_folder() / f"{self._name}.{kind}"
         path = file_questions.ask_to_save(
-            self.window(), self.tr("Export"), proposal, kinds.format(kind), (f".{kind}",)
+            self.window(), self.tr("Export"), proposal, kinds.format(kind), f".{kind}"
         )
         if path is None:
             return

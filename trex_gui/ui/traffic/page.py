@@ -216,7 +216,7 @@ class TrafficPage(QWidget):
             return
         suggested = file_questions.last_folder() / "traffic.txt"
         title, kinds = self.tr("Save the traffic log"), self.tr("Text (*.txt *.tsv)")
-        path = file_questions.ask_to_save(self, title, suggested, kinds, (".txt", ".tsv"))
+        path = file_questions.ask_to_save(self, title, suggested, kinds, ".txt")
         if path is not None:
             self.save(path)
 

@@ -1,6 +1,5 @@
 """Questions before a settings file is overwritten or lost, and the folder of files."""
 
-from collections.abc import Sequence
 from enum import Enum, auto
 from pathlib import Path
 
@@ -96,16 +95,21 @@ def ask_to_save(
     title: str,
     proposal: Path,
     filters: str | None = None,
-    suffixes: Sequence[str] = (),
+    suffix: str = "",
+    *,
+    required: bool = False,
 ) -> Path | None:
     """Let the user choose where to save a file, by default a settings file.
 
-    A name without one of the suffixes gets the first of them.
+    A name without a suffix gets `suffix`; if that is `required`, a name with another one, too.
     """
     chosen, _ = QFileDialog.getSaveFileName(window, title, str(proposal), filters or file_filter())
     if not chosen:
         return None
     path = Path(chosen)
-    if suffixes and path.suffix.lower() not in suffixes:
-        return path.with_name(path.name + suffixes[0])
+    is_complete = path.suffix.lower() == suffix if required else bool(path.suffix)
+    if suffix and not is_complete:
+        path = path.with_name(path.name + suffix)
+        if path.exists() and not may_replace(window, path.name, tr("already exists.")):
+            return None
     return path

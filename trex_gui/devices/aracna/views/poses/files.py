@@ -73,15 +73,8 @@ class PoseFiles(QObject):
         take_typed()
         title = self.tr("Save pose file")
         proposal = self._library.path or self.folder() / self._library.name
-        path = file_questions.ask_to_save(self._window, title, proposal, self._filter())
-        if path is None:
-            return False
-        if not path.suffix:
-            path = path.with_name(path.name + SUFFIX)
-            why = self.tr("already exists.")
-            if path.exists() and not file_questions.may_replace(self._window, path.name, why):
-                return False
-        return self.save_to(path)
+        path = file_questions.ask_to_save(self._window, title, proposal, self._filter(), SUFFIX)
+        return path is not None and self.save_to(path)
 
     def save_to(self, path: Path) -> bool:
         try:
