@@ -23,7 +23,7 @@ TREX = DevicePlugin(
             "status:status", "Show the state of the board, its measurements and parameters."
         ),
         "stream": _command("stream:stream", "Write measurements as CSV until Ctrl-C."),
-        "get": _command("parameters:get_command", "Show one parameter."),
+        "get": _command("status:get_command", "Show one parameter."),
         "set": _command("parameters:set_command", "Store one parameter and read it back."),
         "get-settings": _command("files:get_settings", "Save the board's settings to a file."),
         "set-settings": _command("files:set_settings", "Write a settings file to the board."),

@@ -21,6 +21,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
@@ -227,3 +228,8 @@ def _row(found: FoundBoard) -> dict[str, Any]:
 
 
 PORT_REPORTS = PortReports(_identify, _describe, _row)
+
+
+def spec_of(client: TrexClient, name: str) -> ParameterSpec:
+    signature = identify(client)
+    return parameters_of(signature.model.key, signature.firmware)[name]

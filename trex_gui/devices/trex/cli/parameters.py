@@ -1,12 +1,11 @@
-"""get, set, restore-defaults: parameters one by one, or all."""
+"""set and restore-defaults: change one parameter, or all."""
 
-import json
 from dataclasses import replace
 from typing import Any
 
 import click
 
-from trex_gui.core.cli import json_option, say
+from trex_gui.core.cli import say
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.changes import (
     change_one,
@@ -23,42 +22,16 @@ from trex_gui.devices.trex.cli.common import (
     link_settings,
     open_line,
     open_line_to_change,
+    spec_of,
 )
-from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.client.writing import write_parameter
-from trex_gui.devices.trex.protocol.commands import GetParameter
 from trex_gui.devices.trex.protocol.parameters import (
     ParameterKey,
     ParameterSet,
-    ParameterSpec,
-    parameters_of,
 )
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import factory_settings, settings_of
 from trex_gui.devices.trex.settings.rules import Context
-
-
-def spec_of(client: TrexClient, name: str) -> ParameterSpec:
-    signature = identify(client)
-    return parameters_of(signature.model.key, signature.firmware)[name]
-
-
-@click.command("get")
-@link_options
-@click.argument("name", shell_complete=complete_parameter)
-@json_option
-def get_command(name: str, as_json: bool, **options: Any) -> None:
-    """Show one parameter, such as serial_timeout: its wire value and its meaning."""
-    with open_line(link_settings(options)) as client:
-        spec = spec_of(client, name)
-        if not spec.readable:
-            raise BadRequest(f"{spec.name} can only be written")
-        wire = query(client.request, GetParameter(spec.number))
-    if as_json:
-        click.echo(json.dumps({"name": spec.key, "value": wire, "text": spec.text(wire)}))
-    else:
-        click.echo(f"{wire}\t{spec.text(wire)}")
 
 
 @click.command("set", context_settings={"ignore_unknown_options": True})

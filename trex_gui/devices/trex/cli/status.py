@@ -1,22 +1,31 @@
-"""The command status."""
+"""status and get: read the board without changing it."""
 
+import json
 from typing import Any
 
 import click
 
 from trex_gui.core.cli import json_option, print_json
+from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.common import (
     PHYSICAL_KEYS,
+    complete_parameter,
     identify,
     link_options,
     link_settings,
     open_line,
     rounded,
+    spec_of,
 )
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
-from trex_gui.devices.trex.protocol.commands import GetCurrents, GetRawChannels, GetRemappedChannels
+from trex_gui.devices.trex.protocol.commands import (
+    GetCurrents,
+    GetParameter,
+    GetRawChannels,
+    GetRemappedChannels,
+)
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT, who_controls
 from trex_gui.devices.trex.protocol.flags import CHANNELS, bit_names
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -63,6 +72,23 @@ def status(as_json: bool, **options: Any) -> None:
     click.echo("Parameters:")
     for key, row in report["parameters"].items():
         click.echo(f"  {key:28}{row['value']:>4}  {row['text']}")
+
+
+@click.command("get")
+@link_options
+@click.argument("name", shell_complete=complete_parameter)
+@json_option
+def get_command(name: str, as_json: bool, **options: Any) -> None:
+    """Show one parameter, such as serial_timeout: its wire value and its meaning."""
+    with open_line(link_settings(options)) as client:
+        spec = spec_of(client, name)
+        if not spec.readable:
+            raise BadRequest(f"{spec.name} can only be written")
+        wire = query(client.request, GetParameter(spec.number))
+    if as_json:
+        click.echo(json.dumps({"name": spec.key, "value": wire, "text": spec.text(wire)}))
+    else:
+        click.echo(f"{wire}\t{spec.text(wire)}")
 
 
 def _report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
