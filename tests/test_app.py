@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.devices.trex.simulator.extra_time import becomes
+from tests.devices.trex.simulator.waiting import becomes
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui import __version__

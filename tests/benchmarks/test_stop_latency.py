@@ -78,7 +78,7 @@ def speed_of(number: int) -> int:
 
 
 def is_drive(data: bytes, number: int) -> bool:
-    """Whether this is the wish of that move, and no repetition of an older one."""
+    """Whether this is the setpoint of that move, not a repetition of an older one."""
     return 0xC0 <= data[0] <= 0xEF and data[1] == speed_of(number)
 
 

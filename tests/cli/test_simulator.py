@@ -16,7 +16,7 @@ import pytest
 import serial
 from click.testing import CliRunner
 
-from tests.devices.trex.simulator.extra_time import LONG_TIMEOUT, becomes
+from tests.devices.trex.simulator.waiting import LONG_TIMEOUT, becomes
 from tests.support.matrix import sampled
 from trex_gui import __version__
 from trex_gui.cli.simulator import main

@@ -15,10 +15,10 @@ from trex_gui.ui.program import Program
 
 
 class Causes:
-    """A window that is watched over, and what happens to it.
+    """A supervised window, and the events that stop its motors.
 
     Attributes:
-        told: every text that was told of a stop, in order.
+        reports: every text that reported a stop, in order.
     """
 
     def __init__(

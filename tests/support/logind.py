@@ -46,7 +46,7 @@ class Logind(QObject):  # type: ignore[operator]
     """Hands out delays, and knows which of them were given back.
 
     Attributes:
-        asked: what each was wanted for: what, who, why, mode.
+        requested: what, who, why and mode of each delay.
     """
 
     def __init__(self, connection: QDBusConnection) -> None:

@@ -1,4 +1,4 @@
-"""The toy robot: what hands do to it reaches the simulator, and what it is is seen."""
+"""The Demo Aracna: its panel reaches the simulator and shows its state."""
 
 import sys
 from collections.abc import Iterator

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 import serial
 
-from tests.devices.trex.simulator.extra_time import LONG_TIMEOUT
+from tests.devices.trex.simulator.waiting import LONG_TIMEOUT
 from tests.support.simulator import StartSimulator
 
 Start = StartSimulator

@@ -32,7 +32,7 @@ from tests.devices.trex.settings.code_export.programs import (
     obedient,
     settings_for,
 )
-from tests.devices.trex.simulator.extra_time import becomes
+from tests.devices.trex.simulator.waiting import becomes
 from tests.support.matrix import sampled
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
