@@ -11,6 +11,7 @@ from trex_gui.core.simulator.line import SimulatedLine
 GOODBYE = "ok bye"  # reply to `quit`; the server ends after it
 _MAX_COUNT = 999_999_999
 _MAX_GARBAGE = 10_000
+_LONGEST_DELAY = 60.0  # seconds
 
 
 class ControlError(Exception):
@@ -72,7 +73,8 @@ def amount(text: str, what: str = "a number of bytes", highest: int = _MAX_COUNT
 
 
 WIRE_USAGE = (
-    "line mute on|off, line drop N [sent], line garbage HEX, line noise P, line unplug, line plug"
+    "line mute on|off, line drop N [sent], line corrupt N, line double N, line delay SECONDS, "
+    "line garbage HEX, line noise P, line echo on|off, line unplug, line plug"
 )
 
 
@@ -88,6 +90,18 @@ def wire(line: SimulatedLine, *words: str) -> str:
         case ["drop", number, "sent"]:
             faults.to_drop_sent = amount(number)
             return f"the next {faults.to_drop_sent} bytes from the host are lost"
+        case ["corrupt", number]:
+            faults.to_corrupt = amount(number)
+            return f"the next {faults.to_corrupt} bytes to the host are corrupted"
+        case ["double", number]:
+            faults.to_double = amount(number)
+            return f"the next {faults.to_double} bytes to the host arrive twice"
+        case ["delay", seconds]:
+            faults.delay = real(seconds, "a delay in s", _LONGEST_DELAY)
+            return f"bytes to the host are {faults.delay:g} s late"
+        case ["echo", ("on" | "off") as state]:
+            line.echo = state == "on"
+            return f"line echo {state}"
         case ["garbage", *digits] if digits:
             data = _garbage("".join(digits))
             line.inject(data)

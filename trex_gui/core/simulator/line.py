@@ -32,7 +32,9 @@ class WireFaults:
     Attributes:
         mute: whether nothing reaches the host.
         noise: probability that a byte is corrupted.
+        delay: seconds by which bytes to the host are late.
         to_drop, to_drop_sent: number of bytes to lose next, to and from the host.
+        to_corrupt, to_double: number of bytes to the host to corrupt, or to send twice, next.
         to_cut: number of bytes to the host after which the rest of a text line is lost.
         errors: errors with which the next bytes from the host reach the device.
     """
@@ -42,8 +44,11 @@ class WireFaults:
         self.mute = False
         self.plugged = True
         self.noise = 0.0
+        self.delay = 0.0
         self.to_drop = 0
         self.to_drop_sent = 0
+        self.to_corrupt = 0
+        self.to_double = 0
         self.to_cut: int | None = None
         self.errors: deque[ReceiveError] = deque()
         self.counters: Counter[str] = Counter(
@@ -75,18 +80,28 @@ class WireFaults:
             return byte, ReceiveError.FRAMING
         return byte ^ 1 << bit, ReceiveError.PARITY
 
-    def on_way_to_host(self, byte: int, begun: float) -> int | None:
+    def on_way_to_host(self, byte: int, begun: float) -> bytes:
+        """Return what arrives of a byte: nothing, the byte or another, or two."""
         if self.mute or not self._is_whole(begun):
-            return None
+            return b""
         if self.to_drop:
             self.to_drop -= 1
             self.counters["dropped"] += 1
-            return None
+            return b""
         if self.to_cut is not None and self._is_cut_off(byte):
             self.counters["dropped"] += 1
-            return None
+            return b""
         self.counters["received"] += 1
-        return byte ^ 1 << self._random.randrange(8) if self._is_noisy() else byte
+        if self._is_noisy():
+            byte ^= 1 << self._random.randrange(8)
+        elif self.to_corrupt:
+            self.to_corrupt -= 1
+            self.counters["corrupted"] += 1
+            byte ^= 1 << self._random.randrange(8)
+        if self.to_double:
+            self.to_double -= 1
+            return bytes((byte, byte))
+        return bytes((byte,))
 
     def garble(self, byte: int) -> int:
         """Return another byte than the one sent, as a receiver with other parity gets."""
@@ -184,6 +199,7 @@ class SimulatedLine:
         self.faults = WireFaults(seed, noisy_bits)
         self.timeline = Timeline(self._advance_stations)
         self._received = bytearray()
+        self._delayed_until = 0.0
         self._host_busy_until = 0.0
         self._host_turn = 0
         self._injecting_until = 0.0
@@ -306,8 +322,12 @@ class SimulatedLine:
 
     def arrive(self, byte: int, begun: float) -> None:
         arriving = self.faults.on_way_to_host(byte, begun)
-        if arriving is not None:
-            self._received.append(arriving)
+        self._delayed_until = max(self._delayed_until, self.now + self.faults.delay)
+        if self._delayed_until > self.now:
+            deliver = partial(self._received.extend, arriving)
+            self.timeline.at(self._delayed_until, deliver, lambda: self.faults.plugged)
+        else:
+            self._received += arriving
 
     def inject(self, data: bytes) -> None:
         """Put bytes on the wire to the host that no station has sent."""

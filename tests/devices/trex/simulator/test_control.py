@@ -135,6 +135,16 @@ def test_line_commands_cause_line_faults(line: TrexLine) -> None:
     control(line, "line mute off")
     control(line, "line drop 0")
     control(line, "line noise 0")
+    for text in ("line corrupt 4", "line double 5", "line delay 0.5", "line echo on"):
+        assert control(line, text).startswith("ok")
+    assert (line.faults.to_corrupt, line.faults.to_double, line.faults.delay, line.echo) == (
+        4,
+        5,
+        0.5,
+        True,
+    )
+    for text in ("line corrupt 0", "line double 0", "line delay 0", "line echo off"):
+        control(line, text)
     for text in ("line garbage 00ff", "line garbage 0A 0b"):
         assert control(line, text).startswith("ok 2 bytes")
     line.advance(1)
@@ -306,6 +316,10 @@ def test_board_keeps_its_name_when_its_number_changes(two: TrexLine) -> None:
         "line drop 99999999999",
         "line noise 1.5",
         "line noise nan",
+        "line delay 61",
+        "line double -1",
+        "line corrupt all",
+        "line echo",
         "line garbage",
         "line garbage 0",
         "line garbage xy",

@@ -265,6 +265,36 @@ class TestFaults:
         assert line.boards[0].aux.speed == 0
         assert ask("85") == "40"
 
+    def test_corrupted_bytes_of_reply_are_others(self, line: TrexLine, ask: Ask) -> None:
+        line.faults.to_corrupt = 2
+        reply = bytes.fromhex(ask("81"))
+        assert [a == b for a, b in zip(reply, b"TReX1.2", strict=True)] == [False] * 2 + [True] * 5
+        assert ask("82") == "72"
+
+    def test_doubled_bytes_of_reply_arrive_twice(self, line: TrexLine, ask: Ask) -> None:
+        line.faults.to_double = 2
+        assert ask("81") == b"TTRReX1.2".hex(" ")
+        assert ask("82") == "72"
+
+    def test_delayed_reply_arrives_late_and_in_order(self, line: TrexLine) -> None:
+        line.faults.delay = 0.5
+        line.send(b"\x81")
+        line.advance(8 * BYTE)
+        line.faults.delay = 0.0
+        line.send(b"\x82")
+        line.advance(0.4)
+        assert line.receive() == b""
+        line.advance(0.2)
+        assert line.receive() == b"TReX1.2r"
+
+    def test_delayed_reply_is_lost_when_unplugged(self, line: TrexLine) -> None:
+        line.faults.delay = 0.5
+        line.send(b"\x81")
+        line.advance(0.1)
+        line.unplug()
+        line.advance(1)
+        assert line.receive() == b""
+
     def test_injected_bytes_arrive_unsolicited(self, line: TrexLine) -> None:
         line.inject(b"\x00\xff\x12")
         assert line.read(9, 2.5 * BYTE) == b"\x00\xff"
