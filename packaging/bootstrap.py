@@ -594,11 +594,18 @@ def command_test(pytest_arguments: Sequence[str], *, every: bool = False) -> int
     return 0 if ran and all(result.passed for result in results) else 1
 
 
-def command_bench(pytest_arguments: Sequence[str]) -> int:
-    """Run the benchmarks in their own order, with their figures on the terminal."""
+def command_bench(pytest_arguments: Sequence[str], compare: Path | None = None) -> int:
+    """Run the benchmarks in their own order, with their figures on the terminal.
+
+    Args:
+        pytest_arguments: passed on.
+        compare: the saved output of an earlier run, to show ratios to.
+    """
     set_up()
-    in_order = ("-s", "-p", "no:randomly", "--timeout=0")
-    pytest = [str(venv_program("pytest")), str(BENCHMARKS), *in_order, *pytest_arguments]
+    how = ["-s", "-p", "no:randomly", "--timeout=0"]
+    if compare is not None:
+        how.append(f"--compare={compare.resolve()}")  # pytest runs in the project's folder
+    pytest = [str(venv_program("pytest")), str(BENCHMARKS), *how, *pytest_arguments]
     # Offscreen by default, so that figures can be compared.
     return run_in_sight(pytest, {**OFFSCREEN, **os.environ})
 
@@ -642,7 +649,7 @@ def make_parser() -> argparse.ArgumentParser:
         sentence = text[0].upper() + text[1:] + "."
         return commands.add_parser(name, help=text, description=sentence, usage=usage)
 
-    for_pytest = "%(prog)s [-h] [-- PYTEST_ARGUMENT ...]"
+    for_bench = "%(prog)s [-h] [--compare FILE] [-- PYTEST_ARGUMENT ...]"
     for_mutate = "%(prog)s [-h] [-- OPTION ...], see packaging/mutate.py"
     for_tests = "%(prog)s [-h] [--all] [-- PYTEST_ARGUMENT ...]"
     add("setup", "make .venv/ and install the project and its test tools, pinned")
@@ -651,7 +658,10 @@ def make_parser() -> argparse.ArgumentParser:
     test.add_argument(
         "--all", action="store_true", help="the long tests, too, with random seeds: some 20 minutes"
     )
-    add("bench", "set up if needed and run the benchmarks", for_pytest)
+    bench = add("bench", "set up if needed and run the benchmarks", for_bench)
+    bench.add_argument(
+        "--compare", metavar="FILE", type=Path, help="show ratios to the saved output of a run"
+    )
     add("mutate", "set up if needed and measure what the tests catch", for_mutate)
     add("translations", "set up if needed, update the translation files and compile them")
     return parser
@@ -685,7 +695,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return command_mutate(for_pytest)
         if command == "translations":
             return command_translations()
-        return command_bench(for_pytest)
+        return command_bench(for_pytest, options.compare)
     except BootstrapError as error:
         print(error, file=sys.stderr)
         return 1

@@ -4,8 +4,7 @@ import subprocess
 import sys
 import time
 
-import pytest
-
+from tests.benchmarks.conftest import ReportFigure
 from tests.support.simulator import SimulatedDevice
 
 
@@ -20,15 +19,8 @@ def seconds(*words: str) -> float:
     return best
 
 
-def test_command_start_time_is_measured(
-    simulator: SimulatedDevice, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_command_start_time_is_measured(simulator: SimulatedDevice, figure: ReportFigure) -> None:
     port = ("--port", simulator.url)
-    to_help, to_answer = seconds("--help"), seconds("get", "device_number", *port)
-    to_find = seconds("find", *port)
-    with capsys.disabled():
-        print(
-            f"\ntrexcmd --help {to_help:.2f} s, get {to_answer:.2f} s, "
-            f"find at the factory's settings {to_find:.2f} s"
-        )
-    assert to_help > 0
+    figure("trexcmd --help", seconds("--help"), "s")
+    figure("trexcmd get", seconds("get", "device_number", *port), "s")
+    figure("trexcmd find, factory settings", seconds("find", *port), "s")

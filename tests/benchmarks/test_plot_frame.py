@@ -1,17 +1,16 @@
 """What a frame of the plot costs, by the length of the history behind it.
 
-Run with `.venv/bin/pytest tests/benchmarks/test_plot_frame.py -s -n 0`. All lengths take turns
-within one run, so that what else the computer does falls on each alike; the ratios count.
+All lengths take turns within one run, so that what else the computer does falls on each alike.
 """
 
 import time
 from collections.abc import Callable
 
 import numpy as np
-import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.benchmarks.conftest import ReportFigure
 from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.panel import TracePanel
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
@@ -42,7 +41,7 @@ def points_and_paint(panel: TracePanel) -> None:
     panel.plot.grab()
 
 
-def figures(panel: TracePanel) -> None:
+def texts(panel: TracePanel) -> None:
     panel.refresh()
 
 
@@ -53,7 +52,7 @@ def milliseconds(work: Callable[[TracePanel], None], panel: TracePanel) -> float
 
 
 def test_frame_time_does_not_depend_on_history_length(
-    qapp: QApplication, qtbot: QtBot, capsys: pytest.CaptureFixture[str]
+    qapp: QApplication, qtbot: QtBot, figure: ReportFigure
 ) -> None:
     theme().install(qapp)
     panels = {}
@@ -65,8 +64,7 @@ def test_frame_time_does_not_depend_on_history_length(
         panel.plot.show_span(0, count / _RATE)
         panel.show()
         panels[count] = panel
-    kinds = {"points": points, "points and paint": points_and_paint, "figures": figures}
-    lines = []
+    kinds = {"points": points, "points and paint": points_and_paint, "texts": texts}
     for name, work in kinds.items():
         spent: dict[int, list[float]] = {count: [] for count in LENGTHS}
         for _ in range(_ROUNDS):
@@ -75,21 +73,18 @@ def test_frame_time_does_not_depend_on_history_length(
         medians = {count: float(np.median(taken)) for count, taken in spent.items()}
         # A thousand samples are drawn one by one; more are two points for each part of the width.
         reduced = medians[LENGTHS[1]]
-        lines += [
-            f"{name:>17} {count:>9,} samples: {median:6.2f} ms, "
-            f"{median / reduced:4.2f} of that of {LENGTHS[1]:,}, "
-            f"worst {max(spent[count]):6.2f} ms, {panels[count].plot.points_drawn} points"
-            for count, median in medians.items()
-        ]
-        assert medians[LENGTHS[-1]] < 2 * reduced
-    with capsys.disabled():
-        print("\n" + "\n".join(lines))
+        for count, median in medians.items():
+            figure(f"plot frame, {name}, {count:,} samples, median", median, "ms")
+            figure(f"plot frame, {name}, {count:,} samples, worst", max(spent[count]), "ms")
+        figure(
+            f"plot frame, {name}, {LENGTHS[-1]:,} to {LENGTHS[1]:,} samples",
+            medians[LENGTHS[-1]] / reduced,
+            "ratio",
+            at_most=2,
+        )
 
 
-def test_append_time_is_measured_for_each_history_length(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    lines = []
+def test_append_time_is_measured_for_each_history_length(figure: ReportFigure) -> None:
     for count in LENGTHS:
         history = SampleHistory(9)
         history.extend(np.arange(count) / _RATE, [np.zeros(count)] * 9)
@@ -98,9 +93,5 @@ def test_append_time_is_measured_for_each_history_length(
             begun = time.perf_counter()
             history.append(time_of_row, *row)
             spent.append((time.perf_counter() - begun) * 1e6)
-        lines.append(
-            f"{count:>9,} samples before: {np.mean(spent):5.1f} us a sample of 9 values, "
-            f"worst {max(spent) / 1000:5.1f} ms"
-        )
-    with capsys.disabled():
-        print("\n" + "\n".join(lines))
+        figure(f"append to {count:,} samples, mean", float(np.mean(spent)), "us")
+        figure(f"append to {count:,} samples, worst", max(spent) / 1000, "ms")

@@ -7,8 +7,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-import pytest
-
+from tests.benchmarks.conftest import ReportFigure
 from tests.devices.trex.recording.samples import HEADER, an_hour, open_recording, write
 from trex_gui.core.recording.export import export_span
 from trex_gui.devices.trex.model.playback import Playback
@@ -21,9 +20,7 @@ def seconds(work: Callable[[], object]) -> float:
     return time.process_time() - begin
 
 
-def test_hour_is_written_loaded_and_exported(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_hour_is_written_loaded_and_exported(tmp_path: Path, figure: ReportFigure) -> None:
     path, records = tmp_path / "hour.trexrec", list(an_hour())
     writing = seconds(lambda: write(path, records))
     recording = open_recording(path)
@@ -39,16 +36,10 @@ def test_hour_is_written_loaded_and_exported(
         return seconds(lambda: export_span(recording, target, span, HEADER.values()))
 
     loader = Playback(open_recording(path)).loader()
-    figures = {
-        "records": f"{len(records)}",
-        "size": f"{path.stat().st_size / 1e6:.1f} MB",
-        "written": f"{writing / len(records) * 1e6:.1f} µs a record",
-        "tables read": f"{seconds(fetch):.1f} s",
-        "loaded for playback": f"{seconds(lambda: loader(lambda _share: None)):.1f} s",
-        "exported as CSV": f"{export('.csv'):.1f} s",
-        "exported as MCAP": f"{export('.mcap'):.1f} s",
-    }
+    figure("recorded hour, size", path.stat().st_size / 1e6, "MB", at_most=18)
+    figure("recorded hour, written", writing / len(records) * 1e6, "us/record")
+    figure("recorded hour, tables read", seconds(fetch), "s")
+    figure("recorded hour, loaded for playback", seconds(lambda: loader(lambda _share: None)), "s")
+    figure("recorded hour, exported as CSV", export(".csv"), "s")
+    figure("recorded hour, exported as MCAP", export(".mcap"), "s")
     recording.close()
-    with capsys.disabled():
-        print(*("", *(f"{name}: {figure}" for name, figure in figures.items())), sep="\n")
-    assert path.stat().st_size < 18_000_000

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 import serial
 
+from tests.benchmarks.conftest import ReportFigure
 from tests.support.simulator import StartSimulator
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -23,7 +24,7 @@ _TELEMETRY = [("86 1F", 10), ("87 1F", 5), ("8F", 2), ("84", 1)]
 _NULL = b"\xff"
 
 
-def test_unpaced_simulator_reaches_required_rate(capsys: pytest.CaptureFixture[str]) -> None:
+def test_unpaced_simulator_reaches_required_rate(figure: ReportFigure) -> None:
     line = TrexLine([Board()], paced=False)
     requests = [(bytes.fromhex(packet), size) for packet, size in _TELEMETRY]
     begun = time.perf_counter()
@@ -32,17 +33,12 @@ def test_unpaced_simulator_reaches_required_rate(capsys: pytest.CaptureFixture[s
             line.send(packet)
             assert len(line.read(size, 0)) == size
     rate = _TRANSACTIONS / (time.perf_counter() - begun)
-    with capsys.disabled():
-        print(f"\nunpaced, in process: {rate:,.0f} transactions/s")
-    assert rate >= _WANTED_RATE
+    figure("unpaced simulator, in process", rate, "/s", at_least=_WANTED_RATE)
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
 def test_paced_bytes_take_line_time(
-    baud: int,
-    start_simulator: StartSimulator,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
+    baud: int, start_simulator: StartSimulator, tmp_path: Path, figure: ReportFigure
 ) -> None:
     """Null bytes go out without a pause and come back as echo, each when its stop bit ends."""
     settings = LineSettings(baud)
@@ -59,19 +55,20 @@ def test_paced_bytes_take_line_time(
                 sent += port.write(_NULL * min(chunk, size - sent)) or 0
             received += len(port.read(port.in_waiting or 1))
         took = time.perf_counter() - begun
-    off = took / settings.seconds(size) - 1
-    with capsys.disabled():
-        print(f"\n{baud} baud: {size} bytes in {took:.3f} s, {off:+.2%} off the wire's time")
-    assert abs(off) <= _OFF_PACE
+    ratio = took / settings.seconds(size)
+    figure(
+        f"paced bytes at {baud} baud to wire time",
+        ratio,
+        "ratio",
+        at_least=1 - _OFF_PACE,
+        at_most=1 + _OFF_PACE,
+    )
     assert simulator.show()["counters"]["uart_errors"] == 0
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
 def test_paced_transactions_take_at_least_line_time(
-    baud: int,
-    start_simulator: StartSimulator,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
+    baud: int, start_simulator: StartSimulator, tmp_path: Path, figure: ReportFigure
 ) -> None:
     """Requests each after the last answer: the wire, and what two processes add to it."""
     settings = LineSettings(baud)
@@ -89,7 +86,6 @@ def test_paced_transactions_take_at_least_line_time(
                 wire += settings.seconds(len(packet) + size)
                 count += 1
         took = time.perf_counter() - begun
-    extra = (took - wire) / count
-    with capsys.disabled():
-        print(f"\n{baud} baud: {count / took:.1f} transactions/s, {extra * 1e6:.0f} us each added")
+    figure(f"paced transactions at {baud} baud", count / took, "/s")
+    figure(f"added to a transaction at {baud} baud", (took - wire) / count * 1e6, "us")
     assert took >= wire  # nothing comes before the wire has carried it

@@ -7,9 +7,9 @@ import resource
 import sys
 import time
 
-import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.benchmarks.conftest import ReportFigure
 from tests.support.program import trex
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
@@ -18,7 +18,7 @@ _FRAMES = 20_000
 
 
 def test_20000_frames_keep_references_to_none(
-    program: Program, qtbot: QtBot, capsys: pytest.CaptureFixture[str]
+    program: Program, qtbot: QtBot, figure: ReportFigure
 ) -> None:
     trex(program).controller.connect_to(program.ports.demo_of("trex"))
     qtbot.waitUntil(lambda: trex(program).device.link is ConnectionState.CONNECTED, timeout=20_000)
@@ -37,12 +37,9 @@ def test_20000_frames_keep_references_to_none(
     drift = sys.getrefcount(None) - before
     seconds = time.perf_counter() - begun
     motors.stop()
-    with capsys.disabled():
-        print(
-            f"\n{_FRAMES} frames in {seconds:.0f} s: references to None {drift:+d}, "
-            f"memory {_memory() - memory:+.1f} MiB"
-        )
-    assert drift > -1000
+    figure(f"{_FRAMES} frames", seconds, "s")
+    figure(f"references to None after {_FRAMES} frames", drift, "", at_least=-1000)
+    figure(f"memory gained in {_FRAMES} frames", _memory() - memory, "MiB")
 
 
 def _memory() -> float:

@@ -17,6 +17,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSlider
 
+from tests.benchmarks.conftest import ReportFigure
 from tests.support.simulator import StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.core.transport.serial_port import SerialTransport
@@ -90,7 +91,7 @@ def test_delay_from_press_to_wire_stays_below_limit(
     start_simulator: StartSimulator,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    figure: ReportFigure,
 ) -> None:
     tap = Wiretap(monkeypatch)
     line = LineSettings(baud)
@@ -133,19 +134,20 @@ def test_delay_from_press_to_wire_stays_below_limit(
     def press_stop(_: int) -> None:
         QTest.mouseClick(stop, Qt.MouseButton.LeftButton)
 
-    figures = {
+    measured = {
         "slider": measure(lambda number: slider.setValue(speed_of(number)), is_drive),
         "stop": measure(press_stop, lambda data, _: is_stop(data)),
     }
-    with capsys.disabled():
-        print(f"\n{baud} baud, {_PRESSES} presses each, ms:  median   99 %  worst | least possible")
-        for name, (took, least) in figures.items():
-            ordered = sorted(took)
-            late = ordered[len(ordered) * 99 // 100]
-            print(
-                f"  {name:8} {statistics.median(took):34.2f} {late:6.2f} {ordered[-1]:6.2f} "
-                f"| {statistics.median(least):.2f}, worst {max(least):.2f}"
-            )
-    for took, least in figures.values():
+    for name, (took, least) in measured.items():
+        ordered = sorted(took)
         added = [all_in_all - needed for all_in_all, needed in zip(took, least, strict=True)]
-        assert statistics.median(added) < _ADDED_MS
+        figure(f"{name} to wire at {baud} baud, median", statistics.median(took), "ms")
+        figure(f"{name} to wire at {baud} baud, 99 %", ordered[len(took) * 99 // 100], "ms")
+        figure(f"{name} to wire at {baud} baud, worst", ordered[-1], "ms")
+        figure(f"least possible for {name} at {baud} baud", statistics.median(least), "ms")
+        figure(
+            f"added for {name} at {baud} baud, median",
+            statistics.median(added),
+            "ms",
+            at_most=_ADDED_MS,
+        )

@@ -10,15 +10,14 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
+from tests.benchmarks.conftest import ReportFigure
 from tests.support.program import trex
 from tests.support.simulator import StartSimulator
 from tests.support.virtual import Stage
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session.messages import Batch, Report
-from trex_gui.devices.trex.session.polling import rates
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.ui.devices.connection import ConnectionState
@@ -54,7 +53,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
     qtbot: QtBot,
     start_simulator: StartSimulator,
     tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
+    figure: ReportFigure,
 ) -> None:
     line = LineSettings(baud)
     eeprom = Eeprom.open(tmp_path / "board.json", "trex")
@@ -74,14 +73,11 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
     read = {name: count / _SECONDS for name, count in _count(reports).items()}
 
     possible = _possible(settings)
-    renewed = {topic.name.lower(): rate for topic, rate in rates(InputSource.RC).items()}
-    with capsys.disabled():
-        print(f"\n{baud} baud, {'all pages painting' if painting else 'window idle'}:")
-        for name, rate in read.items():
-            print(
-                f"  {name:9} {rate:5.1f}/s read, {possible[name]:5.1f}/s on an ideal host, "
-                f"{renewed[name]:3.0f}/s renewed: {100 * rate / possible[name]:3.0f} %"
-            )
+    state = "painting" if painting else "idle"
+    for name, rate in read.items():
+        figure(f"{name} read at {baud} baud, {state}", rate, "/s")
+        ratio = rate / possible[name]
+        figure(f"{name} read at {baud} baud, {state}, to ideal host", ratio, "ratio")
     assert all(rate > 0 for rate in read.values())
 
 

@@ -447,6 +447,24 @@ def test_wrong_usage_exits_2(arguments: list[str], capsys: pytest.CaptureFixture
     assert ended.value.code == 2
 
 
+def test_benchmarks_are_compared_to_file_in_current_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    commands: list[Sequence[str]] = []
+
+    def run(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
+        commands.append(command)
+        return 0
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(bootstrap, "set_up", lambda: False)
+    monkeypatch.setattr(bootstrap, "run_in_sight", run)
+    assert bootstrap.main(["bench", "--compare", "run.txt", "--", "-k", "start"]) == 0
+    assert bootstrap.main(["bench"]) == 0
+    assert commands[0][-3:] == [f"--compare={tmp_path / 'run.txt'}", "-k", "start"]
+    assert not any(word.startswith("--compare") for word in commands[1])
+
+
 def test_demo_without_display_lists_its_screenshots(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
