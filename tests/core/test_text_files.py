@@ -139,6 +139,7 @@ def test_permission_error_is_reported(tmp_path: Path, monkeypatch: pytest.Monkey
     path = tmp_path / "bench.txt"
     path.write_text("old\n")
     monkeypatch.setattr(Path, "open", forbidden)
+    monkeypatch.setattr(os, "open", forbidden)
     assert sentence(path) == "it cannot be read: permission denied"
     assert sentence(path, "new\n") == "it cannot be written: permission denied"
 

@@ -78,7 +78,8 @@ def test_arbitrary_text_is_rejected_as_profile(text: str) -> None:
 
 @pytest.mark.parametrize(
     "corrupted",
-    ['"dead_zone": 0.9', '"dead_zone": NaN', '"expo": -1', '"hold": true', '"hold": -2',
+    ['"dead_zone": 0.9', '"dead_zone": NaN', '"dead_zone": false', '"expo": -1', '"expo": true',
+     '"hold": true', '"hold": -2',
      '"first": [1]', '"first": [true, false]', '"style": "crab"'],
 )  # fmt: skip
 def test_profile_with_one_invalid_value_is_rejected(corrupted: str) -> None:

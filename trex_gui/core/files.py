@@ -1,9 +1,11 @@
 """Text files that users edit: findings by line, size limit on reading, atomic writing."""
 
 import contextlib
+import errno
 import os
 import secrets
 import shutil
+import stat
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
@@ -61,6 +63,29 @@ class SettingsError(StudioError):
     def __str__(self) -> str:
         between = " " if len(self.findings) == 1 else "\n"
         return f"{self.name}:{between}" + "\n".join(map(str, self.findings))
+
+
+def open_regular(path: Path) -> BinaryIO:
+    """Open an ordinary file for reading: a pipe would block, a device may react to it.
+
+    Raises:
+        OSError: it cannot be opened, or is not an ordinary file.
+    """
+    _check_regular(path, path.stat())
+    flags = os.O_RDONLY | getattr(os, "O_BINARY", 0) | getattr(os, "O_NONBLOCK", 0)
+    file = os.fdopen(os.open(path, flags), "rb")
+    try:
+        _check_regular(path, os.fstat(file.fileno()))  # it may have been replaced meanwhile
+    except OSError:
+        file.close()
+        raise
+    return file
+
+
+def _check_regular(path: Path, found: os.stat_result) -> None:
+    if not stat.S_ISREG(found.st_mode):
+        kind = "is a folder, not a file" if stat.S_ISDIR(found.st_mode) else "is no regular file"
+        raise OSError(errno.EINVAL, f"it {kind}", str(path))
 
 
 @contextlib.contextmanager
@@ -133,7 +158,7 @@ def load(path: Path, content: str = "settings") -> bytes:
         if not path.is_file():
             path.stat()  # raises where the file is missing or forbidden
             raise SettingsError.of(path, _kind_of(path))
-        with path.open("rb") as file:
+        with open_regular(path) as file:
             data = file.read(LARGEST_FILE + 1)
     check_size(data, str(path), content)
     return data

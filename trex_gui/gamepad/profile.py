@@ -130,6 +130,8 @@ def _button(found: object) -> int | None:
 
 
 def _part(found: object, most: float) -> float:
+    if type(found) is bool:
+        raise ValueError(found)
     if isinstance(found, int | float) and 0 <= found <= most:
         return float(found)
     raise ValueError(found)

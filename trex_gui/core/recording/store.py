@@ -16,6 +16,7 @@ from pathlib import Path
 from types import NoneType
 from typing import Any, Generic, cast
 
+from trex_gui.core.files import open_regular
 from trex_gui.core.recording.kinds import (
     HeaderT,
     Marker,
@@ -202,7 +203,7 @@ class Recording(Generic[HeaderT, RecordT]):
                 "A CSV file is an export and cannot be opened as a recording. Open the recording "
                 f"({SUFFIX}) that it was exported from."
             )
-        with _reported(path, "It cannot be opened"), path.open("rb") as file:
+        with _reported(path, "It cannot be opened"), open_regular(path) as file:
             head = file.read(_HEAD.size)
             size = file.seek(0, os.SEEK_END)
         if len(head) < _HEAD.size or not head.startswith(_MAGIC):

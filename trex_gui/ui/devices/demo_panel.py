@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, Generic
 
-from PySide6.QtCore import QCoreApplication, QSettings, Qt, Signal, Slot
+from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.simulator import DemoDevice, SnapshotT
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -274,10 +275,10 @@ class DemoDock(QDockWidget):
         self.setObjectName(name)
         self._key = key
         self._use = use
-        self._store = QSettings(self)
+        self._store = Preferences()
         self._width = self._width_before = 0
         # Whether the user wants to see it while the device is in use.
-        self.wanted = self._store.value(key, "true") in {True, "true"}
+        self.wanted = self._store.flag(key, default=True)
         self.hide()
 
     def hold(self, view: QWidget) -> None:
@@ -287,7 +288,7 @@ class DemoDock(QDockWidget):
     def set_wanted(self, wanted: bool) -> None:
         if wanted != self.wanted:
             self.wanted = wanted
-            self._store.setValue(self._key, wanted)
+            self._store.set(self._key, wanted)
             self.wanted_changed.emit(wanted)
         self.show_if_wanted()
 

@@ -4,13 +4,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from PySide6.QtCore import QObject, QSettings, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 from serial.tools import list_ports
 
 from trex_gui.core.plugin import DevicePlugin
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 
 _INTERVAL_MS = 1500
+_MOST_TYPED = 8
 _MANY = 20  # ports remembered to lead to another kind than the first
 _REMEMBERED = "ports/typed"
 _LAST = "ports/last"
@@ -49,8 +51,8 @@ class Ports(QObject):
     def __init__(self, plugins: Sequence[DevicePlugin], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.plugins = tuple(plugins)
-        self._settings = QSettings(self)
-        self._typed = tuple(str(self._settings.value(_REMEMBERED, "")).splitlines())
+        self._store = Preferences()
+        self._typed = tuple(self._store.text(_REMEMBERED).splitlines()[-_MOST_TYPED:])
         self.entries: tuple[Port, ...] = ()
         self._timer = new_timer(self, _INTERVAL_MS, self.refresh)
         self.refresh()
@@ -65,7 +67,7 @@ class Ports(QObject):
     def preferred(self) -> Port | None:
         """The port to offer first: the one used last, or the only serial one."""
         serial = [port for port in self.entries if port.kind is PortKind.SERIAL]
-        last = self.find(str(self._settings.value(_LAST, "")))
+        last = self.find(self._store.text(_LAST))
         return last or (serial[0] if len(serial) == 1 else None)
 
     @Slot()
@@ -89,8 +91,8 @@ class Ports(QObject):
         """Remember an address that the user typed; return its entry."""
         url = url.strip()
         if url not in self._typed and all(port.url != url for port in self.entries):
-            self._typed = (*self._typed, url)[-8:]
-            self._settings.setValue(_REMEMBERED, "\n".join(self._typed))
+            self._typed = (*self._typed, url)[-_MOST_TYPED:]
+            self._store.set(_REMEMBERED, "\n".join(self._typed))
             self.refresh()
         return self.find(url) or self._entry(PortKind.TYPED, url, url)
 
@@ -102,12 +104,12 @@ class Ports(QObject):
         if device != self.plugins[0].key:
             known[port.url] = device
         lines = [f"{key} {url}" for url, key in known.items()]
-        self._settings.setValue(_LEADS_TO, "\n".join(lines[-_MANY:]))
+        self._store.set(_LEADS_TO, "\n".join(lines[-_MANY:]))
         self.refresh()
         return self.find(port.url) or self._entry(port.kind, port.url, port.url)
 
     def _known_kinds(self) -> dict[str, str]:
-        lines = str(self._settings.value(_LEADS_TO, "")).splitlines()
+        lines = self._store.text(_LEADS_TO).splitlines()
         words = [line.split(" ", 1) for line in lines if " " in line]
         keys = {plugin.key for plugin in self.plugins}
         return {url: key for key, url in words if key in keys}
@@ -125,7 +127,7 @@ class Ports(QObject):
     def note_used(self, port: Port) -> None:
         """Remember the port of a connection that worked; a simulated device is none."""
         if port.url:
-            self._settings.setValue(_LAST, port.url)
+            self._store.set(_LAST, port.url)
 
 
 def _label(device: str, description: str) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QEvent, QObject, QSettings, Qt, QTimer, QUrl, Slot
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, QUrl, Slot
 from PySide6.QtGui import (
     QActionGroup,
     QCloseEvent,
@@ -43,6 +43,7 @@ from trex_gui.ui.frame.workspace import (
     fill_menu_bar,
 )
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme
@@ -71,7 +72,7 @@ class MainWindow(QMainWindow):
         self.setWindowIcon(application_icon())
         self._manager = device_manager
         self._notifier = notifier
-        self._store = QSettings(self)
+        self._store = Preferences()
         frame = QWidget(self)
         self._connection = ConnectionBar(device_manager, ports, frame)
         self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
@@ -264,7 +265,7 @@ class MainWindow(QMainWindow):
 
     def _choose_scheme(self, scheme: Scheme) -> None:
         theme().set_scheme(scheme)
-        self._store.setValue("window/scheme", scheme)
+        self._store.set("window/scheme", scheme)
 
     @Slot()
     def _on_theme_changed(self) -> None:
@@ -290,14 +291,12 @@ class MainWindow(QMainWindow):
 
     def _restore(self) -> None:
         restore_geometry(self, "window", 1100, 760)
-        state = self._store.value("window/state")
-        if isinstance(state, QByteArray):
-            self.restoreState(state)
+        self.restoreState(self._store.data("window/state"))
         for workspace in self._workspaces:
-            page = str(self._store.value(f"{workspace.key}/page", 0))
-            workspace.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
+            page = self._store.integer(f"{workspace.key}/page", 0, 0, workspace.pages.count() - 1)
+            workspace.pages.setCurrentIndex(page)
             workspace.take_actions(self._actions)
-        wanted = self._store.value("window/scheme", "system")
+        wanted = self._store.text("window/scheme", "system")
         for scheme in SCHEMES:
             if scheme == wanted and scheme != theme().choice:
                 theme().set_scheme(scheme)
@@ -314,9 +313,9 @@ class MainWindow(QMainWindow):
             event.ignore()
             self._warning.give()
             return
-        self._store.setValue("window/state", state)
+        self._store.set("window/state", state)
         for workspace in self._workspaces:
-            self._store.setValue(f"{workspace.key}/page", workspace.pages.currentIndex())
+            self._store.set(f"{workspace.key}/page", workspace.pages.currentIndex())
             workspace.prepare_to_close()
         self._connection.close_dialogs()
         self._help.close()

@@ -7,13 +7,14 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from PySide6.QtCore import QObject, QSettings, Qt, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QLabel, QSizePolicy, QWidget
 
 from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import SUFFIX
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.transport import size_text, time_text
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.widgets import builders
@@ -121,7 +122,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         self._texts = texts
         self._notifier = notifier
         self._window = window
-        self._store = QSettings(self)
+        self._store = Preferences()
         self._folder_key = f"{store}/folder"
         self._last: tuple[bool, bool] | None = None
         self.recorder = recorder
@@ -219,10 +220,10 @@ class RecordingManager(QObject, Generic[WindowT]):
         return self.tr("Recordings (*{0})").format(SUFFIX)
 
     def _folder(self) -> Path:
-        return Path(str(self._store.value(self._folder_key, str(Path.home()))))
+        return self._store.path(self._folder_key, Path.home())
 
     def _remember_folder(self, path: Path) -> None:
-        self._store.setValue(self._folder_key, str(path.parent))
+        self._store.set(self._folder_key, str(path.parent))
 
     @Slot(object)
     def _on_ended(self, path: Path) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TextIO
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QPoint, QRectF, QSettings, QSize, Qt, Slot
+from PySide6.QtCore import QCoreApplication, QPoint, QRectF, QSize, Qt, Slot
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPalette, QPen, QRegion
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
@@ -21,6 +21,7 @@ from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.plotting.marks import charge_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import file_questions
@@ -62,7 +63,7 @@ class ExportButton(QToolButton):
         self._name = name
         self._plot = plot
         self._notifier = notifier
-        self._store = QSettings(self)
+        self._store = Preferences()
         self._tables = FileSaver(self)
         self._tables.saved.connect(self._on_saved)
         self._tables.failed.connect(self._notifier.error)
@@ -75,7 +76,7 @@ class ExportButton(QToolButton):
         self._light = action(
             self, "exportLightAction", self.tr("Pictures on a &light background"), checkable=True
         )
-        self._light.setChecked(self._store.value(_LIGHT, "true") == "true")
+        self._light.setChecked(self._store.flag(_LIGHT, default=True))
         self._light.toggled.connect(self._on_light_toggled)
         self.menu().addAction(self._light)
 
@@ -84,7 +85,7 @@ class ExportButton(QToolButton):
 
     @Slot(bool)
     def _on_light_toggled(self, light: bool) -> None:
-        self._store.setValue(_LIGHT, "true" if light else "false")
+        self._store.set(_LIGHT, light)
 
     def _ask(self, kind: str, whole: bool, _checked: bool = False) -> None:
         kinds = self.tr("Tables (*.csv)") if kind == "csv" else self.tr("Pictures (*.{0})")

@@ -3,11 +3,12 @@
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QSettings, Qt, Slot
+from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QLineEdit, QPushButton, QWidget
 
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.traffic.table import RowDetails, TrafficTable, TrafficView
@@ -39,7 +40,7 @@ class TrafficPage(QWidget):
         self._notifier = notifier
         self._polling_key = f"{key}/polling"
         self._device = device
-        self._store = QSettings(self)
+        self._store = Preferences()
         self._table = TrafficTable(traffic, self)
         self._saver = FileSaver(self, finishing_ms=_SAVE_TIMEOUT_MS)
 
@@ -99,7 +100,7 @@ class TrafficPage(QWidget):
         self._saver.failed.connect(self._notifier.error)
         traffic.changed.connect(self._refresh)
         traffic.cleared.connect(self._refresh)
-        self._polling.setChecked(self._store.value(self._polling_key, False, bool) is True)
+        self._polling.setChecked(self._store.flag(self._polling_key, default=False))
         self._apply_filter()
 
     def _make_buttons(self, key: str) -> tuple[QPushButton, ...]:
@@ -138,7 +139,7 @@ class TrafficPage(QWidget):
     @Slot()
     def _apply_filter(self) -> None:
         self._typing.stop()
-        self._store.setValue(self._polling_key, self._polling.isChecked())
+        self._store.set(self._polling_key, self._polling.isChecked())
         self._table.set_filter(
             polling=self._polling.isChecked(),
             faults=self._faults.isChecked(),

@@ -5,11 +5,9 @@ from functools import wraps
 from typing import TypeVar
 
 from PySide6.QtCore import (
-    QByteArray,
     QCoreApplication,
     QEvent,
     QObject,
-    QSettings,
     Qt,
     Signal,
     Slot,
@@ -23,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
 
@@ -141,13 +140,11 @@ def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], No
 def restore_geometry(window: QWidget, key: str, width: int, height: int) -> None:
     """Place a window as `save_geometry` has stored it; else give it this size."""
     window.resize(width, height)
-    geometry = QSettings().value(f"{key}/geometry")
-    if isinstance(geometry, QByteArray):
-        window.restoreGeometry(geometry)
+    window.restoreGeometry(Preferences().data(f"{key}/geometry"))
 
 
 def save_geometry(window: QWidget, key: str) -> None:
-    QSettings().setValue(f"{key}/geometry", window.saveGeometry())
+    Preferences().set(f"{key}/geometry", window.saveGeometry())
 
 
 def take_typed() -> None:

@@ -3,8 +3,10 @@
 from enum import Enum, auto
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
+from PySide6.QtCore import QCoreApplication, QStandardPaths
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from trex_gui.ui.preferences import Preferences
 
 _FOLDER = "settings/folder"
 
@@ -76,11 +78,11 @@ def file_filter() -> str:
 
 def last_folder() -> Path:
     documents = QStandardPaths.StandardLocation.DocumentsLocation
-    return Path(str(QSettings().value(_FOLDER, QStandardPaths.writableLocation(documents))))
+    return Preferences().path(_FOLDER, QStandardPaths.writableLocation(documents))
 
 
 def remember_folder(path: Path) -> None:
-    QSettings().setValue(_FOLDER, str(path.parent))
+    Preferences().set(_FOLDER, str(path.parent))
 
 
 def ask_to_open(window: QWidget, title: str) -> Path | None:

@@ -66,20 +66,20 @@ def test_line_settings_are_saved(
 
 
 @pytest.mark.parametrize(
-    ("key", "value"),
+    ("key", "value", "left"),
     [
-        ("line/settings", "nonsense"),
-        ("line/settings", 15),
-        ("line/device_number", 300),
-        ("line/polynomial", ""),
+        ("line/settings", "nonsense", 19200),
+        ("line/settings", 15, 19200),
+        ("line/device_number", 300, 57600),
+        ("line/polynomial", "", 57600),
     ],
 )
 def test_invalid_saved_line_settings_fall_back_to_factory(
-    device: Device, ports: Ports, key: str, value: object, connector: TrexController
+    device: Device, ports: Ports, key: str, value: object, left: int, connector: TrexController
 ) -> None:
     connector.set_settings(ConnectionSettings("", LineSettings(57600)))
     QSettings().setValue(key, value)
-    assert new_controller(device, ports).settings == ConnectionSettings("")
+    assert new_controller(device, ports).settings == ConnectionSettings("", LineSettings(left))
 
 
 # --- Connecting -------------------------------------------------------------------------

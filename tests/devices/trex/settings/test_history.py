@@ -298,6 +298,16 @@ def test_damaged_snapshot_is_listed_with_its_problem(history: SettingsHistory) -
         history.load(snapshot)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pipes with a path")
+def test_pipe_among_the_snapshots_is_not_opened(history: SettingsHistory) -> None:
+    history.folder.mkdir(parents=True, exist_ok=True)
+    os.mkfifo(history.folder / "20260101T120000Z-trex-1.3.txt")
+    os.mkfifo(history.folder / "history.txt")
+    (found,) = history.snapshots()
+    assert found.problem == "It cannot be read: it is no regular file."
+    assert "cannot be read" in history.bound().problem
+
+
 @pytest.mark.parametrize(
     ("text", "problem"),
     [

@@ -2,9 +2,10 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QObject, QSettings, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.aracna.protocol.joints import CENTRE, MOTORS, Limits, factory_limits
+from trex_gui.ui.preferences import Preferences
 
 _KEY = "aracna/limits"
 
@@ -16,7 +17,7 @@ class JointLimits(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._store = QSettings(self)
+        self._store = Preferences()
         self._all = self._read()
 
     def of(self, motor: int) -> Limits:
@@ -51,12 +52,12 @@ class JointLimits(QObject):
 
     def _save(self) -> None:
         text = " ".join(f"{limits.low}-{limits.high}" for limits in self._all)
-        self._store.setValue(_KEY, text)
+        self._store.set(_KEY, text)
         self.changed.emit()
 
     def _read(self) -> tuple[Limits, ...]:
         """Return the saved limits, or the default if they are invalid."""
-        pairs = [word.split("-") for word in str(self._store.value(_KEY, "")).split()]
+        pairs = [word.split("-") for word in self._store.text(_KEY).split()]
         try:
             saved = tuple(Limits(int(low), int(high)) for low, high in pairs)
         except ValueError:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, QSettings, Slot
+from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.plugin import DevicePlugin
@@ -20,6 +20,7 @@ from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.translations import error_sentence
 
 _LINE = "line/settings"
@@ -43,7 +44,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._default = ConnectionSettings("", timeouts=timeouts or Timeouts())
         super().__init__(plugin, device, ports, scanner, self._default)
         self.device = device
-        self._store = QSettings(self)
+        self._store = Preferences()
         self.settings = self._read_settings()
         self.demo_board = DemoBoard(self.simulator, self)
         self._automatic_stop = AutomaticStop(device, self.stop_reported.emit, self)
@@ -61,10 +62,10 @@ class TrexController(DeviceController[ConnectionSettings]):
     def set_settings(self, settings: ConnectionSettings) -> None:
         """Use and remember these line settings from the next connection on."""
         self.settings = replace(settings, url="", name="")
-        self._store.setValue(_LINE, settings.line.to_wire())
+        self._store.set(_LINE, settings.line.to_wire())
         number = settings.device_number
-        self._store.setValue(_NUMBER, -1 if number is None else number)
-        self._store.setValue(_POLYNOMIAL, settings.polynomial)
+        self._store.set(_NUMBER, -1 if number is None else number)
+        self._store.set(_POLYNOMIAL, settings.polynomial)
         self.changed.emit()
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
@@ -99,10 +100,11 @@ class TrexController(DeviceController[ConnectionSettings]):
             self.device.expect((ConnectionSettings(""),))
 
     def _read_settings(self) -> ConnectionSettings:
+        store = self._store
+        wire = store.integer(_LINE, self._default.line.to_wire(), 0, 127)
+        number = store.integer(_NUMBER, -1, -1, 127)
+        polynomial = store.integer(_POLYNOMIAL, self._default.polynomial, 0, 255)
         try:
-            wire = int(str(self._store.value(_LINE, self._default.line.to_wire())))
-            number = int(str(self._store.value(_NUMBER, -1)))
-            polynomial = int(str(self._store.value(_POLYNOMIAL, self._default.polynomial)))
             settings = replace(
                 self._default,
                 line=LineSettings.from_wire(wire),
@@ -110,7 +112,7 @@ class TrexController(DeviceController[ConnectionSettings]):
                 polynomial=check_polynomial(polynomial),
             )
             _ = settings.framing
-        except (BadRequest, ValueError):
+        except BadRequest:
             return self._default
         return settings
 

@@ -1,6 +1,6 @@
 """Driving with a gamepad: which one is read, its profile, and whether it drives."""
 
-from PySide6.QtCore import QCoreApplication, QObject, QSettings, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.motors import MomentaryDrive
@@ -13,6 +13,7 @@ from trex_gui.gamepad.profile import (
     default_profile,
     read_profile,
 )
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 
 HOLDER = "gamepad"  # the name under which a gamepad holds the motors
@@ -37,7 +38,7 @@ class Gamepad(QObject):
         self._motors = device.motors
         self._drive_with = MomentaryDrive(device.motors, HOLDER)
         self._source = source
-        self._store = QSettings(self)
+        self._store = Preferences()
         self.on = False  # whether gamepads are read
         self.failure = ""  # why gamepads cannot be read, and what helps; empty if they can
         self.pads: tuple[Pad, ...] = ()  # the gamepads that are connected
@@ -62,7 +63,7 @@ class Gamepad(QObject):
     @property
     def stops_unfocused(self) -> bool:
         """Whether motors that it drives stop when the window loses the focus."""
-        return bool(self._store.value("gamepad/stops_unfocused", defaultValue=True, type=bool))
+        return self._store.flag("gamepad/stops_unfocused", default=True)
 
     # --- User actions -------------------------------------------------------------------
 
@@ -97,7 +98,7 @@ class Gamepad(QObject):
     def choose(self, pad: Pad) -> None:
         """Read this one from now on; motors that another drives stop."""
         if pad in self.pads and pad != self.pad:
-            self._store.setValue("gamepad/last", pad.guid)
+            self._store.set("gamepad/last", pad.guid)
             self._drive_with.abort(self.tr("Another gamepad was chosen."))
             self._take(pad)
             self._refresh()
@@ -106,12 +107,12 @@ class Gamepad(QObject):
         """Use this profile for this kind of gamepad, now and later; motors that it drives stop."""
         if self.pad is not None and profile != self.profile:
             self._drive_with.abort(self.tr("The gamepad settings were changed."))
-            self._store.setValue(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
+            self._store.set(f"gamepad/profiles/{self.pad.guid}", profile.to_text())
             self._use(profile)
             self._refresh()
 
     def set_stops_unfocused(self, stops: bool) -> None:
-        self._store.setValue("gamepad/stops_unfocused", stops)
+        self._store.set("gamepad/stops_unfocused", stops)
         self.changed.emit()
 
     def attend(self, reason: str) -> None:
@@ -160,7 +161,7 @@ class Gamepad(QObject):
         if self.pad is not None and self.pad not in pads:
             self._on_pad_lost(self.pad)
         if self.pad is None and pads:
-            last = str(self._store.value("gamepad/last", ""))
+            last = self._store.text("gamepad/last")
             self.gone = ""
             self._take(next((pad for pad in pads if pad.guid == last), pads[0]))
         self.changed.emit()
@@ -194,7 +195,7 @@ class Gamepad(QObject):
         self.pad = pad
         self.state, self.request = None, _NOTHING
         if pad is not None:
-            stored = read_profile(str(self._store.value(f"gamepad/profiles/{pad.guid}", "")))
+            stored = read_profile(self._store.text(f"gamepad/profiles/{pad.guid}"))
             self._use(stored if stored and stored.fits(pad) else default_profile(pad))
         self.moved.emit()
 

@@ -4,12 +4,13 @@ import math
 from collections.abc import Iterable, Mapping
 from enum import Enum
 
-from PySide6.QtCore import QObject, QSettings, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, SetMotors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import seven_bits
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer, now
 
 _STEP_MS = 100
@@ -26,15 +27,11 @@ LONGEST = 10.0
 
 
 def remembered_lockout() -> float:
-    try:
-        seconds = float(str(QSettings().value(_KEY, LOCKOUT)))
-    except ValueError:
-        return LOCKOUT
-    return min(max(seconds, 0.0), LONGEST) if math.isfinite(seconds) else LOCKOUT
+    return Preferences().real(_KEY, LOCKOUT, 0.0, LONGEST)
 
 
 def remember_lockout(seconds: float) -> None:
-    QSettings().setValue(_KEY, min(max(seconds, 0.0), LONGEST))
+    Preferences().set(_KEY, min(max(seconds, 0.0), LONGEST))
 
 
 _AUXILIARY = 0

@@ -2,13 +2,14 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, QStandardPaths, Slot
+from PySide6.QtCore import QObject, QStandardPaths, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.core.files import SettingsError, Severity
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import take_typed
 
@@ -25,7 +26,7 @@ class PoseFiles(QObject):
         self._library = library
         self._notifier = notifier
         self._window = window
-        self._store = QSettings(self)
+        self._store = Preferences()
 
     @Slot()
     def new(self) -> None:
@@ -100,13 +101,13 @@ class PoseFiles(QObject):
 
     def folder(self) -> Path:
         documents = QStandardPaths.StandardLocation.DocumentsLocation
-        return Path(str(self._store.value(_FOLDER, QStandardPaths.writableLocation(documents))))
+        return self._store.path(_FOLDER, QStandardPaths.writableLocation(documents))
 
     def _report_error(self, text: str, error: SettingsError) -> None:
         self._notifier.error.emit(text.format(str(error).rstrip(". ")))
 
     def _remember_folder(self, path: Path) -> None:
-        self._store.setValue(_FOLDER, str(path.parent))
+        self._store.set(_FOLDER, str(path.parent))
 
     def _filter(self) -> str:
         return self.tr("Pose files (*{0});;All files (*)").format(SUFFIX)

@@ -1,5 +1,6 @@
 """Results of bench tests: their figures beside those of another test, and their files."""
 
+import io
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.core.files import open_regular
 from trex_gui.devices.trex.bench.figures import BAND, Figures, figures
 from trex_gui.devices.trex.bench.files import MAX_LENGTH, BenchFileError, from_csv, to_csv
 from trex_gui.devices.trex.bench.run import Run
@@ -160,7 +162,7 @@ class BenchFiles(QObject):
     def open(self, path: Path) -> None:
         """Read a test and add it to those that were run."""
         try:
-            with path.open(encoding="utf-8") as file:
+            with open_regular(path) as data, io.TextIOWrapper(data, "utf-8") as file:
                 run = from_csv(file.read(MAX_LENGTH + 1))
         except OSError as error:
             reason = error.strerror or str(error)

@@ -3,13 +3,14 @@
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QObject, QSettings, QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QGroupBox, QRadioButton, QSizePolicy, QSlider, QWidget
 
 from trex_gui.devices.trex.model.motors import LONGEST, Motors, remember_lockout
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedEntry
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets import builders as ui
 
 _SPACING = 6  # pixels
@@ -50,7 +51,7 @@ class Level(QObject):
         super().__init__(parent)
         self._key = f"motors/{name}"
         self._apply = apply
-        self._store = QSettings(self)
+        self._store = Preferences()
         plain = title.replace("&", "")
         self._slider = ui.named(
             _Slider(Qt.Orientation.Horizontal, parent), f"{name}Slider", accessible=plain, tip=tip
@@ -71,9 +72,7 @@ class Level(QObject):
         label = ui.label(parent, "", title, tip=tip, buddy=self.entry)
         self.widgets = (label, self._slider, self.entry)
 
-        stored = str(self._store.value(self._key))
-        value = int(stored) if stored.isdigit() else FULL_SCALE
-        apply(max(lowest, min(FULL_SCALE, value)))
+        apply(self._store.integer(self._key, FULL_SCALE, lowest, FULL_SCALE))
         self._slider.valueChanged.connect(self._on_chosen)
         self.entry.chosen.connect(self._on_chosen)
 
@@ -87,7 +86,7 @@ class Level(QObject):
     def _on_chosen(self, value: int) -> None:
         self.set_value(value)
         self._apply(value)
-        self._store.setValue(self._key, value)
+        self._store.set(self._key, value)
 
 
 class Options(QGroupBox):
@@ -101,7 +100,7 @@ class Options(QGroupBox):
         self.setObjectName("motorsOptions")
         self._motors = motors
         self._joint = False
-        self._store = QSettings(self)
+        self._store = Preferences()
 
         accelerate = ui.named(
             QRadioButton(self.tr("&Accelerate along the board's ramp"), self),
@@ -134,8 +133,8 @@ class Options(QGroupBox):
             "returnToZero",
             self.tr("Return slider to &zero when it is released"),
             tip=self.tr("A slider drives only while you hold it; letting go brakes its motor"),
-            checked=self._store.value("motors/return_to_zero") in {True, "true"},
-            on_toggle=lambda wanted: self._store.setValue("motors/return_to_zero", wanted),
+            checked=self._store.flag("motors/return_to_zero", default=False),
+            on_toggle=lambda wanted: self._store.set("motors/return_to_zero", wanted),
         )
         self._link = ui.check_box(
             self, "linkMotors", self.tr("&Link both motors"), on_toggle=motors.set_linked

@@ -6,7 +6,6 @@ from PySide6.QtCore import (
     QModelIndex,
     QObject,
     QPersistentModelIndex,
-    QSettings,
     QSignalBlocker,
     QSortFilterProxyModel,
     Slot,
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets.builders import check_box, combo_box, label, named, row
 
 _BOTH_MOTORS = "parameters/both_motors"
@@ -85,7 +85,7 @@ class ParameterFilters(QWidget):
     def __init__(self, rows: ParameterFilter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._rows = rows
-        self._store = QSettings(self)
+        self._store = Preferences()
 
         self._words = named(
             QLineEdit(self), "parameterSearch", accessible=self.tr("Search parameters")
@@ -133,7 +133,7 @@ class ParameterFilters(QWidget):
         QShortcut(QKeySequence.StandardKey.Find, self, self._on_find)
         self._words.textChanged.connect(self._on_changed)
         rows.modelReset.connect(self._on_reset)
-        both.setChecked(self._store.value(_BOTH_MOTORS, False, bool) is True)
+        both.setChecked(self._store.flag(_BOTH_MOTORS, default=False))
         self._on_reset()
 
     def clear(self) -> None:
@@ -180,4 +180,4 @@ class ParameterFilters(QWidget):
     @Slot(bool)
     def _on_both_toggled(self, both: bool) -> None:
         self._rows.parameters.both_motors = both
-        self._store.setValue(_BOTH_MOTORS, both)
+        self._store.set(_BOTH_MOTORS, both)

@@ -1,0 +1,127 @@
+"""What the program remembers from one start to the next: a typed reader of its configuration."""
+
+import logging
+import stat
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+
+from PySide6.QtCore import QByteArray, QCoreApplication, QSettings
+
+T = TypeVar("T")
+
+log = logging.getLogger(__name__)
+
+_LARGEST_FILE = 4 * 1024 * 1024  # bytes; a used one has some 3000
+
+
+class Preferences:
+    """Values by key; one that cannot be used is logged, and counts as missing.
+
+    Anybody may have edited the file, and Qt returns whatever it says: another type, a list, a
+    number of any size. A file that is not an ordinary one is not opened: a pipe would hang. What
+    is set then lasts until the program ends.
+    """
+
+    def __init__(self) -> None:
+        self._store = _open()
+
+    def flag(self, key: str, *, default: bool) -> bool:
+        return self._read(key, default, _flag)
+
+    def integer(self, key: str, default: int, lowest: int, highest: int) -> int:
+        """Return a number in a range; one outside it cannot be used."""
+        return self._read(key, default, lambda found: _in_range(int(_text(found)), lowest, highest))
+
+    def real(self, key: str, default: float, lowest: float, highest: float) -> float:
+        return self._read(
+            key, default, lambda found: _in_range(float(_text(found)), lowest, highest)
+        )
+
+    def text(self, key: str, default: str = "") -> str:
+        return self._read(key, default, _text)
+
+    def path(self, key: str, default: str | Path) -> Path:
+        return Path(self._read(key, str(default), _path))
+
+    def data(self, key: str) -> QByteArray:
+        """Return bytes; empty if there are none."""
+        return self._read(key, QByteArray(), _data)
+
+    def set(self, key: str, value: bool | float | str | QByteArray) -> None:
+        self._store.setValue(key, value)
+
+    def _read(self, key: str, default: T, convert: Callable[[object], T]) -> T:
+        found = self._store.value(key)
+        if found is None:
+            return default
+        try:
+            return convert(found)
+        except (ValueError, OverflowError) as error:
+            log.warning("the setting %s is left out: %s", key, str(error)[:200])
+            return default
+
+
+def _open() -> QSettings:
+    form = QSettings.defaultFormat()
+    if form is QSettings.Format.NativeFormat and sys.platform in {"win32", "darwin"}:
+        return QSettings()  # not a file that Qt opens
+    # Naming the file would need the object that opens it; another name shows its folder.
+    beside = QSettings(form, QSettings.Scope.UserScope, "TReX Studio, no such file").fileName()
+    place, suffix = Path(beside).parent, Path(beside).suffix
+    organization = QCoreApplication.organizationName()
+    path = place / organization / f"{QCoreApplication.applicationName()}{suffix}"
+    for each in (path, place / f"{organization}{suffix}", path.with_name(f"{path.name}.lock")):
+        if problem := _problem(each):
+            log.warning("the configuration is not used: %s %s", each, problem)
+            return QSettings(str(each / "unused"), QSettings.Format.IniFormat)
+    return QSettings()
+
+
+def _problem(path: Path) -> str:
+    """Say why Qt must not open this file; empty if it may, or if there is none."""
+    try:
+        found = path.stat()
+    except OSError:
+        return ""  # there is none, or Qt cannot open it either
+    if not (stat.S_ISREG(found.st_mode) or stat.S_ISDIR(found.st_mode)):
+        return "is not an ordinary file"
+    return "is too large" if found.st_size > _LARGEST_FILE else ""
+
+
+def _flag(found: object) -> bool:
+    if isinstance(found, bool):
+        return found
+    if found in ("true", "false"):
+        return found == "true"
+    raise ValueError(f"{found!r} is neither true nor false")
+
+
+def _text(found: object) -> str:
+    if isinstance(found, str):
+        return found
+    if isinstance(found, int | float) and not isinstance(found, bool):
+        return str(found)
+    raise ValueError(f"{found!r} is no text")
+
+
+def _path(found: object) -> str:
+    if "\0" in (text := _text(found)):
+        raise ValueError(f"{found!r} is no path")
+    return text
+
+
+def _data(found: object) -> QByteArray:
+    if isinstance(found, QByteArray):
+        return found
+    raise ValueError(f"{found!r} is not what was stored")
+
+
+NumberT = TypeVar("NumberT", int, float)
+
+
+def _in_range(number: NumberT, lowest: NumberT, highest: NumberT) -> NumberT:
+    if lowest <= number <= highest:
+        return number
+    raise ValueError(f"{number} is not from {lowest} to {highest}")
