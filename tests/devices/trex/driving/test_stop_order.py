@@ -1,6 +1,7 @@
 """Stops that come at the very moment at which something else is on its way."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import pytest
 
@@ -99,3 +100,22 @@ def test_stop_while_board_returns_gets_its_outcome(seconds: float) -> None:
     stage.run(settings)
     assert among(stage.reports, NotResponding)
     assert seen == [True]
+
+
+@pytest.mark.parametrize("number", [None, 7])
+def test_echo_of_our_own_requests_confirms_no_stop(number: int | None) -> None:
+    """The wires to the board come off and touch each other: the host receives what it sends."""
+    stage, settings = staged()
+    faults = stage.line.faults
+
+    def short_circuit() -> None:
+        stage.line.echo = True
+        faults.to_drop_sent = 10**9
+
+    stage.script.at(3.0, Arm()).at(3.1, SetMotor(1, Drive.at(80))).at(3.5, short_circuit)
+    stage.script.at(3.6, Stop(7, 3.0)).at(12.0, Close())
+    stage.run(replace(settings, device_number=number))
+    assert outcomes(stage.reports)[7].error is not None
+    (closed,) = among(stage.reports, Closed)
+    assert closed.may_move
+    assert not is_stopped(stage.board)

@@ -168,6 +168,8 @@ class GetStatus(Command[Status]):
     fixed_reply = 1
 
     def parse(self, reply: bytes) -> Status:
+        if reply[0] == self.opcode:  # has a bit that no board sets, and would confirm a stop
+            raise BadReply("the request came back instead of a status")
         return Status(reply[0])
 
 
