@@ -47,3 +47,25 @@ def test_stop_of_second_board_warns_about_first_board(
     window.connect(second.url)
     window.wait(lambda: not window.device.may_move)
     assert failures == [failure], "once"
+
+
+def test_another_model_at_the_line_warns_until_the_window_is_closed(
+    window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    first, second = start_simulator(), start_simulator("--model", "trexjr")
+    window.connect(first.url)
+    lose(window, first)
+    window.connect(second.url)
+    warning = (
+        f"As far as the program knows, the TReX 1.2 that was driven at {first.url} got no stop: "
+        "another board answered. If its motor still turns, cut its power."
+    )
+    window.wait_for_text(
+        "bannerText", f"Another board answers now: TReX Jr 1.2, at {second.url}. {warning}"
+    )
+    assert "Cut their power." in window.text("motorStateLabel")
+    assert not window.window.close()
+    assert window.window.question.text == warning
+    assert window.program.device_manager.unconfirmed_stop == warning, "the exit code follows it"
+    window.click("closeUnstopped")
+    assert not window.window.isVisible()

@@ -58,6 +58,14 @@ class VirtualSimulator(SimulatedDevice):
             answer = f"{answer} {self.url}"
         return answer
 
+    def move_cable_to(self, other: "VirtualSimulator") -> None:
+        """Let another board answer at the open port, from now on; this one has no host then."""
+        host, self.host = self.host, None
+        assert host is not None
+        assert other.host is None
+        other.host = host
+        host.use(other)
+
     # --- For the ends of its wire -------------------------------------------------------
 
     def catch_up(self) -> None:
@@ -102,15 +110,20 @@ class VirtualTransport:
     is_configurable = True
 
     def __init__(self, simulator: VirtualSimulator, settings: PortSettings) -> None:
-        self._simulator = simulator
         self._runtime = simulator.runtime
-        self._line = simulator.line
         self._name = settings.name or settings.url
         self._received = bytearray()
         self._is_open = True
+        self._format = settings.line
+        self.use(simulator)
+
+    def use(self, simulator: VirtualSimulator) -> None:
+        """Become the host of this device."""
+        self._simulator = simulator
+        self._line = simulator.line
         simulator.catch_up()
         self._line.receive()  # what was sent before nobody has kept
-        self._line.host = settings.line
+        self._line.host = self._format
 
     def clock(self) -> float:
         return self._runtime.now()
@@ -120,7 +133,7 @@ class VirtualTransport:
 
     def reconfigure(self, line: SerialFormat) -> None:
         self._catch_up()
-        self._line.host = line
+        self._line.host = self._format = line
 
     def write(self, data: bytes) -> None:
         self._simulator.on_write(data)

@@ -27,6 +27,7 @@ from trex_gui.devices.trex.protocol.commands import (
     DriveMotor,
     GetMode,
     GetParameter,
+    GetSignature,
     GetStatus,
 )
 from trex_gui.devices.trex.protocol.driving import Drive
@@ -41,6 +42,7 @@ from trex_gui.devices.trex.session.messages import (
 )
 from trex_gui.devices.trex.session.polling import SampleBatcher
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import BoardStation
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 modest = examples(40)
@@ -65,10 +67,19 @@ GONE = PortUnavailable("The line is gone. Plug it in again.")
 def test_driven_motors_are_stopped_on_close(stage: Stage, setpoint: Request) -> None:
     stage.script.at(1.0, setpoint)
     assert run_for(stage, 2.0)[-1] == Closed(None, may_move=False)
-    assert commands(stage.transport.sent)[-6:] == [*STOP, GetStatus(), *STOP, GetStatus()]
+    last = [*STOP, GetStatus(), *STOP, GetStatus(), GetSignature()]
+    assert commands(stage.transport.sent)[-7:] == last
     assert [motor.speed for motor in stage.board.motors] == [127, 127]
     assert all(motor.direction is MotorDirection.BRAKE for motor in stage.board.motors)
     assert stage.board.aux.speed == 0
+
+
+def test_another_model_at_the_end_does_not_confirm_the_stop(stage: Stage) -> None:
+    def exchange() -> None:
+        stage.line.stations = (BoardStation(Board("trexjr", "1.2"), stage.line),)
+
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, exchange)
+    assert run_for(stage, 1.5)[-1] == Closed(None, may_move=True)
 
 
 def test_undriven_motors_get_no_stop_on_close(stage: Stage) -> None:

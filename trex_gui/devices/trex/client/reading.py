@@ -5,6 +5,7 @@ Plain functions over a `Requester`, so the command line, the session and tests s
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.client import Requester
@@ -23,6 +24,8 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet, parameters_of
+
+KeyT = TypeVar("KeyT", str, int)
 
 Progress = Callable[[int, int, str], None]
 """Called with the steps done, their total, and what comes next."""
@@ -71,6 +74,21 @@ class DeviceState:
         if self.mode.is_serial:
             active[ParameterKey.CHANNEL_INPUT_SOURCE] = int(self.source is InputSource.ANALOG)
         return active
+
+
+def may_be_same_board(one: DeviceState, other: DeviceState) -> bool:
+    """Whether two readings may be of one board.
+
+    They are not if the models or firmwares differ, or any stored value that both have. Its mode
+    may differ: a jumper was moved.
+    """
+    if one.signature != other.signature or _differ(one.parameters, other.parameters):
+        return False
+    return one.source is not other.source or not _differ(one.calibrations, other.calibrations)
+
+
+def _differ(one: Mapping[KeyT, object], other: Mapping[KeyT, object]) -> bool:
+    return any(one[key] != other[key] for key in one.keys() & other.keys())
 
 
 def query(request: Requester, command: Command[ReplyT_co]) -> ReplyT_co:

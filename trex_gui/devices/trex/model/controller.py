@@ -126,9 +126,14 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @property
     def unconfirmed_stop(self) -> str:
-        if self.link is not ConnectionState.DISCONNECTED or not self.may_move:
+        if self.link is not ConnectionState.DISCONNECTED:
             return ""
-        return self.tr("The stop is not confirmed. If a motor still turns, cut its power.")
+        texts = [self.device.driving.lost_board]
+        if self.may_move:
+            texts.append(
+                self.tr("The stop is not confirmed. If a motor still turns, cut its power.")
+            )
+        return "\n".join(filter(None, texts))
 
     def press_stop(self) -> None:
         self.device.motors.press_stop()

@@ -162,7 +162,8 @@ class Device(QObject):
 
     def connect_to(self, settings: ConnectionSettings) -> None:
         """Open a line, after closing another one, and read everything from the board."""
-        self.connection.open(settings, may_move=self.may_move)
+        may_move = self.may_move or bool(self.driving.lost_board)
+        self.connection.open(settings, may_move=may_move)
 
     def disconnect_line(self) -> None:
         """Stop the motors if they were driven, and close the line; does not wait."""
@@ -307,6 +308,11 @@ class Device(QObject):
         self.state = written.state
         self.connection.settings = written.settings
         self.draft.note_stored(written.state)
+        uncertain = {result.key for result in written.results if result.error is not None}
+        keys = {result.key for result in written.results}
+        if self.draft.reset_pending or ParameterKey.FACTORY_RESET in keys:
+            uncertain |= written.state.parameters.keys()
+        self.driving.note_stored(written.state, uncertain)
         self.state_changed.emit()
 
     @Slot()

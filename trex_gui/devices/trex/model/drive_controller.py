@@ -1,11 +1,13 @@
 """Setpoints and stops on their way to the line, and their confirmation."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
+from dataclasses import replace
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
 from trex_gui.core.errors import NoReply, StudioError, describe
 from trex_gui.core.session import Closed, Outcome
+from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
@@ -18,6 +20,7 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.telemetry import Telemetry
+from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
@@ -34,7 +37,9 @@ class DriveController(QObject):
     """Connects the motors' setpoints to the connection with the board.
 
     Attributes:
-        may_move: whether motors were driven and no stop was confirmed since, connected or not.
+        may_move: whether motors were driven and no stop was confirmed since, connected or not. A
+            board that was not read since the line was opened or quiet may be another one: what it
+            confirms does not count.
 
     Signals:
         confirmed: a stop was; `may_move` is true if a setpoint was sent meanwhile.
@@ -57,12 +62,18 @@ class DriveController(QObject):
         self._telemetry = telemetry
         self._connection = connection
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
+        self._board: Connected | None = None  # the board at the line, as far as it is known
+        self._is_identified = False  # `_board` was read since the line was opened or quiet
+        self._lost: list[Connected] = []  # boards that were driven before another one answered
+        self._is_loss_reported = True
         self._after_stop: list[AfterStop] = []
         self._heartbeat = new_timer(self, round(HEARTBEAT_INTERVAL * 1000), self._on_heartbeat_due)
 
         motors.arming_changed.connect(self._on_arming_changed)
         motors.requested.connect(self._on_drive_requested)
         motors.stop_requested.connect(self._on_stop_requested)
+        connection.started.connect(self._on_unidentified)
+        connection.not_responding.connect(self._on_unidentified)
         connection.device_read.connect(self._on_read)
         connection.closing.connect(self._on_out_of_reach)
         connection.not_responding.connect(self._on_out_of_reach)
@@ -147,18 +158,67 @@ class DriveController(QObject):
             self._on_confirmed()
 
     def _on_confirmed(self) -> None:
-        self.may_move = self._motors.armed  # a setpoint that was sent meanwhile moves a motor again
+        # A setpoint that was sent meanwhile moves a motor again.
+        self.may_move = self._motors.armed or (self.may_move and not self._is_identified)
         self.confirmed.emit()
         self._report_lost()
 
+    # --- Boards -------------------------------------------------------------------------
+
+    @property
+    def lost_board(self) -> str:
+        """Warning about a board that may still be driven, with another one at the line."""
+        if not self._lost:
+            return ""
+        text = self.tr(
+            "As far as the program knows, the {0} that was driven at {1} got no stop: another "
+            "board answered. If its motor still turns, cut its power."
+        )
+        return text.format(_name_of(self._lost[0]), _port_of(self._lost[0]))
+
+    def note_stored(self, state: DeviceState, uncertain: Collection[str]) -> None:
+        """Take what the board stores after a write; values with `uncertain` keys are not known."""
+        if self._board is not None:
+            parameters = {k: w for k, w in state.parameters.items() if k not in uncertain}
+            calibrations = {
+                channel: calibration
+                for channel, calibration in state.calibrations.items()
+                if CalibrationKey.of(state.source, channel) not in uncertain
+            }
+            known = replace(state, parameters=parameters, calibrations=calibrations)
+            self._board = replace(self._board, state=known)
+
+    def _identify(self, report: Connected) -> bool:
+        """Compare the board at the line with the one that was driven, and with those lost.
+
+        Return whether it is one of the lost ones.
+        """
+        before, self._board, self._is_identified = self._board, report, True
+        if self.may_move and before is not None and not _may_be_same(before, report):
+            self._lost.append(before)
+            self._lost_with = None
+            self._is_loss_reported = False
+        still_lost = [lost for lost in self._lost if not _may_be_same(lost, report)]
+        is_back = len(still_lost) < len(self._lost)
+        self._lost = still_lost
+        return is_back
+
+    @Slot()
+    def _on_unidentified(self) -> None:
+        self._is_identified = False
+
     @Slot(object)
     def _on_read(self, report: Connected) -> None:
+        is_back = self._identify(report)
         if report.occasion is not ReadReason.RELOADED:
             if report.may_move or self._motors.armed:  # while armed, setpoints may be queued
                 restarted = self.tr("The board was restarted, so the motors were stopped.")
                 self._motors.stop(restarted if report.occasion.power_cycled else "")
             self.may_move = report.may_move
             self._motors.set_available(False)
+        if is_back:
+            self.may_move = True
+            self._motors.stop(self.tr("The board that was lost when driven is back."))
 
     @Slot()
     def _on_out_of_reach(self) -> None:
@@ -167,14 +227,24 @@ class DriveController(QObject):
     @Slot(object)
     def _on_closed(self, last: Closed | None) -> None:
         if last is not None:
-            self.may_move = last.may_move
+            self.may_move = last.may_move or (self.may_move and not self._is_identified)
             if last.may_move and self._lost_with is None:
                 self._lost_with = self._connection.settings
         self._motors.set_available(False)
 
     @Slot()
     def _report_lost(self) -> None:
-        """Warn that the stopped board may not be the one that was lost with turning motors."""
+        """Warn that the stopped board is not, or may not be, the one that was lost when driven."""
+        if self._is_connected and not self._is_loss_reported and self._board is not None:
+            self._is_loss_reported = True
+            text = self.tr("Another board answers now: {0}, at {1}.")
+            if self._lost and self._lost[-1].state.signature == self._board.state.signature:
+                text = self.tr(
+                    "Perhaps another board answers now: {0}, at {1}, does not store the settings "
+                    "of the one that was driven."
+                )
+            text = text.format(_name_of(self._board), _port_of(self._board))
+            self._notifier.error.emit(f"{text} {self.lost_board}")
         lost, settings = self._lost_with, self._connection.settings
         if lost is None or self.may_move or not self._is_connected:
             return
@@ -185,6 +255,20 @@ class DriveController(QObject):
                 "confirmed one; if it is another board, cut the power of the first."
             )
             self._notifier.error.emit(text.format(lost.name or lost.url))
+
+
+def _may_be_same(one: Connected, other: Connected) -> bool:
+    """Whether these are of one board; a simulated one has a name, and is no real one."""
+    is_named_alike = one.settings.name == other.settings.name
+    return is_named_alike and may_be_same_board(one.state, other.state)
+
+
+def _name_of(board: Connected) -> str:
+    return str(board.state.signature)
+
+
+def _port_of(board: Connected) -> str:
+    return board.settings.name or board.settings.url
 
 
 def why_the_board_stopped(latched: LatchedStatus, *, errors_stop: bool) -> str:

@@ -22,13 +22,19 @@ from trex_gui.core.session import (
 )
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.client.client import TrexClient, diagnose
-from trex_gui.devices.trex.client.reading import DeviceState, read_everything
+from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, StatusReader
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import Heartbeat, Stop
-from trex_gui.devices.trex.protocol.commands import Command, GetMode, ReplyT_co
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    GetMode,
+    GetSignature,
+    ReplyT_co,
+    Signature,
+)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import (
     ErrorCode,
@@ -91,6 +97,8 @@ class TrexSession:
         self._batcher = SampleBatcher(emit)
         self._polling = Polling()
         self._port_rates: frozenset[int] | None = None
+        self._signature: Signature | None = None  # of the board that was read last
+        self._stopped_another = False  # at the end another board than the one driven answered
 
     def run(self) -> None:
         """Serve the line until it is lost or `Close` comes; then report `Closed`.
@@ -107,7 +115,7 @@ class TrexSession:
         reason = error or TrexError(ErrorCode.CLOSED)
         for number in self._queue.abandon():
             self._emit(Outcome(number, error=reason))
-        self._emit(Closed(error, self._motors.may_move))
+        self._emit(Closed(error, self._motors.may_move or self._stopped_another))
 
     def _now(self) -> float:
         return 0.0 if self._client is None else self._client.transport.clock()
@@ -146,8 +154,11 @@ class TrexSession:
     def _leave_safely(self, client: TrexClient) -> None:
         """Stop motors that were driven and close the port, whatever the line does."""
         try:
-            if self._motors.may_move or self._motors.stops:
+            was_driven = self._motors.may_move
+            if was_driven or self._motors.stops:
                 self._driver.stop_on_close()
+            if was_driven and not self._motors.may_move:
+                self._stopped_another = self._is_another_board(client)
             client.drain()
         except StudioError:
             log.info("the line was closed without a confirmed stop", exc_info=True)
@@ -158,6 +169,18 @@ class TrexSession:
         except Exception:  # the receiver may be what failed; the port is closed all the same
             log.exception("the last samples could not be reported")
         client.close()
+
+    def _is_another_board(self, client: TrexClient) -> bool:
+        """Whether the board that answers now cannot be the one that was read.
+
+        It asks twice: damaged bytes can be those of another model.
+        """
+        try:
+            return self._signature is not None and all(
+                query(client.request, GetSignature()) != self._signature for _ in range(2)
+            )
+        except (NoReply, BadReply):
+            return False
 
     # --- The loop -----------------------------------------------------------------------
 
@@ -288,6 +311,7 @@ class TrexSession:
         if occasion.power_cycled:
             self._motors.handle(OutputEvent.LOCK_OUT, self._now())
         self._state = read_everything(self._request, self._report_progress)
+        self._signature = self._state.signature
         if occasion is not ReadReason.RELOADED:
             if occasion.power_cycled or self._motors.is_armed:
                 self._motors.handle(OutputEvent.LOCK_OUT, self._now())

@@ -152,7 +152,8 @@ class ActionBar(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         motors, pending = self._device.motors, self._device.draft.pending > 0
-        alarming = motors.armed or self._device.may_move or self._is_beyond_reach
+        lost_board = bool(self._device.driving.lost_board)
+        alarming = motors.armed or self._device.may_move or self._is_beyond_reach or lost_board
         self._state.show_note(self._state_text(), alarming=alarming)
         self._unapplied.setVisible(pending)
         self._apply.setEnabled(pending and self._device.is_writable)
@@ -173,6 +174,8 @@ class ActionBar(QWidget):
             if link is ConnectionState.DISCONNECTED:
                 return self.tr("The connection was lost: motors may still turn. Cut their power.")
             return self.tr("Unknown: motors may still turn. The stop is being repeated.")
+        if self._device.driving.lost_board:
+            return self.tr("The board driven before may still turn its motors. Cut their power.")
         if self._is_beyond_reach:
             return self.tr("Channels control the motors: Stop does not affect them.")
         if motors.locked_for:

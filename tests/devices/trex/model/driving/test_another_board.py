@@ -1,0 +1,193 @@
+"""Another board at the port while motors turn: its stop is not that of the one that was driven."""
+
+from collections.abc import Callable
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.pages.motors import is_stopped
+from tests.support.program import new_controller
+from tests.support.simulator import StartSimulator
+from tests.support.virtual_devices import VirtualSimulator
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.devices.connection import ConnectionState
+
+Start = Callable[..., VirtualSimulator]
+
+
+class DrivenBoard:
+    """A device with a board whose motor 1 runs, and what the window reports."""
+
+    def __init__(
+        self, device: Device, board: VirtualSimulator, unpowered: VirtualSimulator, qtbot: QtBot
+    ) -> None:
+        self.device = device
+        self.unpowered = unpowered
+        unpowered.do("power off")
+        self.board = board
+        self.qtbot = qtbot
+        self.errors: list[str] = []
+        self.controller = new_controller(device)
+        device.notifier.error.connect(self.errors.append)
+        self.connect(board.url)
+        self.drive(board)
+
+    def connect(self, url: str) -> None:
+        self.device.connect_to(ConnectionSettings(url))
+        self.wait(self.is_ready)
+        self.wait(lambda: not self.device.may_move)
+
+    def is_ready(self) -> bool:
+        return self.device.link is ConnectionState.CONNECTED and self.device.motors.is_available
+
+    def drive(self, board: VirtualSimulator) -> None:
+        self.device.motors.arm()
+        self.device.motors.set_speed(1, 90)
+        self.wait(lambda: self.runs(board))
+
+    def runs(self, board: VirtualSimulator) -> bool:
+        return bool(board.show()["motors"][0]["direction"] == "forward")
+
+    def unplug(self, board: VirtualSimulator) -> None:
+        """Take the board, which stays powered, off the open port."""
+        board.move_cable_to(self.unpowered)
+        self.wait(lambda: self.device.link is ConnectionState.NOT_RESPONDING)
+
+    def plug(self, board: VirtualSimulator) -> None:
+        self.unpowered.move_cable_to(board)
+        self.wait(self.is_ready)
+        self.wait(lambda: not self.device.may_move)
+
+    def exchange(self, other: VirtualSimulator) -> None:
+        """Plug another board into the open port, by hand."""
+        self.unplug(self.board)
+        self.plug(other)
+
+    def closing_text(self) -> str:
+        """Disconnect, and return the warning of a window that is closed."""
+        self.device.disconnect_line()
+        self.wait(lambda: self.device.link is ConnectionState.DISCONNECTED)
+        return self.controller.unconfirmed_stop
+
+    def wait(self, condition: Callable[[], bool]) -> None:
+        self.qtbot.waitUntil(condition, timeout=20_000)
+
+
+@pytest.fixture
+def driven(
+    device: Device, quick_simulator: VirtualSimulator, start: Start, qtbot: QtBot
+) -> DrivenBoard:
+    return DrivenBoard(device, quick_simulator, start(), qtbot)
+
+
+@pytest.fixture
+def start(start_simulator: StartSimulator) -> Start:
+    def begin(*arguments: str) -> VirtualSimulator:
+        simulator = start_simulator("--unpaced", *arguments)
+        assert isinstance(simulator, VirtualSimulator)
+        return simulator
+
+    return begin
+
+
+def runs_on(driven: DrivenBoard) -> str:
+    return (
+        f"As far as the program knows, the TReX 1.2 that was driven at {driven.board.url} got no "
+        "stop: another board answered. If its motor still turns, cut its power."
+    )
+
+
+def test_another_model_does_not_confirm_the_stop(driven: DrivenBoard, start: Start) -> None:
+    driven.exchange(start("--model", "trexjr"))
+    text = f"Another board answers now: TReX Jr 1.2, at {driven.board.url}. {runs_on(driven)}"
+    assert driven.errors[-1] == text
+    assert driven.closing_text() == runs_on(driven)
+
+
+def test_other_stored_settings_are_reported_as_perhaps_another_board(
+    driven: DrivenBoard, start: Start
+) -> None:
+    other = start()
+    other.do("eeprom serial_timeout 7")
+    driven.exchange(other)
+    assert driven.errors[-1].startswith("Perhaps another board answers now: TReX 1.2, at ")
+    assert driven.closing_text() == runs_on(driven)
+
+
+def test_board_with_equal_settings_counts_as_the_same(driven: DrivenBoard, start: Start) -> None:
+    driven.exchange(start())
+    assert driven.closing_text() == ""
+
+
+def test_power_cycle_with_a_moved_jumper_is_the_same_board(driven: DrivenBoard) -> None:
+    driven.board.do("power off")
+    driven.wait(lambda: driven.device.link is ConnectionState.NOT_RESPONDING)
+    driven.board.do("jumper mode analog")
+    driven.board.do("power on")
+    driven.wait(lambda: driven.device.link is ConnectionState.CONNECTED)
+    assert driven.closing_text() == ""
+
+
+def test_driven_board_that_is_back_is_stopped(driven: DrivenBoard, start: Start) -> None:
+    other = start("--model", "trexjr")
+    driven.exchange(other)
+    assert driven.runs(driven.board)
+    driven.unplug(other)
+    driven.plug(driven.board)
+    assert is_stopped(driven.board)
+    assert driven.closing_text() == ""
+
+
+def test_driven_board_at_another_port_is_stopped(driven: DrivenBoard, start: Start) -> None:
+    driven.exchange(start("--model", "trexjr"))
+    driven.device.disconnect_line()
+    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    driven.connect(driven.board.url)
+    assert is_stopped(driven.board)
+    assert driven.closing_text() == ""
+
+
+def test_stop_of_a_board_that_was_not_read_does_not_count(
+    driven: DrivenBoard, start: Start
+) -> None:
+    driven.unplug(driven.board)
+    driven.unpowered.move_cable_to(start())
+    assert "not confirmed" in driven.closing_text()
+
+
+def test_another_board_behind_a_line_that_was_lost_is_noticed(
+    driven: DrivenBoard, start: Start
+) -> None:
+    other = start("--model", "trexjr")
+    driven.board.do("line unplug")
+    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    assert driven.device.may_move
+    driven.connect(other.url)
+    assert driven.errors[-1].endswith(runs_on(driven))
+    assert driven.closing_text() == runs_on(driven)
+
+
+def test_every_lost_board_has_to_be_stopped(driven: DrivenBoard, start: Start) -> None:
+    second, third = start("--model", "trexjr"), start("--firmware", "1.0")
+    driven.exchange(second)
+    driven.drive(second)
+    second.do("line unplug")
+    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    driven.connect(third.url)
+    driven.connect(second.do("line plug").split()[-1])
+    assert driven.closing_text() == runs_on(driven)
+    driven.connect(driven.board.url)
+    assert driven.closing_text() == ""
+
+
+def test_interrupted_apply_does_not_make_it_another_board(driven: DrivenBoard) -> None:
+    device = driven.device
+    device.parameters.edit("serial_timeout", 15)
+    device.parameters.edit("motor1_acceleration", 3)
+    device.apply()
+    driven.board.do("power off")
+    driven.wait(lambda: device.link is ConnectionState.NOT_RESPONDING)
+    driven.board.do("power on")
+    driven.wait(lambda: device.link is ConnectionState.CONNECTED)
+    assert driven.closing_text() == ""
