@@ -1,6 +1,15 @@
-"""How long the program waits for a board and for its own window."""
+"""How long the program waits for a board and for its own window, and how often it shows values."""
 
 from dataclasses import dataclass
+
+FRAME = 1 / 30
+"""Seconds between two pictures of what moves, and between two batches of samples for them."""
+
+FRAME_MS = round(1000 * FRAME)
+
+TEXT_INTERVAL = 0.2
+"""Seconds between two renewals of a measured value as text: nobody reads faster, and a text that
+changes may lay out the whole page again."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

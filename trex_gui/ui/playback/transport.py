@@ -3,13 +3,12 @@
 from PySide6.QtCore import QLocale, QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QSlider, QWidget
 
+from trex_gui.core.timing import FRAME_MS
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets import builders
 
 SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
-
-_FRAME_MS = 33
 
 _PER_SECOND = 100  # slider steps per second: about the rate of the samples
 
@@ -26,7 +25,7 @@ class PlaybackCursor(QObject):
         self.start = self.end = self.position = start
         self.speed = 1.0
         self.is_loaded = False  # whether `end` is known
-        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
+        self._timer = new_timer(self, FRAME_MS, self._on_frame)
         self._last_frame = 0.0
 
     @property

@@ -16,15 +16,16 @@ from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.builders import button, column, combo_box, label, row, splitter
 
 _WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # seconds that can be chosen to be shown
-_EVERY = 8  # frames from one refresh of the figures to the next: digits that run cannot be read
 
 
 class TracePanel(QWidget):
-    """Shows a source of traces; its owner calls `frame` while the source may grow."""
+    """Shows a source of traces.
+
+    While the source grows, its owner calls `draw_live` and, less often, `refresh_figures`.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._frames = 0
 
         self._note = label(self, "currentsNote", wrap=True)
         self._window = combo_box(
@@ -81,19 +82,16 @@ class TracePanel(QWidget):
     def set_note(self, text: str) -> None:
         self._note.setText(text)
 
-    def frame(self) -> None:
-        """Draw new samples; the figures follow some frames later."""
-        self._frames += 1
+    def draw_live(self) -> None:
+        """Draw new samples, unless the plot is paused."""
         if self.plot.span.live:
             self.plot.draw()
-        if self._frames % _EVERY == 0:
-            self._refresh_figures()
 
     def refresh(self) -> None:
         self.plot.draw()
-        self._refresh_figures()
+        self.refresh_figures()
 
-    def _refresh_figures(self) -> None:
+    def refresh_figures(self) -> None:
         self._table.refresh()
         self._view.show_needed_columns()
         self._list.refresh()

@@ -5,6 +5,7 @@ import math
 import pytest
 from pytestqt.qtbot import QtBot
 
+from trex_gui.core.timing import TEXT_INTERVAL
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import (
     Control,
@@ -77,6 +78,23 @@ def test_batch_emits_one_update(telemetry: Telemetry, qtbot: QtBot) -> None:
     telemetry.updated.connect(lambda: announced.append(None))
     take(telemetry, *(Raw(float(time), (1, 2, 3, 4, 5)) for time in range(20)))
     assert len(announced) == 1
+
+
+def test_text_is_due_less_often_than_a_frame(telemetry: Telemetry) -> None:
+    due: list[float] = []
+    telemetry.text_due.connect(lambda: due.append(telemetry.latest))
+    for frame in range(100):
+        take(telemetry, Raw(frame / 64, (1, 2, 3, 4, 5)))
+    every = math.ceil(64 * TEXT_INTERVAL)
+    assert due == [frame / 64 for frame in range(0, 100, every)]
+
+
+def test_text_is_due_as_soon_as_values_are_forgotten(telemetry: Telemetry, qtbot: QtBot) -> None:
+    take(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
+    with qtbot.waitSignal(telemetry.text_due):
+        telemetry.forget()
+    with qtbot.waitSignal(telemetry.text_due):
+        take(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
 
 
 def test_status_and_mode_samples_set_only_the_time(telemetry: Telemetry) -> None:

@@ -5,6 +5,7 @@ from enum import IntEnum
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
+from trex_gui.core.timing import TEXT_INTERVAL
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import CHANNELS
@@ -57,6 +58,7 @@ class Telemetry(QObject):
     """
 
     updated = Signal()  # new samples are in; at most once a display frame
+    text_due = Signal()  # the same for what is shown as text; at most once in `TEXT_INTERVAL`
 
     def __init__(self, motors: Motors, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -68,6 +70,7 @@ class Telemetry(QObject):
         self.serial_controls: bool | None = None
         self.latest: float = 0.0
         self.samples = 0
+        self._text_at = -math.inf
         self._ampere = 1.0
         self._motors = motors
 
@@ -80,7 +83,7 @@ class Telemetry(QObject):
 
     def forget(self) -> None:
         self.raw = self.remapped = self.motor_currents = self.serial_controls = None
-        self.updated.emit()
+        self.renew()
 
     @Slot(object)
     def take(self, batch: Batch) -> None:
@@ -102,6 +105,15 @@ class Telemetry(QObject):
             self.latest = sample.time
         self.samples += len(batch.samples)
         self.updated.emit()
+        if self.latest - self._text_at >= TEXT_INTERVAL:
+            self._text_at = self.latest
+            self.text_due.emit()
+
+    def renew(self) -> None:
+        """Let everything that follows the values show them now."""
+        self._text_at = -math.inf
+        self.updated.emit()
+        self.text_due.emit()
 
     def _setpoint(self, motor: int) -> int:
         """Return a motor's speed setpoint; 0 for none and for braking."""

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from enum import Enum, auto
 from typing import Any
 
+from trex_gui.core.timing import FRAME
 from trex_gui.devices.trex.client.client import Counters, Requester
 from trex_gui.devices.trex.client.telemetry import (
     Control,
@@ -227,10 +228,6 @@ def poll(
         return reader.read(request)
     reply = request(polled.query)
     return polled.sample(clock(), reply)
-
-
-FRAME = 1 / 60
-"""Least seconds between two batches of samples."""
 
 
 class SampleBatcher:

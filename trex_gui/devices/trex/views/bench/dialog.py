@@ -7,6 +7,7 @@ from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QPixmap, QShowEvent
 from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
+from trex_gui.core.timing import FRAME_MS
 from trex_gui.devices.trex.bench.figures import BAND
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench import Bench, Phase
@@ -25,7 +26,6 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.bench.plot import BenchPlot
 
-_FRAME_MS = 33
 _PREVIOUS, _NOTHING = -1, -2  # choices of what to compare with, beside the runs
 
 _LOSSES = {
@@ -116,7 +116,7 @@ class BenchDialog(QDialog):
         self._message = ""
         self._plot: BenchPlot | None = None
         self.files = BenchFiles(bench, self, self._picture)
-        self._timer = new_timer(self, _FRAME_MS, self._draw, single_shot=True)
+        self._timer = new_timer(self, FRAME_MS, self._draw, single_shot=True)
 
         self._note = ui.named(Note(2, self), "benchNote")
         self._hold = ui.named(
@@ -189,7 +189,7 @@ class BenchDialog(QDialog):
         bench.changed.connect(self._on_changed)
         bench.started.connect(self._on_started)
         bench.finished.connect(self._on_finished)
-        device.telemetry.updated.connect(self._on_telemetry_updated)
+        device.telemetry.text_due.connect(self._on_text_due)
         device.link_changed.connect(self._on_changed)
         self._fill_compare()
         self._on_changed()
@@ -227,12 +227,12 @@ class BenchDialog(QDialog):
         self._save.setEnabled(idle and bool(self.bench.runs))
         self._open.setEnabled(idle)
         self._compare.setEnabled(idle)
-        self._on_telemetry_updated()
+        self._on_text_due()
         self._want_frame()
 
     @Slot()
     @only_when_visible
-    def _on_telemetry_updated(self) -> None:
+    def _on_text_due(self) -> None:
         bench, blocker = self.bench, self.bench.blocker
         self._hold.setEnabled(bench.is_driving or not blocker)
         text = self.tr("Release to stop") if bench.is_driving else self.tr("Hold to run")
@@ -266,7 +266,7 @@ class BenchDialog(QDialog):
     @Slot(str)
     def _on_reported(self, text: str) -> None:
         self._message = text
-        self._on_telemetry_updated()
+        self._on_text_due()
 
     @Slot()
     def _on_started(self) -> None:

@@ -51,6 +51,7 @@ class ChannelsPage(QWidget):
         device.state_changed.connect(self._on_device_changed)
         device.calibrations.changed.connect(self._on_device_changed)
         device.telemetry.updated.connect(self._on_telemetry_updated)
+        device.telemetry.text_due.connect(self._on_text_due)
         self._on_device_changed()
 
     def _add_row(self, channel: int) -> None:
@@ -94,25 +95,37 @@ class ChannelsPage(QWidget):
             if state is not None:
                 bar.set_source(state.source)
                 bar.set_calibration(self._device.calibrations.stored(channel))
-        self._on_telemetry_updated()
+        self._renew()
 
     @Slot()
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
         telemetry = self._device.telemetry
-        for channel, (label, bar, output) in self._rows.items():
-            if telemetry.raw is None:
-                label.setText(self.tr("N/A"))
-                continue
+        if telemetry.raw is None:
+            return
+        for channel, (_, bar, output) in self._rows.items():
             raw = telemetry.raw_of(channel)
             bar.set_raw(raw)
-            if raw is None:
-                label.setText(self.tr("no signal"))
-            else:
-                label.setText(f"{self._source.text(raw)} ({raw})")
             # Without a signal the board reports 0, which is no measurement.
             output.set_value(None if raw is None else telemetry.remapped_of(channel))
 
+    @Slot()
+    @only_when_visible
+    def _on_text_due(self) -> None:
+        telemetry = self._device.telemetry
+        for channel, (label, _, _) in self._rows.items():
+            raw = telemetry.raw_of(channel)
+            if telemetry.raw is None:
+                label.setText(self.tr("N/A"))
+            elif raw is None:
+                label.setText(self.tr("no signal"))
+            else:
+                label.setText(f"{self._source.text(raw)} ({raw})")
+
+    def _renew(self) -> None:
+        self._on_telemetry_updated()
+        self._on_text_due()
+
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._on_telemetry_updated()
+        self._renew()

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Slot
-from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
@@ -11,15 +11,11 @@ from trex_gui.devices.trex.model.telemetry import board_traces
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.plotting.traces import Traces
-from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import column
 
 if TYPE_CHECKING:
     from trex_gui.ui.plotting.panel import TracePanel
-
-_FRAME_MS = 33
-_TRAILING_FRAMES = 30
-"""Frames drawn after the last new sample or event, so that the figures are up to date."""
 
 
 def current_limit(device: Device, motor: int) -> float | None:
@@ -39,12 +35,12 @@ class CurrentsPage(QWidget):
         self._limits: dict[str, float] = {}
         self._panel: TracePanel | None = None
         self._note = ""
-        self._drawn = 0, 0
-        self._idle = 0
-        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
+        device.telemetry.updated.connect(self._on_telemetry_updated)
+        device.telemetry.text_due.connect(self._on_text_due)
+        device.events.happened.connect(self._on_text_due)
 
     def _make_panel(self) -> "TracePanel":
         from trex_gui.ui.plotting.panel import TracePanel  # noqa: PLC0415 - takes as long as Qt
@@ -85,20 +81,19 @@ class CurrentsPage(QWidget):
         self._panel.refresh()
 
     @Slot()
-    def _on_frame(self) -> None:
-        now = self._device.telemetry.samples, len(self._device.events.all)
-        self._idle = 0 if now != self._drawn else self._idle + 1
-        self._drawn = now
-        if self._panel is not None and self._idle < _TRAILING_FRAMES:
-            self._panel.frame()
+    @only_when_visible
+    def _on_telemetry_updated(self) -> None:
+        if self._panel is not None:
+            self._panel.draw_live()
+
+    @Slot()
+    @only_when_visible
+    def _on_text_due(self) -> None:
+        if self._panel is not None:
+            self._panel.refresh_figures()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         if self._panel is None:
             self._panel = self._make_panel()
         self._on_device_changed()
-        self._timer.start()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._timer.stop()

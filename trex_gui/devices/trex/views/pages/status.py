@@ -64,7 +64,7 @@ class StatusPage(QWidget):
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
         device.errors.changed.connect(self._on_errors_changed)
-        device.telemetry.updated.connect(self._on_telemetry_updated)
+        device.telemetry.text_due.connect(self._on_text_due)
         self._on_device_changed()
         self._on_errors_changed()
 
@@ -131,7 +131,7 @@ class StatusPage(QWidget):
             texts["firmware"] += f". {half}"
         for key, text in texts.items():
             self._values[key].setText(text)
-        self._on_telemetry_updated()
+        self._on_text_due()
 
     def _runs_at_half_rate(self, state: DeviceState, settings: ConnectionSettings) -> bool:
         firmware = state.signature.firmware
@@ -143,7 +143,7 @@ class StatusPage(QWidget):
 
     @Slot()
     @only_when_visible
-    def _on_telemetry_updated(self) -> None:
+    def _on_text_due(self) -> None:
         if not self._device.is_connected:
             return
         counters = self._device.connection.counters
@@ -163,7 +163,7 @@ class StatusPage(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._on_telemetry_updated()
+        self._on_text_due()
 
     @Slot()
     def _on_errors_changed(self) -> None:

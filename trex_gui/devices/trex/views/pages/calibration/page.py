@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal, Slot
-from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
@@ -23,7 +23,6 @@ from trex_gui.devices.trex.views.pages.calibration.heading import (
     CurveLegend,
     OtherSource,
 )
-from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import only_when_visible
@@ -33,7 +32,6 @@ from trex_gui.ui.widgets.labels import Note
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 
-_FRAME_MS = 33
 
 _HANDLES = {
     "minimum": Handle.MINIMUM,
@@ -62,8 +60,6 @@ class CalibrationPage(QWidget):
         self._rejection = ""
         self._plot: CurvePlot | None = None
         self._mix = MixWatch()
-        self._samples_shown = -1
-        self._timer = new_timer(self, _FRAME_MS, self._on_frame)
 
         self._empty = label(
             self,
@@ -121,6 +117,8 @@ class CalibrationPage(QWidget):
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
         device.applied.connect(self._on_applied)
+        device.telemetry.updated.connect(self._on_telemetry_updated)
+        device.telemetry.text_due.connect(self._on_text_due)
         device.calibrations.changed.connect(self._refresh)
         device.parameters.pending_changed.connect(self._refresh)
         self._on_device_changed()
@@ -184,8 +182,8 @@ class CalibrationPage(QWidget):
             self._plot.trace.setVisible(is_active)
         self._show_marks()
         self._show_note()
-        self._samples_shown = -1
-        self._on_frame()
+        self._on_telemetry_updated()
+        self._on_text_due()
 
     def _show_heading(self) -> None:
         channel, shown = self.channel, self._calibration()
@@ -272,11 +270,6 @@ class CalibrationPage(QWidget):
         if self._plot is None:
             self._plot = self._make_plot()
         self._show_channel()
-        self._timer.start()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._timer.stop()
 
     def _make_plot(self) -> "CurvePlot":
         from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot  # noqa: PLC0415
@@ -291,25 +284,29 @@ class CalibrationPage(QWidget):
 
     @Slot()
     @only_when_visible
-    def _on_frame(self) -> None:
-        telemetry = self._device.telemetry
-        if telemetry.samples == self._samples_shown:
-            return
-        self._samples_shown = telemetry.samples
-        source = self._device.calibrations.source
+    def _on_telemetry_updated(self) -> None:
+        self._detect_mixing()
+        if self._plot is not None:
+            self._plot.set_raw(self._raw)
+            if self._is_active:
+                inputs = self._device.telemetry.inputs
+                values = inputs.values(self.channel - 1)
+                self._plot.trace.set_samples(inputs.times, values, self._device.telemetry.latest)
+
+    @Slot()
+    @only_when_visible
+    def _on_text_due(self) -> None:
+        telemetry, source = self._device.telemetry, self._device.calibrations.source
         for channel in CHANNELS:
             raw = telemetry.raw_of(channel)
             text = self.tr("N/A") if telemetry.raw is None else self.tr("no signal")
             self._channels.set_input(channel, text if raw is None else source.text(raw))
-        self._detect_mixing()
-        raw = telemetry.raw_of(self.channel) if self._is_active else None
-        self._legend.set_live(self._live_text(raw))
-        if self._plot is not None:
-            self._plot.set_raw(raw)
-            if self._is_active:
-                inputs = telemetry.inputs
-                values = inputs.values(self.channel - 1)
-                self._plot.trace.set_samples(inputs.times, values, telemetry.latest)
+        self._legend.set_live(self._live_text(self._raw))
+
+    @property
+    def _raw(self) -> int | None:
+        """The raw count of the chosen channel, if the board measures it now."""
+        return self._device.telemetry.raw_of(self.channel) if self._is_active else None
 
     def _detect_mixing(self) -> None:
         """Compare the outputs of channels 1 and 2 with those that the board reports."""

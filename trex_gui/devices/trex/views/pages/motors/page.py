@@ -108,6 +108,7 @@ class MotorsPage(QWidget):
         device.state_changed.connect(self._on_state_changed)
         theme().changed.connect(self._on_state_changed)
         device.telemetry.updated.connect(self._on_telemetry_updated)
+        device.telemetry.text_due.connect(self._on_text_due)
         self._on_state_changed()
 
     # --- User actions -------------------------------------------------------------------
@@ -176,7 +177,7 @@ class MotorsPage(QWidget):
             control.setEnabled(motors.armed and not self._is_unused(number))
             control.set_ceiling(motors.ceiling)
             control.brake.setToolTip(brake)
-        self._on_telemetry_updated()
+        self._on_text_due()
 
     def _is_unused(self, number: int) -> bool:
         return number == 2 and self._device.is_joint
@@ -196,6 +197,13 @@ class MotorsPage(QWidget):
     @Slot()
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
+        if self._channels_drive():
+            for number, control in self._controls.items():
+                self._show_channel(number, control)
+
+    @Slot()
+    @only_when_visible
+    def _on_text_due(self) -> None:
         device = self._device
         self._show_status()
         driven = self._channels_drive()
@@ -204,6 +212,8 @@ class MotorsPage(QWidget):
             control.set_channel_driven(driven)
             if driven:
                 self._show_channel(number, control)
+                if not self._is_unused(number):
+                    control.show_setpoint(0, channel_text(device, number))
             report = "" if self._is_unused(number) else report_text(device, number)
             control.reported.show_text(report)
 
@@ -231,8 +241,6 @@ class MotorsPage(QWidget):
         there = telemetry.raw is None or telemetry.raw_of(number) is not None
         control.setEnabled(not self._is_unused(number))
         control.show_channel(telemetry.remapped_of(number) if there else None)
-        if not self._is_unused(number):
-            control.show_setpoint(0, channel_text(self._device, number))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -1,0 +1,116 @@
+"""The program's window in a process of its own: what it costs while a board is connected.
+
+`python -m tests.benchmarks.loaded_window load|gaps URL SECONDS` prints one JSON object.
+"""
+
+import json
+import os
+import sys
+import time
+from collections.abc import Callable
+from functools import partial
+
+from PySide6.QtCore import QCoreApplication, QEventLoop, QSettings, Qt, QTimer
+from PySide6.QtWidgets import QApplication
+
+from tests.support.program import trex
+from trex_gui import composition
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.supervisor import SafetySupervisor
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.program import Program
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.workers.threads import GuiThreadCollector
+
+BAUD = 115_200
+_SETTLE = 2.0  # seconds for a page to be laid out and painted before its cost is measured
+_TURN = 1.0  # seconds for which each page is shown in turn
+_TICK_MS = 5
+
+
+def _run_loop(seconds: float) -> None:
+    loop = QEventLoop()
+    QTimer.singleShot(round(1000 * seconds), loop.quit)
+    loop.exec()
+
+
+def _connected(url: str) -> Program:
+    """Return the program as it is started, with a board connected and every module loaded."""
+    program = composition.build()
+    program.window.show()
+    _run_loop(0.2)
+    import trex_gui.ui.plotting.panel  # noqa: F401 - the program loads it here, too
+
+    device = trex(program).device
+    device.connect_to(ConnectionSettings(url, LineSettings(BAUD)))
+    while device.link is not ConnectionState.CONNECTED:
+        _run_loop(0.05)
+    return program
+
+
+def _cpu(program: Program, seconds: float) -> dict[str, float]:
+    """Return percent of a core, all threads together, for each page and without a window."""
+    window, tabs = program.window, program.window.pages
+    states: dict[str, Callable[[], None]] = {
+        tabs.tabText(index): partial(tabs.setCurrentIndex, index) for index in range(tabs.count())
+    }
+    states["minimised"] = window.showMinimized
+    states["hidden"] = window.hide
+    found = {}
+    for name, enter in states.items():
+        enter()
+        _run_loop(_SETTLE)
+        began, used = time.monotonic(), time.process_time()
+        _run_loop(seconds)
+        found[name] = 100 * (time.process_time() - used) / (time.monotonic() - began)
+    return found
+
+
+def _gaps(program: Program, seconds: float) -> dict[str, float]:
+    """Return the longest time between two turns of the event loop, with all pages in turn.
+
+    `worked` is the longest time that this thread computed without a turn: other processes that
+    keep the computer busy do not add to it.
+    """
+    tabs = program.window.pages
+    turns = [(time.monotonic(), time.thread_time())]
+    longest, worked = 0.0, 0.0
+
+    def note() -> None:
+        nonlocal longest, worked
+        now = time.monotonic(), time.thread_time()
+        longest = max(longest, now[0] - turns[0][0] - _TICK_MS / 1000)
+        worked = max(worked, now[1] - turns[0][1])
+        turns[0] = now
+
+    timer = QTimer()
+    timer.setTimerType(Qt.TimerType.PreciseTimer)
+    timer.timeout.connect(note)
+    timer.start(_TICK_MS)
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        tabs.setCurrentIndex((tabs.currentIndex() + 1) % tabs.count())
+        _run_loop(_TURN)
+    return {"longest": 1000 * longest, "worked": 1000 * worked}
+
+
+def main(what: str, url: str, seconds: float) -> None:
+    app = QApplication([])
+    QCoreApplication.setOrganizationName("TReX Studio benchmark")
+    QSettings().clear()
+    theme().install(app)
+    GuiThreadCollector(app)
+    program = _connected(url)
+    supervisor = SafetySupervisor(program, app)
+    found = {"load": _cpu, "gaps": _gaps}[what](program, seconds)
+    sys.stdout.write(json.dumps(found) + "\n")
+    sys.stdout.flush()
+    program.window.hide()
+    program.shut_down()
+    supervisor.close()
+    os._exit(0)  # Qt may crash on what is left at the interpreter's end
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2], float(sys.argv[3]))

@@ -1,0 +1,58 @@
+"""What the window of a connected board costs: processor time, and gaps in its event loop.
+
+The window and the simulated board are processes of their own, the line is paced at 115200 baud.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.benchmarks.conftest import ReportFigure
+from tests.benchmarks.loaded_window import BAUD
+from tests.support.simulator import StartSimulator
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.simulator.memory import Eeprom
+
+_RUNS = 3
+_SECONDS = 5.0
+_GAP_SECONDS = float(os.environ.get("TREX_GAP_SECONDS", "60"))
+"""Ten minutes are 600; a minute already shows every page eight times."""
+
+_AT_MOST = {"Status": 12.0, "minimised": 3.0, "hidden": 3.0}  # percent of a core
+
+
+@pytest.fixture
+def url(start_simulator: StartSimulator, tmp_path: Path) -> str:
+    board = tmp_path / "board.json"
+    Eeprom.open(board, "trex").write("uart_settings", LineSettings(BAUD).to_wire())
+    return start_simulator("--demo", "--eeprom", str(board)).url
+
+
+def _measure(what: str, url: str, seconds: float, folder: Path) -> dict[str, float]:
+    command = [sys.executable, "-m", "tests.benchmarks.loaded_window", what, url, str(seconds)]
+    own = {name: str(folder) for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME")}
+    environment = {**os.environ, **own, "QT_QPA_PLATFORM": "offscreen"}
+    done = subprocess.run(command, env=environment, stdout=subprocess.PIPE, text=True, check=True)
+    found: dict[str, float] = json.loads(done.stdout)
+    return found
+
+
+@pytest.mark.timeout(600)
+def test_processor_time_of_the_window(url: str, tmp_path: Path, figure: ReportFigure) -> None:
+    runs = [_measure("load", url, _SECONDS, tmp_path) for _ in range(_RUNS)]
+    for state in runs[0]:
+        least = min(run[state] for run in runs)  # other processes only add to it
+        figure(f"cpu of the window, {state}", least, "%", at_most=_AT_MOST.get(state))
+
+
+@pytest.mark.timeout(900)
+def test_event_loop_gaps_with_all_pages_in_turn(
+    url: str, tmp_path: Path, figure: ReportFigure
+) -> None:
+    found = _measure("gaps", url, _GAP_SECONDS, tmp_path)
+    figure("longest gap of the event loop", found["longest"], "ms", at_most=50)
+    figure("longest work between two turns of the event loop", found["worked"], "ms", at_most=50)
