@@ -3,6 +3,7 @@
 from collections.abc import Collection
 from typing import Any
 
+from tests.support.guardian import VirtualGuardian
 from tests.support.simulator import SimulatorProcess
 from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.aracna.simulator.control import control
@@ -63,6 +64,10 @@ class AracnaTransport:
     def wait(self, seconds: float) -> None:
         if seconds > 0:
             self.line.advance(seconds)
+
+    def start_guardian(self, silence: float) -> VirtualGuardian:
+        self.guardian = VirtualGuardian()
+        return self.guardian
 
     def close(self) -> None:
         self.closed = True

@@ -3,6 +3,7 @@
 from collections import deque
 from collections.abc import Callable, Collection
 
+from tests.support.guardian import VirtualGuardian
 from trex_gui.core.session import Close
 from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
@@ -53,6 +54,10 @@ class VirtualTransport:
     def wait(self, seconds: float) -> None:
         if seconds > 0:
             self.line.advance(seconds)
+
+    def start_guardian(self, silence: float) -> VirtualGuardian:
+        self.guardian = VirtualGuardian()
+        return self.guardian
 
     def close(self) -> None:
         self.closed = True

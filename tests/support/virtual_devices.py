@@ -9,6 +9,7 @@ from collections.abc import Callable, Collection, Sequence
 import click
 from PySide6.QtCore import QByteArray, QObject, QProcess
 
+from tests.support.guardian import VirtualGuardian
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.cli import simulator
@@ -160,6 +161,10 @@ class VirtualTransport:
 
     def wait(self, seconds: float) -> None:
         self._runtime.sleep(seconds)
+
+    def start_guardian(self, silence: float) -> VirtualGuardian:
+        self.guardian = VirtualGuardian()
+        return self.guardian
 
     def close(self) -> None:
         if self._is_open:

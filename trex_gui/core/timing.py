@@ -20,7 +20,9 @@ class Timeouts:
         extra: added to the deadline of every reply, for slow adapters, hosts and networks.
         heartbeat: without a heartbeat of the window for so long, armed motors are stopped. A
             window that paints slowly is late by tenths of a second; a motor at full speed moves a
-            robot by metres in a second, so it is not more.
+            robot by a metre in that time, so it is not more.
+        guardian: without a heartbeat of the session for so long, the guardian process stops motors
+            that may be moving.
         stop_confirmation: how long a stop waits for a line that corrupts bytes to become quiet
             before it is reported as unconfirmed. At 19200 baud and above that takes 1.6 s from the
             last error on.
@@ -32,7 +34,8 @@ class Timeouts:
     """
 
     extra: float = 0.0
-    heartbeat: float = 1.0
+    heartbeat: float = 0.6
+    guardian: float = 0.5
     stop_confirmation: float = 3.0
     retry: float = 0.25
     current_gap: float = 0.6

@@ -17,9 +17,11 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import serial
+from serial import rfc2217
 from serial.tools import list_ports
 
 from trex_gui.core.errors import BadReply, BadRequest, PortUnavailable
+from trex_gui.core.guardian.guardian import Guardian, GuardianProcess, SharedPort
 from trex_gui.core.transport.linux_ports import holder_of, is_locked_elsewhere, rates_of
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
@@ -81,6 +83,9 @@ class Transport(Protocol):
         """Discard and return what was received so far; BadReply if it does not end."""
 
     def wait(self, seconds: float) -> None: ...
+
+    def start_guardian(self, silence: float) -> Guardian:
+        """Start a guardian that shares this line; see `GuardianProcess`. Never raises."""
 
     def close(self) -> None:
         """Close the port; never raises."""
@@ -159,6 +164,9 @@ class SerialTransport:
         if seconds > 0:
             time.sleep(seconds)
 
+    def start_guardian(self, silence: float) -> Guardian:
+        return GuardianProcess(_shared(self._port), silence)
+
     def close(self) -> None:
         # pyserial does not close the socket of a remote port that the other side has closed.
         remote = getattr(self._port, "_socket", None)
@@ -205,6 +213,15 @@ def _options(url: str, line: SerialFormat) -> dict[str, Any]:
 def _is_file(url: str) -> bool:
     """Whether a port is a device of a POSIX system, with a file descriptor."""
     return "://" not in url and sys.platform != "win32"
+
+
+def _shared(port: serial.Serial) -> SharedPort:
+    if (remote := getattr(port, "_socket", None)) is not None:
+        kind = "telnet" if isinstance(port, rfc2217.Serial) else "socket"
+        return SharedPort(kind, remote.fileno())
+    if sys.platform == "win32":
+        return SharedPort("serial", int(port._port_handle))  # noqa: SLF001 - has no public name
+    return SharedPort("serial", port.fileno())
 
 
 def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:

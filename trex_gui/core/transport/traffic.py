@@ -73,6 +73,7 @@ class LoggingTransport:
         self.rates = below.rates
         self.clock = below.clock
         self.wait = below.wait
+        self.start_guardian = below.start_guardian
 
     @property
     def latency(self) -> float:

@@ -45,6 +45,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
+    GuardianChanged,
     NotResponding,
     Reload,
     Report,
@@ -162,7 +163,7 @@ def test_all_reports_of_session_survive_pickling(model: str) -> None:
     stage.script.at(1.5, Stop(2)).at(1.6, Reload(3)).at(2.2, stage.board.power_off)
     reports = run_for(stage, 3.0, settings)
     assert {type(report) for report in reports} == {
-        Progress, Connected, Batch, Outcome, NotResponding, Closed,
+        Progress, Connected, GuardianChanged, Batch, Outcome, NotResponding, Closed,
     }  # fmt: skip
     for report in reports:
         assert there_and_back(report) == report

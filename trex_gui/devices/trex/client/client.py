@@ -9,10 +9,13 @@ from dataclasses import dataclass, replace
 from typing import Protocol
 
 from trex_gui.core.errors import BadReply, NoReply, StudioError
+from trex_gui.core.guardian.guardian import StopSequence
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.protocol.commands import (
+    STOP,
     Command,
     GetParameter,
+    GetStatus,
     Null,
     ReplyT_co,
     SetParameter,
@@ -24,6 +27,7 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexBadReplyError,
     TrexNoReplyError,
 )
+from trex_gui.devices.trex.protocol.flags import Status
 from trex_gui.devices.trex.protocol.framing import Framing, Malformed, NeedData, Reply, ReplyParser
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 
@@ -76,6 +80,7 @@ class TrexClient:
         self.settings = settings
         self._free_at = transport.clock()
         self._is_unanswered = False
+        self._stop_sequence: tuple[ConnectionSettings, bool, StopSequence] | None = None
         self._unanswered = 0  # missing replies since one was matched to its request
 
     def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
@@ -217,6 +222,20 @@ class TrexClient:
     def _read_echo(self, packet: bytes) -> bytes:
         seconds = self.settings.line.seconds(len(packet)) + self._allowance
         return self.transport.read(len(packet), seconds)
+
+    def stop_sequence(self) -> StopSequence:
+        """Return how the guardian has to stop the motors at present."""
+        known = self._stop_sequence
+        if known is None or known[:2] != (self.settings, self.echo):
+            framing, line = self.settings.framing, self.settings.line
+            packets = b"".join(map(framing.encode, STOP))
+            query = framing.encode(GetStatus())
+            size = GetStatus().reply_size() + framing.crc_size
+            bytes_both_ways = len(packets) + len(query) + size
+            seconds = line.seconds(bytes_both_ways) + self._allowance
+            stop = StopSequence(packets, query, size, Status.UART_ERROR, self.echo, seconds)
+            known = self._stop_sequence = (self.settings, self.echo, stop)
+        return known[2]
 
     def drain(self) -> None:
         self.transport.wait(self._free_at - self.transport.clock())

@@ -103,8 +103,8 @@ class MotorDriver:
         latched: list[LatchedStatus] = []
         clean = 0
         for _ in range(attempts):
-            self._send_stop()
             try:
+                self._send_stop()
                 status = self._status.read(self.client.request)
             except (NoReply, BadReply):
                 clean = 0

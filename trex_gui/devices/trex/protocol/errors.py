@@ -60,7 +60,12 @@ class ErrorCode(Enum):
         "The stop was sent and the board responds, but the line corrupts bytes. It is sent again "
         "until the line is quiet. If a motor still turns, cut its power.",
     )
-    NO_HEARTBEAT = QT_TRANSLATE_NOOP("TrexErrors", "The window did not respond for a second.")
+    NO_HEARTBEAT = QT_TRANSLATE_NOOP(
+        "TrexErrors", "The window did not respond for more than half a second."
+    )
+    HELD_UP = QT_TRANSLATE_NOOP(
+        "TrexErrors", "The program was held up for more than half a second."
+    )
     LOCKED_OUT = QT_TRANSLATE_NOOP(
         "TrexErrors", "The motors are locked for a while after a stop; nothing was sent."
     )

@@ -95,6 +95,13 @@ class Connected:
 
 
 @dataclass(frozen=True, slots=True)
+class GuardianChanged:
+    """A guardian process stops the motors if this program fails, or none does any more."""
+
+    is_ready: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Written:
     """The result of a `Write`: what the board stores now, and how it is addressed."""
 
@@ -119,4 +126,13 @@ class Batch:
     counters: Counters
 
 
-Report = Progress | Connected | NotResponding | MotorsStopped | Batch | Outcome | Closed
+Report = (
+    Progress
+    | Connected
+    | GuardianChanged
+    | NotResponding
+    | MotorsStopped
+    | Batch
+    | Outcome
+    | Closed
+)

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
+from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence
 from trex_gui.core.session import (
     SHORTEST_WAIT,
     Close,
@@ -20,6 +21,7 @@ from trex_gui.core.session import (
     Progress,
     run_until_closed,
 )
+from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.client.client import TrexClient, diagnose
 from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything
@@ -27,7 +29,7 @@ from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, St
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
-from trex_gui.devices.trex.driving.requests import Heartbeat, Stop
+from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped, Stop
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     GetMode,
@@ -47,6 +49,7 @@ from trex_gui.devices.trex.protocol.line_settings import baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Connected,
+    GuardianChanged,
     Job,
     NotResponding,
     ReadReason,
@@ -76,7 +79,9 @@ class TrexSession:
             else.
     """
 
-    _state: DeviceState  # since the line was opened
+    # Since the line was opened:
+    _state: DeviceState
+    _transport: GuardedTransport
 
     def __init__(
         self,
@@ -96,6 +101,8 @@ class TrexSession:
         self._queue = TrexRequestQueue(inbox, self._motors, self._liveness, emit, self._now)
         self._batcher = SampleBatcher(emit)
         self._polling = Polling()
+        self._is_guarded = False
+        self._was_held_up = False
         self._port_rates: frozenset[int] | None = None
         self._signature: Signature | None = None  # of the board that was read last
         self._stopped_another = False  # at the end another board than the one driven answered
@@ -124,7 +131,12 @@ class TrexSession:
 
     def _open(self) -> None:
         _ = self._settings.framing  # impossible settings must not open the port
-        transport = self._open_transport(self._settings)
+        transport = self._transport = GuardedTransport(
+            self._open_transport(self._settings),
+            self._settings.timeouts.guardian,
+            self._stop_sequence,
+            self._on_taken_over,
+        )
         client = self._client = TrexClient(transport, self._settings)
         self._port_rates = transport.rates(baud_rates())
         self._status = StatusReader(transport.clock)
@@ -138,6 +150,21 @@ class TrexSession:
             self._read_everything(ReadReason.OPENED)
         except (NoReply, BadReply) as error:
             raise diagnose(self._settings, echo=echo, error=error) from error
+
+    def _stop_sequence(self) -> StopSequence | None:
+        moving = self._client is not None and (self._motors.may_move or self._motors.is_armed)
+        return self._line.stop_sequence() if moving else None
+
+    def _on_taken_over(self, confirmed: bool) -> None:
+        """Drop the setpoints; the motors are stopped again before the line is used for more."""
+        self._was_held_up = True
+        self._motors.handle(OutputEvent.LOCK_OUT, self._now())
+        self._emit(MotorsStopped(ErrorCode.HELD_UP, confirmed))
+
+    def _report_guardian(self) -> None:
+        if self._transport.is_guarded != self._is_guarded:
+            self._is_guarded = not self._is_guarded
+            self._emit(GuardianChanged(self._is_guarded))
 
     def _stop_early(self) -> None:
         self._queue.collect()
@@ -164,6 +191,8 @@ class TrexSession:
             log.info("the line was closed without a confirmed stop", exc_info=True)
         except Exception:
             log.exception("leaving the line failed")
+        if self._motors.may_move and self._transport.stop_by_guardian():
+            self._motors.handle(OutputEvent.STOP_CONFIRMED, self._now())
         try:
             self._flush()
         except Exception:  # the receiver may be what failed; the port is closed all the same
@@ -185,6 +214,8 @@ class TrexSession:
     # --- The loop -----------------------------------------------------------------------
 
     def _step(self) -> None:
+        self._transport.beat()
+        self._report_guardian()
         self._collect()
         now = self._now()
         if self._batcher.seconds_to_next(now) <= 0:
@@ -212,11 +243,15 @@ class TrexSession:
             armed = self._motors.is_armed
             seconds = self._polling.seconds_to_next(now, self._state.serial_timeout, armed=armed)
         driving, batch = self._driver.seconds_to_next(), self._batcher.seconds_to_next(now)
-        return max(SHORTEST_WAIT, min(seconds, driving, batch, self._settings.timeouts.retry))
+        return max(SHORTEST_WAIT, min(seconds, driving, batch, HEARTBEAT_INTERVAL))
 
     def _serve_motors(self) -> bool:
         """Stop or drive if that is due; return whether the line was used."""
         try:
+            if self._was_held_up:
+                self._was_held_up = False
+                self._driver.stop_and_confirm()
+                return True
             return self._driver.serve()
         except (NoReply, BadReply) as error:
             self._note_failure(error)
@@ -319,6 +354,8 @@ class TrexSession:
         self._polling.start(self._state.source, self._now())
         self._liveness.begin()
         self._motors.handle(OutputEvent.BOARD_READ, self._now())
+        self._transport.wait_for_guardian()
+        self._report_guardian()
         self._flush()
         client = self._line
         self._emit(

@@ -1,0 +1,238 @@
+"""The guardian process: when it stops the motors, what it sends, and that it leaves nothing."""
+
+import ast
+import os
+import signal
+import socket
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from threading import Thread
+
+import pytest
+
+from trex_gui.core.guardian import process
+from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence
+
+pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.skipif(sys.platform == "win32", reason="shares a descriptor"),
+]
+
+STOP = StopSequence(b"\xc1\x00\xf0\x00", b"\x84", 1, 0x01, has_echo=False, seconds=0.05)
+OFTEN = 3600.0
+"""Seconds of silence that no test reaches."""
+
+LONG_TIMEOUT = 25.0
+
+
+class Board:
+    """The other end of a line: replies to each status query with the next of its statuses."""
+
+    def __init__(self, line: socket.socket, *, telnet: bool = False) -> None:
+        self.line = line
+        self.statuses = [b"\x00"]
+        self.received = b""
+        self._is_telnet = telnet
+        Thread(target=self._serve, daemon=True).start()
+
+    def _serve(self) -> None:
+        while data := self._receive():
+            self.received += data
+            for _ in range(data.count(STOP.query)):
+                status = self.statuses.pop(0) if len(self.statuses) > 1 else self.statuses[0]
+                self.line.sendall(status)
+
+    def _receive(self) -> bytes:
+        try:
+            return self.line.recv(4096)
+        except OSError:
+            return b""
+
+
+Ends = tuple[socket.socket, socket.socket]
+
+
+@pytest.fixture
+def ends() -> Iterator[Ends]:
+    """The program's and the board's end of a line."""
+    ours, theirs = socket.socketpair()
+    yield ours, theirs
+    ours.close()
+    theirs.close()
+
+
+def started(line: socket.socket, silence: float = OFTEN, kind: str = "serial") -> GuardianProcess:
+    guardian = GuardianProcess(SharedPort(kind, line.fileno()), silence)
+    guardian.wait_until_ready(LONG_TIMEOUT)
+    assert guardian.is_ready
+    return guardian
+
+
+def wait_until(happened: Callable[[], bool]) -> None:
+    end = time.monotonic() + LONG_TIMEOUT
+    while not happened():
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def die(guardian: GuardianProcess) -> None:
+    """Close its input, as the end of the program does."""
+    assert guardian._process is not None
+    assert guardian._process.stdin is not None
+    guardian._process.stdin.close()
+
+
+def has_ended(guardian: GuardianProcess) -> bool:
+    assert guardian._process is not None
+    return guardian._process.poll() is not None and guardian._ended.is_set()
+
+
+def test_motors_are_stopped_when_the_program_ends_while_they_may_move(ends: Ends) -> None:
+    board = Board(ends[1])
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    die(guardian)
+    wait_until(lambda: has_ended(guardian))
+    assert board.received == STOP.packets + 2 * (STOP.packets + STOP.query)
+    assert guardian.end(), "confirmed"
+
+
+def test_motors_are_stopped_when_the_heartbeat_is_missing(ends: Ends) -> None:
+    board = Board(ends[1])
+    guardian = started(ends[0], silence=0.2)
+    guardian.watch(STOP)
+    wait_until(lambda: has_ended(guardian))
+    assert board.received.startswith(STOP.packets)
+    assert guardian.has_acted
+    assert not guardian.is_ready
+
+
+@pytest.mark.parametrize("messages", [[], [STOP, None]], ids=["never moved", "stopped"])
+def test_nothing_is_sent_if_no_motor_may_move(
+    ends: Ends, messages: list[StopSequence | None]
+) -> None:
+    board = Board(ends[1])
+    guardian = started(ends[0])
+    for message in messages:
+        guardian.watch(message)
+    die(guardian)
+    wait_until(lambda: has_ended(guardian))
+    assert board.received == b""
+    assert not guardian.has_acted
+
+
+def test_end_frees_the_line_without_a_byte(ends: Ends) -> None:
+    board = Board(ends[1])
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    assert not guardian.end()
+    assert has_ended(guardian)
+    assert board.received == b""
+
+
+def test_session_can_ask_for_a_stop(ends: Ends) -> None:
+    Board(ends[1])
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    assert guardian.stop(LONG_TIMEOUT)
+
+
+def test_errors_on_the_line_do_not_confirm_a_stop(ends: Ends) -> None:
+    board = Board(ends[1])
+    board.statuses = [b"\x01", b"\x00", b"\x01", b"\x00"]
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    assert guardian.stop(LONG_TIMEOUT)
+    assert board.received.count(STOP.query) == 5
+
+
+def test_faults_of_motors_do_not_keep_a_stop_from_being_confirmed(ends: Ends) -> None:
+    board = Board(ends[1])
+    board.statuses = [b"\xf0"]
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    assert guardian.stop(LONG_TIMEOUT)
+
+
+def test_silent_board_gets_the_stop_repeated_until_the_session_is_back(ends: Ends) -> None:
+    board = Board(ends[1])
+    board.statuses = [b""]
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    assert not guardian.stop(0)
+    wait_until(lambda: board.received.count(STOP.packets) > 3)
+    assert not guardian.end()
+    assert has_ended(guardian)
+
+
+def test_line_that_is_gone_ends_the_guardian(ends: Ends) -> None:
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    ends[1].close()
+    assert not guardian.stop(LONG_TIMEOUT)
+    assert has_ended(guardian)
+
+
+def test_echo_is_not_taken_for_the_status(ends: Ends) -> None:
+    board = Board(ends[1])
+    echo = STOP.packets + STOP.query
+    board.statuses = [echo + b"\x01", echo + b"\x00"]
+    guardian = started(ends[0])
+    guardian.watch(
+        StopSequence(STOP.packets, STOP.query, 1, 0x01, has_echo=True, seconds=STOP.seconds)
+    )
+    assert guardian.stop(LONG_TIMEOUT)
+    assert board.received.count(STOP.query) == 3
+
+
+def test_telnet_commands_are_no_status(ends: Ends) -> None:
+    board = Board(ends[1])
+    negotiation = bytes([255, 251, 3, 255, 250, 44, 107, 255, 255, 0, 255, 240])
+    board.statuses = [negotiation + b"\x00"]
+    guardian = started(ends[0], kind="telnet")
+    escaped = STOP.packets + b"\xff"
+    guardian.watch(StopSequence(escaped, STOP.query, 1, 0x01, has_echo=False, seconds=0.05))
+    assert guardian.stop(LONG_TIMEOUT)
+    assert board.received.startswith(escaped + b"\xff" + escaped + b"\xff" + STOP.query)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_signals_that_end_programs_do_not_end_it(ends: Ends, number: signal.Signals) -> None:
+    Board(ends[1])
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    assert guardian._process is not None
+    os.kill(guardian._process.pid, number)
+    assert guardian.stop(LONG_TIMEOUT)
+
+
+def test_guardian_that_was_killed_is_not_ready(ends: Ends) -> None:
+    guardian = started(ends[0])
+    assert guardian._process is not None
+    guardian._process.kill()
+    wait_until(lambda: not guardian.is_ready)
+    guardian.watch(STOP)
+    assert not guardian.stop(0)
+    assert not guardian.end()
+
+
+def test_guardian_that_cannot_start_is_never_ready(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "executable", "/nowhere/python")
+    guardian = GuardianProcess(SharedPort("serial", 0), OFTEN)
+    guardian.wait_until_ready(LONG_TIMEOUT)
+    guardian.watch(STOP)
+    assert not guardian.is_ready
+    assert not guardian.end()
+
+
+def test_process_imports_the_standard_library_only() -> None:
+    tree = ast.parse(Path(process.__file__).read_text(encoding="utf-8"))
+    names = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            names.add((node.module or ".").split(".")[0])
+    assert names <= sys.stdlib_module_names

@@ -1,0 +1,171 @@
+"""When heartbeats go to the guardian, and what a session that was held up may still send."""
+
+from collections.abc import Collection
+
+import pytest
+
+from tests.support.guardian import VirtualGuardian
+from trex_gui.core.errors import NoReply
+from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence
+from trex_gui.core.transport.guarded import GuardedTransport
+from trex_gui.core.transport.settings import SerialFormat
+
+STOP = StopSequence(b"\xc1\x00\xf0\x00", b"\x84", 1, 1, has_echo=False, seconds=0.1)
+SETPOINT = b"\xc2\x40"
+SILENCE = 0.5
+
+
+class Line:
+    """A line on which time passes only while the session waits for it."""
+
+    latency = 0.0
+    is_configurable = True
+
+    def __init__(self) -> None:
+        self.now = 0.0
+        self.written: list[bytes] = []
+        self.guardians: list[VirtualGuardian] = []
+
+    def clock(self) -> float:
+        return self.now
+
+    def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
+        return None
+
+    def reconfigure(self, line: SerialFormat) -> None:
+        pass
+
+    def write(self, data: bytes) -> None:
+        self.written.append(data)
+
+    def read(self, size: int, seconds: float) -> bytes:
+        self.now += max(0.0, seconds)
+        return b""
+
+    def discard(self) -> bytes:
+        return b""
+
+    def wait(self, seconds: float) -> None:
+        self.now += seconds
+
+    def start_guardian(self, silence: float) -> VirtualGuardian:
+        self.guardians.append(VirtualGuardian())
+        return self.guardians[-1]
+
+    def close(self) -> None:
+        pass
+
+
+class Session:
+    """Uses a guarded line; `stop` is the present stop while motors may be moving."""
+
+    def __init__(self) -> None:
+        self.line = Line()
+        self.stop: StopSequence | None = None
+        self.taken_over: list[bool] = []
+        self.transport = GuardedTransport(
+            self.line, SILENCE, lambda: self.stop, self.taken_over.append
+        )
+
+    @property
+    def watched(self) -> list[StopSequence | None]:
+        return self.line.guardians[-1].watched
+
+
+@pytest.fixture
+def session() -> Session:
+    return Session()
+
+
+def test_guardian_hears_nothing_while_no_motor_may_move(session: Session) -> None:
+    session.transport.write(b"\x84")
+    session.transport.read(1, 3.0)
+    assert session.watched == []
+
+
+def test_guardian_knows_the_stop_before_the_first_setpoint_is_sent(session: Session) -> None:
+    session.stop = STOP
+    session.transport.write(SETPOINT)
+    assert (session.watched, session.line.written) == ([STOP], [SETPOINT])
+
+
+@pytest.mark.parametrize("wait", ["wait", "read"])
+def test_heartbeats_go_on_during_a_long_wait(session: Session, wait: str) -> None:
+    session.stop = STOP
+    if wait == "wait":
+        session.transport.wait(3.0)
+    else:
+        session.transport.read(5, 3.0)
+    assert session.line.now == pytest.approx(3.0)
+    assert 3.0 / (2 * HEARTBEAT_INTERVAL) < len(session.watched) <= 31
+    assert session.taken_over == []
+
+
+def test_changed_stop_is_told_at_once(session: Session) -> None:
+    session.stop = STOP
+    session.transport.beat()
+    session.stop = StopSequence(b"\xc1\x00\x07", b"\x84\x01", 2, 1, has_echo=False, seconds=0.1)
+    session.transport.beat()
+    assert session.watched == [STOP, session.stop]
+
+
+def test_guardian_is_told_once_that_no_motor_may_move(session: Session) -> None:
+    session.stop = STOP
+    session.transport.beat()
+    session.stop = None
+    session.transport.beat()
+    session.transport.beat()
+    assert session.watched == [STOP, None]
+
+
+def test_setpoint_is_not_sent_by_a_session_that_was_held_up(session: Session) -> None:
+    session.stop = STOP
+    session.transport.beat()
+    session.line.now += SILENCE
+    with pytest.raises(NoReply):
+        session.transport.write(SETPOINT)
+    assert (session.taken_over, session.line.written) == ([False], [])
+    assert session.line.guardians[0].has_ended
+    session.transport.write(SETPOINT)  # it is up to the session what it sends from now on
+    assert session.line.written == [SETPOINT]
+
+
+def test_stop_is_sent_by_a_session_that_was_held_up(session: Session) -> None:
+    session.stop = STOP
+    session.transport.beat()
+    session.line.now += SILENCE
+    session.transport.write(STOP.packets[:2])
+    assert session.line.written == [STOP.packets[:2]]
+
+
+def test_guardian_that_has_acted_is_replaced_before_the_line_is_used(session: Session) -> None:
+    session.stop = STOP
+    session.transport.beat()
+    guardian = session.line.guardians[0]
+    guardian.has_acted = guardian.confirms = True
+    session.transport.read(1, 0.0)
+    assert session.taken_over == [True]
+    assert guardian.has_ended
+    session.transport.beat()
+    assert session.watched == [STOP]
+
+
+def test_dead_guardian_is_started_again_after_a_while(session: Session) -> None:
+    session.transport.wait_for_guardian()
+    session.line.guardians[0].is_ready = False
+    session.stop = STOP
+    session.transport.wait(6.0)
+    assert len(session.line.guardians) == 2
+    assert session.watched[-1] == STOP
+    assert session.transport.is_guarded
+
+
+def test_guardian_ends_before_the_line_is_closed(session: Session) -> None:
+    session.transport.close()
+    assert session.line.guardians[0].has_ended
+
+
+def test_guardian_that_stops_the_motors_goes_on_when_the_line_is_closed(session: Session) -> None:
+    session.line.guardians[0].has_acted = True
+    session.transport.close()
+    assert not session.line.guardians[0].has_ended

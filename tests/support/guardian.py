@@ -1,0 +1,34 @@
+"""A guardian for lines in virtual time, where no process can share a port."""
+
+from trex_gui.core.guardian.guardian import StopSequence
+
+
+class VirtualGuardian:
+    """Is ready, notes what it is told, and acts when a test says so.
+
+    Attributes:
+        watched: every stop that it was told, `None` while no motor may move.
+        confirms: whether the board confirms its stops.
+        running: the guardians that were started and not ended.
+    """
+
+    def __init__(self) -> None:
+        self.is_ready = True
+        self.has_acted = False
+        self.has_ended = False
+        self.confirms = False
+        self.watched: list[StopSequence | None] = []
+
+    def wait_until_ready(self, seconds: float) -> None:
+        del seconds
+
+    def watch(self, sequence: StopSequence | None) -> None:
+        self.watched.append(sequence)
+
+    def stop(self, seconds: float) -> bool:
+        del seconds
+        return self.confirms
+
+    def end(self) -> bool:
+        self.has_ended = True
+        return self.has_acted and self.confirms

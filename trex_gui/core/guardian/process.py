@@ -1,0 +1,298 @@
+"""The guardian process: it shares the open port and stops the motors when the program is silent.
+
+It runs on the standard library alone and imports nothing of the program, so that it starts in
+milliseconds, stays small and does not fail with the program.
+
+It reads one message per line from its standard input:
+
+    watch STOP QUERY REPLY_SIZE ERROR_MASK HAS_ECHO SECONDS   motors may be moving; a heartbeat
+    idle   no motor may be moving
+    stop   stop them now
+    end    the program needs the line again, or has closed it
+
+Bytes are hexadecimal; `StopSequence` in `guardian.py` explains the fields. It replies with `ready`,
+then, if the motors have to be stopped, `stopping` and at last `confirmed` or `unconfirmed`.
+"""
+
+import os
+import queue
+import select
+import signal
+import socket
+import sys
+import threading
+import time
+from collections.abc import Generator
+from contextlib import suppress
+from dataclasses import dataclass
+from io import FileIO
+from typing import Protocol
+
+_GIVE_UP_S = 5.0  # seconds for which a stop is repeated
+_GRACE_S = 0.02  # seconds for a heartbeat that was sent in time and not read yet
+_SUSPENDED_S = 0.2  # a wait that is so much too long: this process was suspended itself
+_CLEAN_ROUNDS = 2  # stops with a clean status in a row that confirm it
+_MOST = 4096  # bytes of one read
+
+
+class Port(Protocol):
+    """Both methods raise OSError when the line is gone."""
+
+    def write(self, data: bytes) -> None: ...
+
+    def receive(self, seconds: float) -> bytes:
+        """Return what has come; wait for the first byte."""
+
+
+class FilePort:
+    """A serial port of a POSIX system."""
+
+    def __init__(self, descriptor: int) -> None:
+        self._descriptor = descriptor
+
+    def write(self, data: bytes) -> None:
+        while data:
+            _, ready, _ = select.select([], [self._descriptor], [], _GIVE_UP_S)
+            if not ready:
+                raise TimeoutError("the port accepts nothing")
+            data = data[os.write(self._descriptor, data) :]
+
+    def receive(self, seconds: float) -> bytes:
+        ready, _, _ = select.select([self._descriptor], [], [], max(0.0, seconds))
+        data = os.read(self._descriptor, _MOST) if ready else b""
+        if ready and not data:
+            raise OSError("the line is gone")
+        return data
+
+
+class SocketPort:
+    def __init__(self, number: int) -> None:
+        self._socket = socket.socket(fileno=number)
+
+    def write(self, data: bytes) -> None:
+        self._socket.settimeout(_GIVE_UP_S)
+        self._socket.sendall(data)
+
+    def receive(self, seconds: float) -> bytes:
+        self._socket.settimeout(max(0.0, seconds))
+        try:
+            data = self._socket.recv(_MOST)
+        except (BlockingIOError, TimeoutError):
+            return b""
+        if not data:
+            raise OSError("the line is gone")
+        return data
+
+
+class TelnetPort(SocketPort):
+    """A port behind RFC 2217: data in Telnet, whose commands begin with 255 (RFC 854)."""
+
+    _IAC, _SE, _SB, _WILL, _DONT = 255, 240, 250, 251, 254
+
+    def __init__(self, number: int) -> None:
+        super().__init__(number)
+        self._data = self._decoder()
+        next(self._data)
+
+    def write(self, data: bytes) -> None:
+        super().write(data.replace(b"\xff", b"\xff\xff"))
+
+    def receive(self, seconds: float) -> bytes:
+        return b"".join(map(self._data.send, super().receive(seconds)))
+
+    def _decoder(self) -> Generator[bytes, int, None]:
+        """Take a byte, give the data that it completes."""
+        data = b""
+        while True:
+            byte = yield data
+            data = b""
+            if byte != self._IAC:
+                data = bytes([byte])
+                continue
+            command = yield b""
+            if command == self._IAC:
+                data = b"\xff"
+            elif command == self._SB:
+                last = 0
+                while (byte := (yield b"")) != self._SE or last != self._IAC:
+                    last = 0 if last == byte == self._IAC else byte
+            elif self._WILL <= command <= self._DONT:
+                yield b""
+
+
+if sys.platform == "win32":
+    import _winapi
+
+    class WindowsPort:
+        """A serial port of Windows, opened for overlapped I/O; its reads end by themselves."""
+
+        def __init__(self, handle: int) -> None:
+            self._handle = handle
+
+        def write(self, data: bytes) -> None:
+            overlapped, _ = _winapi.WriteFile(self._handle, data, overlapped=True)
+            overlapped.GetOverlappedResult(True)
+
+        def receive(self, seconds: float) -> bytes:
+            end = time.monotonic() + seconds
+            while True:
+                overlapped, _ = _winapi.ReadFile(self._handle, 1, overlapped=True)
+                overlapped.GetOverlappedResult(True)
+                data = bytes(overlapped.getbuffer() or b"")
+                if data or time.monotonic() >= end:
+                    return data
+
+
+def open_port(kind: str, number: int) -> Port:
+    if kind == "telnet":
+        return TelnetPort(number)
+    if kind == "socket":
+        return SocketPort(number)
+    if sys.platform == "win32":
+        return WindowsPort(number)
+    return FilePort(number)
+
+
+@dataclass(frozen=True)
+class Stop:
+    packets: bytes
+    query: bytes
+    reply_size: int
+    error_mask: int
+    has_echo: bool
+    seconds: float
+
+    @classmethod
+    def parse(cls, fields: list[str]) -> "Stop":
+        packets, query, size, mask, echo, seconds = fields
+        return cls(
+            bytes.fromhex(packets),
+            bytes.fromhex(query),
+            int(size),
+            int(mask),
+            echo == "1",
+            float(seconds),
+        )
+
+
+class Guardian:
+    """Waits for messages, and stops the motors if none comes for `silence` seconds."""
+
+    def __init__(self, port: Port, silence: float, messages: FileIO, replies: FileIO) -> None:
+        self._port = port
+        self._silence = silence
+        self._replies = replies
+        self._messages: queue.Queue[str] = queue.Queue()
+        threading.Thread(target=self._listen, args=(messages,), daemon=True).start()
+
+    def _listen(self, messages: FileIO) -> None:
+        for line in messages:
+            self._messages.put(line.decode("ascii").strip())
+        self._messages.put("")
+
+    def run(self) -> None:
+        self._reply("ready")
+        why = self._supervise()
+        if why is None:
+            return
+        stop, reason = why
+        self._reply("stopping")
+        confirmed = False
+        try:
+            confirmed = self._stop(stop)
+        except OSError as error:
+            result = f"No stop could be sent ({error})."
+        else:
+            result = "The stop was sent and is confirmed."
+            if not confirmed:
+                result = "The stop was sent, but the board did not confirm it."
+        self._reply("confirmed" if confirmed else "unconfirmed")
+        _log(f"{reason} while motors could move. {result}")
+
+    def _supervise(self) -> tuple[Stop, str] | None:
+        """Return the stop that is due and why; `None` if the program has ended properly."""
+        stop: Stop | None = None
+        while True:
+            message = self._next(None if stop is None else self._silence)
+            match message.split() if message is not None else None:
+                case None if stop is not None:
+                    return stop, "The program did not respond"
+                case ["watch", *fields]:
+                    stop = Stop.parse(fields)
+                case ["idle"]:
+                    stop = None
+                case ["stop"] if stop is not None:
+                    return stop, "The program could not stop the motors"
+                case [] if stop is not None:
+                    return stop, "The program ended"
+                case _:
+                    return None
+
+    def _next(self, seconds: float | None) -> str | None:
+        """Return the next message, empty after the last one; `None` if none came in time."""
+        while True:
+            begun = time.monotonic()
+            with suppress(queue.Empty):
+                return self._messages.get(timeout=seconds)
+            if seconds is None or time.monotonic() - begun < seconds + _SUSPENDED_S:
+                with suppress(queue.Empty):
+                    return self._messages.get(timeout=_GRACE_S)
+                return None
+
+    def _stop(self, stop: Stop) -> bool:
+        """Repeat the stop until the board confirms it; return whether it did."""
+        self._port.write(stop.packets)
+        end = time.monotonic() + _GIVE_UP_S
+        quiet = time.monotonic() + stop.seconds
+        while self._port.receive(stop.seconds) and time.monotonic() < quiet:
+            pass  # the rest of a reply to the program
+        echo = len(stop.packets + stop.query) if stop.has_echo else 0
+        clean = 0
+        while clean < _CLEAN_ROUNDS and time.monotonic() < end and not self._is_called_off():
+            self._port.write(stop.packets + stop.query)
+            reply = self._read(echo + stop.reply_size, stop.seconds)
+            is_clean = len(reply) == echo + stop.reply_size and not reply[echo] & stop.error_mask
+            clean = clean + 1 if is_clean else 0
+        return clean == _CLEAN_ROUNDS
+
+    def _read(self, size: int, seconds: float) -> bytes:
+        received = b""
+        end = time.monotonic() + seconds
+        while len(received) < size and (left := end - time.monotonic()) > 0:
+            received += self._port.receive(left)
+        return received + self._port.receive(0)
+
+    def _is_called_off(self) -> bool:
+        with suppress(queue.Empty):
+            return self._messages.get_nowait() == "end"
+        return False
+
+    def _reply(self, word: str) -> None:
+        with suppress(OSError, ValueError):  # the program may be gone
+            self._replies.write(f"{word}\n".encode("ascii"))
+
+
+def _log(text: str) -> None:
+    with suppress(OSError, ValueError):
+        if sys.stderr is not None:
+            sys.stderr.write(f"TReX Studio guardian: {text}\n")
+            sys.stderr.flush()
+
+
+def main(arguments: list[str]) -> int:
+    """Run the guardian of a port: its kind, its descriptor or handle, and the seconds of silence.
+
+    Signals that end the program are ignored: what counts is whether the program still responds.
+    """
+    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
+        if (number := getattr(signal, name, None)) is not None:
+            signal.signal(number, signal.SIG_IGN)
+    kind, number, silence = arguments
+    port = open_port(kind, int(number))
+    # Unbuffered: a buffer that a thread reads keeps the interpreter from ending.
+    Guardian(port, float(silence), FileIO(0), FileIO(1, "w")).run()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

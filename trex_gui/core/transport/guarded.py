@@ -1,0 +1,142 @@
+"""A line whose session is watched by a guardian."""
+
+import contextlib
+from collections.abc import Callable
+
+from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.core.transport.settings import SerialFormat
+
+_READY_S = 1.0
+"""Seconds to wait for the guardian to be ready, which takes some hundredths."""
+
+_RESTART_S = 5.0
+"""Seconds after which a guardian that has ended by itself is started again."""
+
+_LAST_STOP_S = 0.4
+"""Seconds for the guardian to stop the motors on a line that the session cannot use any more."""
+
+
+class GuardedTransport:
+    """Sends heartbeats to the guardian as the session uses the line.
+
+    A session that was held up (suspended, or hung) for `silence` seconds must expect that the
+    guardian has stopped the motors and still uses the line. Before it uses the line again the
+    guardian is ended, another one started, and `taken_over` called with whether the stop was
+    confirmed. A write that is no stop then raises `NoReply`: it may be a setpoint from before.
+
+    Args:
+        below: the line.
+        silence: see `Timeouts.guardian`.
+        stop_sequence: returns the present stop, or `None` if no motor may be moving.
+        taken_over: called in the thread of the session; must not use the line.
+    """
+
+    def __init__(
+        self,
+        below: Transport,
+        silence: float,
+        stop_sequence: Callable[[], StopSequence | None],
+        taken_over: Callable[[bool], None],
+    ) -> None:
+        self._below = below
+        self._silence = silence
+        self._stop_sequence = stop_sequence
+        self._taken_over = taken_over
+        self._sequence: StopSequence | None = None
+        self._beat_at = self._started_at = below.clock()
+        self._guardian = below.start_guardian(silence)
+        self._was_ready = False
+        self.rates = below.rates
+        self.clock = below.clock
+        self.start_guardian = below.start_guardian
+
+    @property
+    def latency(self) -> float:
+        return self._below.latency
+
+    @property
+    def is_configurable(self) -> bool:
+        return self._below.is_configurable
+
+    @property
+    def is_guarded(self) -> bool:
+        return self._guardian.is_ready
+
+    def wait_for_guardian(self) -> None:
+        self._guardian.wait_until_ready(_READY_S)
+        self._was_ready = self._guardian.is_ready
+
+    def beat(self) -> bool:
+        """Send a heartbeat if one is due; return whether the guardian had taken over."""
+        now = self.clock()
+        is_late = self._sequence is not None and now - self._beat_at >= self._silence
+        if is_late or self._guardian.has_acted:
+            self._take_back()
+            return True
+        sequence = self._stop_sequence()
+        if sequence is None and self._sequence is None:
+            return False
+        has_died = self._was_ready and not self._guardian.is_ready
+        if has_died and now - self._started_at >= _RESTART_S:
+            self._restart()
+        if sequence != self._sequence or now - self._beat_at >= HEARTBEAT_INTERVAL:
+            self._guardian.watch(sequence)
+            self._sequence = sequence
+            self._beat_at = now
+        return False
+
+    def _take_back(self) -> None:
+        confirmed = self._guardian.end()
+        self._restart()
+        with contextlib.suppress(BadReply):
+            self._below.discard()  # replies to the guardian
+        self._taken_over(confirmed)
+
+    def _restart(self) -> None:
+        self._guardian.end()
+        self._guardian = self._below.start_guardian(self._silence)
+        self._sequence = None
+        self._beat_at = self._started_at = self.clock()
+
+    def reconfigure(self, line: SerialFormat) -> None:
+        self.beat()
+        self._below.reconfigure(line)
+
+    def write(self, data: bytes) -> None:
+        has_lost_line = self.beat()
+        sequence = self._stop_sequence()
+        if has_lost_line and (sequence is None or data not in sequence.packets):
+            raise NoReply("The guardian has stopped the motors.")
+        self._below.write(data)
+
+    def read(self, size: int, seconds: float) -> bytes:
+        deadline = self.clock() + seconds
+        received = b""
+        while True:
+            self.beat()
+            left = deadline - self.clock()
+            received += self._below.read(size - len(received), min(left, HEARTBEAT_INTERVAL))
+            if len(received) >= size or self.clock() >= deadline:
+                return received
+
+    def discard(self) -> bytes:
+        self.beat()
+        return self._below.discard()
+
+    def wait(self, seconds: float) -> None:
+        end = self.clock() + seconds
+        while (left := end - self.clock()) > 0:
+            self.beat()
+            self._below.wait(min(left, HEARTBEAT_INTERVAL))
+
+    def stop_by_guardian(self) -> bool:
+        """Let the guardian stop motors that the session could not stop; whether it is confirmed."""
+        return self._guardian.stop(_LAST_STOP_S)
+
+    def close(self) -> None:
+        """Close the line; a guardian that is stopping the motors goes on."""
+        if not self._guardian.has_acted:
+            self._guardian.end()
+        self._below.close()
