@@ -25,7 +25,7 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import now, runtime
 
-STOOD_STILL = "The window did not respond for a second."
+STOOD_STILL = "The window did not respond for more than half a second."
 
 
 class RecordingConnection(Connection):
