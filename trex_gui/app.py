@@ -66,6 +66,10 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
 def main(argv: list[str] | None = None) -> int:
     """Run the window until it is closed; return the exit code."""
     words = sys.argv[1:] if argv is None else argv
+    if words[:1] == ["--guardian"]:
+        from trex_gui.core.guardian.process import main as run_guardian  # noqa: PLC0415
+
+        return run_guardian(words[1:])
     if words[:1] == ["--simulator"]:
         from trex_gui.cli.simulator import main as run_simulator  # noqa: PLC0415
 

@@ -271,32 +271,77 @@ def test_second_ctrl_c_ends_hung_window(
     assert is_stopped(quick_simulator)
 
 
-def test_trexcmd_stops_motors_left_running_by_killed_window(
-    start: StartWindow, quick_simulator: SimulatedDevice
+_DEATHS = [
+    signal.SIGKILL,
+    signal.SIGSEGV,
+    *(pytest.param(one, marks=pytest.mark.slow) for one in (signal.SIGABRT, signal.SIGBUS)),
+]
+
+
+@pytest.mark.parametrize("number", _DEATHS)
+def test_guardian_stops_motors_of_a_killed_window(
+    number: signal.Signals, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    """Without a serial timeout the board drives on, so the window warns beside Run motor."""
+    """The serial timeout of the board is off, as it comes from the factory."""
     window = start()
     window.drive()
-    window.process.kill()
-    window.process.wait(LONG_TIMEOUT)
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
-    assert is_driven(quick_simulator)
-    stop = [sys.executable, "-m", "trex_gui.cli", "stop", "--port", quick_simulator.url]
-    subprocess.run(
-        [*stop, "--timeout", "0.3"], check=True, capture_output=True, timeout=LONG_TIMEOUT
-    )
-    assert is_stopped(quick_simulator)
+    window.process.send_signal(number)
+    wait_until_stopped(quick_simulator, number.name)
+    assert_guardian_confirms(window, "The program ended")
 
 
-def test_serial_timeout_stops_motors_after_kill_9(
-    start: StartWindow, quick_simulator: SimulatedDevice
+@pytest.mark.parametrize("cause", ["exit_at_once", "fail_in_qt"])
+def test_guardian_stops_motors_when_the_process_ends_itself(
+    cause: str, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    quick_simulator.do("eeprom serial_timeout 5")
-    quick_simulator.do("power cycle")
     window = start()
     window.drive()
+    window.provoke(cause)
+    wait_until_stopped(quick_simulator, cause)
+    assert_guardian_confirms(window, "The program ended")
+
+
+def test_guardian_stops_motors_on_a_port_that_the_session_lost(
+    start: StartWindow, quick_simulator: SimulatedDevice
+) -> None:
+    window = start()
+    window.drive()
+    window.provoke("close_the_descriptor")
+    wait_until_stopped(quick_simulator, "closed descriptor")
+    window.provoke("close")
+    assert_guardian_confirms(window, "The program could not stop the motors")
+
+
+def test_guardian_stops_motors_while_the_line_hangs(
+    start: StartWindow, quick_simulator: SimulatedDevice
+) -> None:
+    window = start(extra_time="usual")
+    window.drive()
+    window.hang("hang_the_line")
+    wait_until_stopped(quick_simulator, "hanging line")
     window.process.kill()
-    wait_until_stopped(quick_simulator, "kill -9")
+    assert_guardian_confirms(window, "The program did not respond")
+
+
+def test_guardian_stops_motors_while_the_process_is_suspended(
+    start: StartWindow, quick_simulator: SimulatedDevice
+) -> None:
+    window = start(extra_time="usual")
+    window.drive()
+    window.process.send_signal(signal.SIGSTOP)
+    wait_until_stopped(quick_simulator, "SIGSTOP")
+    window.process.send_signal(signal.SIGCONT)
+    assert_stays_stopped(window, "SIGCONT")
+    window.provoke("close")
+    _, errors = window.process.communicate(timeout=LONG_TIMEOUT)
+    assert "The program did not respond while motors could move." in errors
+
+
+def assert_guardian_confirms(window: DrivingProcess, why: str) -> None:
+    """The guardian, which holds the other end of the pipe, has ended and said what it did."""
+    _, errors = window.process.communicate(timeout=LONG_TIMEOUT)
+    assert f"{why} while motors could move. The stop was sent and is confirmed." in errors
 
 
 # --- From the desktop -------------------------------------------------------------------

@@ -10,9 +10,11 @@ import os
 import sys
 import threading
 import time
+from contextlib import suppress
 from functools import partial
+from pathlib import Path
 
-from PySide6.QtCore import QObject, QSocketNotifier, QTimer
+from PySide6.QtCore import QObject, QSocketNotifier, QTimer, qFatal
 from PySide6.QtGui import QAction
 
 from tests.support.patient import PATIENT
@@ -107,6 +109,26 @@ class Driver(QObject):
             raise SystemExit("on purpose")  # which no handler of errors catches
 
         setattr(session.TrexSession, "_collect", collect)  # noqa: B010 - on purpose
+
+    def exit_at_once(self) -> None:
+        os._exit(3)
+
+    def fail_in_qt(self) -> None:
+        qFatal("on purpose")
+
+    def close_the_descriptor(self) -> None:
+        """Close the port, as a fault somewhere else in the process can."""
+        for link in Path("/proc/self/fd").iterdir():
+            with suppress(OSError):
+                if str(link.readlink()).startswith("/dev/pts/"):
+                    os.close(int(link.name))
+
+    def hang_the_line(self) -> None:
+        def poll(*_: object) -> None:
+            self._say("hanging")
+            time.sleep(HANGING)
+
+        setattr(session, "poll", poll)  # noqa: B010 - not the name's own module
 
     def hang(self) -> None:
         self._say("hanging")

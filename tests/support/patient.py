@@ -9,7 +9,12 @@ from pytestqt.wait_signal import MultiSignalBlocker, SignalBlocker
 from trex_gui.core.timing import Timeouts
 
 PATIENT = Timeouts(
-    extra=0.3, heartbeat=60.0, stop_confirmation=15.0, current_gap=30.0, sleep_delay=15.0
+    extra=0.3,
+    heartbeat=60.0,
+    guardian=60.0,
+    stop_confirmation=15.0,
+    current_gap=30.0,
+    sleep_delay=15.0,
 )
 """For the program in real time: a test or its simulator may stand still for seconds."""
 

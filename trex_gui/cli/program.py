@@ -69,11 +69,24 @@ class _Program(click.Group):
         ]
 
 
+def _run_guardian(
+    context: click.Context, _option: click.Parameter, arguments: tuple[str, ...] | None
+) -> None:
+    """Run as the guardian process, which an executable without Python starts from itself."""
+    if arguments:
+        from trex_gui.core.guardian.process import main as run  # noqa: PLC0415 - rarely needed
+
+        context.exit(run(list(arguments)))
+
+
 @click.group(
     cls=_Program,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, prog_name="trexcmd")
+@click.option(
+    "--guardian", nargs=3, hidden=True, is_eager=True, expose_value=False, callback=_run_guardian
+)
 def main() -> None:
     """Inspect, set up and drive a Pololu TReX or TReX Jr motor controller.
 

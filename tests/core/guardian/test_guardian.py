@@ -236,3 +236,19 @@ def test_process_imports_the_standard_library_only() -> None:
         elif isinstance(node, ast.ImportFrom):
             names.add((node.module or ".").split(".")[0])
     assert names <= sys.stdlib_module_names
+
+
+@pytest.mark.parametrize("module", ["trex_gui", "trex_gui.cli"])
+def test_executables_run_as_the_guardian(ends: Ends, module: str, tmp_path: Path) -> None:
+    """A frozen application has no Python interpreter beside it: it starts itself."""
+    board = Board(ends[1])
+    executable = tmp_path / "trex"
+    executable.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m {module} "$@"\n')
+    executable.chmod(0o755)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sys, "executable", str(executable))
+        patch.setattr(sys, "frozen", True, raising=False)
+        guardian = started(ends[0])
+    guardian.watch(STOP)
+    assert guardian.stop(LONG_TIMEOUT)
+    assert board.received.startswith(STOP.packets)

@@ -14,9 +14,6 @@ log = logging.getLogger(__name__)
 HEARTBEAT_INTERVAL = 0.1
 """Longest time in seconds between two heartbeats while motors may be moving."""
 
-SWITCH = "--guardian"
-"""Makes an executable without a Python interpreter of its own run as the guardian."""
-
 _ENDING_S = 0.5  # seconds that the process may take to end
 
 
@@ -158,7 +155,7 @@ def _message(stop: StopSequence) -> str:
 
 def _start(port: SharedPort, silence: float) -> "subprocess.Popen[bytes]":
     if getattr(sys, "frozen", False):
-        command = [sys.executable, SWITCH]
+        command = [sys.executable, "--guardian"]
     else:
         # -I, -S: nothing of the user's Python set-up is imported.
         command = [sys.executable, "-I", "-S", str(Path(__file__).with_name("process.py"))]

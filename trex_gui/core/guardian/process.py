@@ -182,6 +182,7 @@ class Guardian:
         self._port = port
         self._silence = silence
         self._replies = replies
+        self._is_called_off = False
         self._messages: queue.Queue[str] = queue.Queue()
         threading.Thread(target=self._listen, args=(messages,), daemon=True).start()
 
@@ -197,15 +198,16 @@ class Guardian:
             return
         stop, reason = why
         self._reply("stopping")
-        confirmed = False
         try:
             confirmed = self._stop(stop)
         except OSError as error:
-            result = f"No stop could be sent ({error})."
+            confirmed, result = False, f"No stop could be sent ({error})."
         else:
             result = "The stop was sent and is confirmed."
             if not confirmed:
                 result = "The stop was sent, but the board did not confirm it."
+            if self._is_called_off:
+                result = "A stop was sent; the program responds again and repeats it."
         self._reply("confirmed" if confirmed else "unconfirmed")
         _log(f"{reason} while motors could move. {result}")
 
@@ -248,11 +250,13 @@ class Guardian:
             pass  # the rest of a reply to the program
         echo = len(stop.packets + stop.query) if stop.has_echo else 0
         clean = 0
-        while clean < _CLEAN_ROUNDS and time.monotonic() < end and not self._is_called_off():
+        while clean < _CLEAN_ROUNDS and time.monotonic() < end and not self._is_called_off:
             self._port.write(stop.packets + stop.query)
             reply = self._read(echo + stop.reply_size, stop.seconds)
             is_clean = len(reply) == echo + stop.reply_size and not reply[echo] & stop.error_mask
             clean = clean + 1 if is_clean else 0
+            with suppress(queue.Empty):
+                self._is_called_off = self._messages.get_nowait() == "end"
         return clean == _CLEAN_ROUNDS
 
     def _read(self, size: int, seconds: float) -> bytes:
@@ -261,11 +265,6 @@ class Guardian:
         while len(received) < size and (left := end - time.monotonic()) > 0:
             received += self._port.receive(left)
         return received + self._port.receive(0)
-
-    def _is_called_off(self) -> bool:
-        with suppress(queue.Empty):
-            return self._messages.get_nowait() == "end"
-        return False
 
     def _reply(self, word: str) -> None:
         with suppress(OSError, ValueError):  # the program may be gone

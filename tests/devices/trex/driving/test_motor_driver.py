@@ -11,7 +11,14 @@ from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.telemetry import StatusReader
 from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL, MotorDriver
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
-from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetAuxiliary, SetMotor, Stop
+from trex_gui.devices.trex.driving.requests import (
+    Arm,
+    MotorsStopped,
+    SetAuxiliary,
+    SetMotor,
+    Stop,
+    StopSent,
+)
 from trex_gui.devices.trex.driving.setpoints import REPEATS
 from trex_gui.devices.trex.protocol.commands import DriveAuxiliary, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
@@ -24,7 +31,7 @@ class MotorsHarness:
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
         self.client = stage.client()
-        self.reports: list[Outcome | MotorsStopped] = []
+        self.reports: list[Outcome | MotorsStopped | StopSent] = []
         self.motors = MotorOutput(self.reports.append)
         self.driver = MotorDriver(self.motors, self.client, StatusReader(stage.transport.clock))
 
@@ -117,7 +124,7 @@ def test_no_setpoint_is_pending_after_stop(harness: MotorsHarness) -> None:
 def test_confirmed_stop_is_reported_and_clears_may_move(harness: MotorsHarness) -> None:
     harness.drive(90)
     harness.stop()
-    assert harness.reports == [Outcome(1)]
+    assert harness.reports == [StopSent(), Outcome(1)]
     assert not harness.motors.may_move
     assert harness.stage.board.motors[0].direction is MotorDirection.BRAKE
 
@@ -126,7 +133,8 @@ def test_unconfirmed_stop_is_reported_and_keeps_may_move(harness: MotorsHarness)
     harness.drive(90)
     harness.stage.board.power_off()
     harness.stop()
-    (outcome,) = harness.reports
+    sent, outcome = harness.reports
+    assert sent == StopSent()
     assert isinstance(outcome, Outcome)
     assert isinstance(outcome.error, NoReply)
     assert "cut its power" in str(outcome.error)

@@ -9,7 +9,14 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.motor_output import Arming, Motion, MotorOutput, OutputEvent
-from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, SetMotor, Stop
+from trex_gui.devices.trex.driving.requests import (
+    Arm,
+    Heartbeat,
+    MotorsStopped,
+    SetMotor,
+    Stop,
+    StopSent,
+)
 from trex_gui.devices.trex.protocol.commands import DriveMotor, GetMode
 from trex_gui.devices.trex.protocol.driving import Drive
 
@@ -19,12 +26,12 @@ DRIVE = DriveMotor(1, Drive.at(50))
 
 
 @pytest.fixture
-def reports() -> list[Outcome | MotorsStopped]:
+def reports() -> list[Outcome | MotorsStopped | StopSent]:
     return []
 
 
 @pytest.fixture
-def motors(reports: list[Outcome | MotorsStopped]) -> MotorOutput:
+def motors(reports: list[Outcome | MotorsStopped | StopSent]) -> MotorOutput:
     return MotorOutput(reports.append)
 
 

@@ -28,6 +28,7 @@ from trex_gui.devices.trex.driving.requests import (
     SetMotor,
     SetMotors,
     Stop,
+    StopSent,
 )
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
@@ -163,7 +164,7 @@ def test_all_reports_of_session_survive_pickling(model: str) -> None:
     stage.script.at(1.5, Stop(2)).at(1.6, Reload(3)).at(2.2, stage.board.power_off)
     reports = run_for(stage, 3.0, settings)
     assert {type(report) for report in reports} == {
-        Progress, Connected, GuardianChanged, Batch, Outcome, NotResponding, Closed,
+        Progress, Connected, GuardianChanged, Batch, Outcome, NotResponding, StopSent, Closed,
     }  # fmt: skip
     for report in reports:
         assert there_and_back(report) == report

@@ -45,6 +45,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
+    GuardianChanged,
     NotResponding,
     Report,
     Request,
@@ -162,6 +163,7 @@ class _Run:
         self._heartbeat_at = math.inf
         self._is_running = False
         self._is_ending = False
+        self._is_guarded = False
         self._lost_control = 0
         self._reason: str | None = None
         self._stop_error: StudioError | None = None
@@ -207,6 +209,8 @@ class _Run:
 
     def take(self, report: Report) -> None:
         match report:
+            case GuardianChanged(is_ready=is_ready):
+                self._is_guarded = is_ready
             case Connected(state=state):
                 self._connected(state)
             case Batch(samples=samples):
@@ -239,9 +243,10 @@ class _Run:
         if joint and isinstance(self._setpoint, SetMotor) and self._setpoint.motor == 2:
             say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
         if not state.serial_timeout:
+            program = "" if self._is_guarded else ", and also if this program is killed"
             say(
                 "Warning: Serial Timeout is off, so the motor keeps running if the cable or this "
-                'computer fails. `trexcmd set serial_timeout "0.5 s"` switches it on.'
+                f'computer fails{program}. `trexcmd set serial_timeout "0.5 s"` switches it on.'
             )
 
     def _take_status(self, latched: LatchedStatus) -> None:

@@ -102,9 +102,11 @@ class MotorDriver:
         rounds = _CAREFUL_ROUNDS if careful else _CLEAN_ROUNDS
         latched: list[LatchedStatus] = []
         clean = 0
-        for _ in range(attempts):
+        for attempt in range(attempts):
             try:
                 self._send_stop()
+                if attempt == 0:
+                    self.output.note_stop_sent()
                 status = self._status.read(self.client.request)
             except (NoReply, BadReply):
                 clean = 0

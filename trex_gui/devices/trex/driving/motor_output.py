@@ -20,6 +20,7 @@ from trex_gui.devices.trex.driving.requests import (
     MotorsStopped,
     Setpoint,
     Stop,
+    StopSent,
 )
 from trex_gui.devices.trex.driving.setpoints import (
     IdleRefresh,
@@ -144,12 +145,12 @@ class MotorOutput:
 
     def __init__(
         self,
-        report: Callable[[Outcome | MotorsStopped], None],
+        report: Callable[[Outcome | MotorsStopped | StopSent], None],
         timeouts: Timeouts | None = None,
         *,
         may_move: bool = False,
     ) -> None:
-        """`report` receives the outcome of every stop, and each `MotorsStopped`."""
+        """`report` receives the outcome of every stop, each `StopSent` and `MotorsStopped`."""
         self.arming = Arming.INITIAL
         self.motion = Motion.DRIVEN if may_move else Motion.STOPPED
         self.stops: list[Stop] = []
@@ -286,6 +287,9 @@ class MotorOutput:
     def put_back(self, stops: Sequence[Stop]) -> None:
         """Queue stops again, before those that have come meanwhile."""
         self.stops[:0] = stops
+
+    def note_stop_sent(self) -> None:
+        self._report(StopSent())
 
     def note_stop(
         self, now: float, statuses: Sequence[LatchedStatus], *, confirmed: bool, final: bool

@@ -8,7 +8,7 @@ from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, Dri
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 
-HEARTBEAT_INTERVAL = 0.25
+HEARTBEAT_INTERVAL = 0.1
 """Seconds between two heartbeats while motors are armed."""
 
 
@@ -68,6 +68,11 @@ class Heartbeat:
     """
 
     sent: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class StopSent:
+    """A stop has left for the first time; its confirmation follows."""
 
 
 @dataclass(frozen=True, slots=True)

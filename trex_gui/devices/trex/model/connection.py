@@ -7,9 +7,20 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.session import Close, Progress
 from trex_gui.devices.trex.client.client import Counters
-from trex_gui.devices.trex.driving.requests import MotorsStopped, SetpointRequest, Stop
+from trex_gui.devices.trex.driving.requests import (
+    MotorsStopped,
+    SetpointRequest,
+    Stop,
+    StopSent,
+)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.messages import Batch, Connected, NotResponding, Write
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Connected,
+    GuardianChanged,
+    NotResponding,
+    Write,
+)
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
@@ -25,6 +36,8 @@ class Connection(DeviceConnection[ConnectionSettings]):
     ready = Signal()  # `device_read` was handled, and `link` is `CONNECTED`
     closing = Signal()  # the line is about to be closed on request
     not_responding = Signal()
+    guardian_changed = Signal()  # `is_guarded`
+    stop_sent = Signal()  # a stop has left; its confirmation follows
     motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped them by itself
     sampled = Signal(object)  # a `Batch`
     progressed = Signal(int, int, str)  # steps done, steps in all, the next step
@@ -34,6 +47,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         super().__init__(self._decoder, parent)
         self.echo = False  # whether everything sent comes back: the RS-232 side of the board
         self.port_rates: frozenset[int] | None = None  # what the port supports; `None`: unknown
+        self.is_guarded = False  # a process stops the motors if this one fails
         self.counters = Counters()  # line statistics since it was opened
 
     def moves(self, request: object) -> bool:
@@ -44,6 +58,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
 
     def new_session(self, settings: ConnectionSettings, *, may_move: bool) -> MakeSession:
         self.counters = Counters()
+        self.is_guarded = False
         return lambda inbox, emit: TrexSession(
             settings, inbox, emit, self.open_logged, may_move=may_move
         )
@@ -65,6 +80,11 @@ class Connection(DeviceConnection[ConnectionSettings]):
             case Batch():
                 self.counters = report.counters
                 self.sampled.emit(report)
+            case GuardianChanged(is_ready=is_ready):
+                self.is_guarded = is_ready
+                self.guardian_changed.emit()
+            case StopSent():
+                self.stop_sent.emit()
             case MotorsStopped():
                 self.motors_stopped.emit(report)
             case Progress(done=done, total=total, what=what):

@@ -68,6 +68,7 @@ class DriveController(QObject):
         self._is_loss_reported = True
         self._after_stop: list[AfterStop] = []
         self._heartbeat = new_timer(self, round(HEARTBEAT_INTERVAL * 1000), self._on_heartbeat_due)
+        self._unsent = new_timer(self, 0, self._on_stop_not_sent, single_shot=True)
 
         motors.arming_changed.connect(self._on_arming_changed)
         motors.requested.connect(self._on_drive_requested)
@@ -80,6 +81,8 @@ class DriveController(QObject):
         connection.line_closed.connect(self._on_closed)
         connection.ready.connect(self._report_lost)
         connection.motors_stopped.connect(self._on_motors_stopped)
+        connection.stop_sent.connect(self._unsent.stop)
+        connection.line_closed.connect(self._unsent.stop)
 
     def follow_control(self) -> None:
         """Let the motors be armed only while this program's commands reach them.
@@ -127,6 +130,7 @@ class DriveController(QObject):
         waiting, self._after_stop = self._after_stop, []
 
         def report(outcome: Outcome) -> None:
+            self._unsent.stop()
             self._on_stopped(outcome)
             for then in waiting:
                 then(outcome.error)
@@ -135,6 +139,24 @@ class DriveController(QObject):
         if not self._connection.request(lambda number: Stop(number, lockout), report):
             for then in waiting:
                 then(NoReply(self.tr("No board is connected.")))
+        elif self.may_move and self._connection.settings is not None:
+            self._unsent.setInterval(round(1000 * self._connection.settings.timeouts.guardian))
+            self._unsent.start()
+
+    @Slot()
+    def _on_stop_not_sent(self) -> None:
+        """Warn that the session hangs; its guardian, which misses the heartbeat too, stops."""
+        if self._connection.is_guarded:
+            text = self.tr(
+                "The connection hangs, so the stop could not be sent. The guardian process sends "
+                "it now. If a motor still turns, cut its power."
+            )
+        else:
+            text = self.tr(
+                "The connection hangs, so the stop could not be sent. If a motor still turns, cut "
+                "its power."
+            )
+        self._notifier.error.emit(text)
 
     def _on_stopped(self, outcome: Outcome) -> None:
         if outcome.error is None:

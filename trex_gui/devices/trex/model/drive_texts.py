@@ -87,10 +87,14 @@ class TimeoutWarning:
 def timeout_warning(device: Device) -> TimeoutWarning | None:
     """Return what is wrong with it; `None` if nothing is, or it is unknown."""
     timeout, settings = device.serial_timeout_s, device.settings
-    return None if timeout is None or settings is None else timeout_warning_on(settings, timeout)
+    if timeout is None or settings is None:
+        return None
+    return timeout_warning_on(settings, timeout, is_guarded=device.connection.is_guarded)
 
 
-def timeout_warning_on(settings: ConnectionSettings, timeout: float) -> TimeoutWarning | None:
+def timeout_warning_on(
+    settings: ConnectionSettings, timeout: float, *, is_guarded: bool
+) -> TimeoutWarning | None:
     """Return what is wrong with a timeout in seconds (0: off) on this line."""
     latency = latency_of(settings.url) + settings.timeouts.extra
 
@@ -98,10 +102,14 @@ def timeout_warning_on(settings: ConnectionSettings, timeout: float) -> TimeoutW
         return survives_a_loss(settings.line, seconds, latency)
 
     better = next(filter(can_keep, _OFFERED_S), _OFFERED_S[-1])
-    if timeout == 0:
+    if timeout == 0 and is_guarded:
         text = _tr(
-            "Serial timeout is off: motors keep turning if the cable, this computer or this "
-            "program fails."
+            "Serial timeout is off: motors keep turning if the cable or this computer fails."
+        )
+    elif timeout == 0:
+        text = _tr(
+            "Serial timeout is off, and the guardian process could not be started: motors keep "
+            "turning if the cable, this computer or this program fails."
         )
     elif timeout >= better or can_keep(timeout):
         return None

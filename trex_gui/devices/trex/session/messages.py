@@ -11,7 +11,7 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.driving.requests import MotorRequest, MotorsStopped
+from trex_gui.devices.trex.driving.requests import MotorRequest, MotorsStopped, StopSent
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -132,6 +132,7 @@ Report = (
     | GuardianChanged
     | NotResponding
     | MotorsStopped
+    | StopSent
     | Batch
     | Outcome
     | Closed

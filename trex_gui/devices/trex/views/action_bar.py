@@ -42,6 +42,7 @@ class TimeoutNotice(QWidget):
 
         device.link_changed.connect(self._on_changed)
         device.state_changed.connect(self._on_changed)
+        device.connection.guardian_changed.connect(self._on_changed)
         self._on_changed()
 
     @Slot()

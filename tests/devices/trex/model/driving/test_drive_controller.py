@@ -8,6 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import StudioError
 from trex_gui.core.timing import Timeouts
@@ -116,6 +117,60 @@ def test_frozen_window_reports_the_confirmed_stop(
     qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
     assert said == [f"{STOOD_STILL} The motors were stopped. Press Run motor to continue."]
     assert driven.motors.stop_reason == STOOD_STILL
+
+
+def hang(simulator: SimulatedDevice, seconds: float, qtbot: QtBot) -> None:
+    """Let the session hang when it next writes, and wait until it does."""
+    assert isinstance(simulator, VirtualSimulator)
+    hanging: list[bytes] = []
+
+    def block(data: bytes) -> None:
+        if not hanging:
+            hanging.append(data)
+            runtime().sleep(seconds)
+
+    simulator.on_write = block
+    qtbot.waitUntil(lambda: bool(hanging))
+
+
+@pytest.mark.parametrize(
+    ("is_guarded", "remedy"),
+    [(True, "The guardian process sends it now."), (False, "If a motor still turns, cut")],
+)
+def test_stop_that_a_hanging_session_cannot_send_is_reported(
+    is_guarded: bool,
+    remedy: str,
+    driven: Device,
+    simulator: SimulatedDevice,
+    qtbot: QtBot,
+) -> None:
+    said: list[str] = []
+    driven.notifier.error.connect(said.append)
+    hang(simulator, 2.0, qtbot)
+    driven.connection.is_guarded = is_guarded
+    pressed = now()
+    driven.motors.press_stop()
+    qtbot.waitUntil(lambda: bool(said))
+    assert now() - pressed < 0.6
+    assert said[0].startswith("The connection hangs, so the stop could not be sent.")
+    assert remedy in said[0]
+    qtbot.waitUntil(lambda: not driven.may_move)
+    assert is_braked(simulator)
+
+
+def test_session_that_was_held_up_disarms_the_motors(
+    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    """What the window had sent before the hold-up does not start a motor after it."""
+    said: list[str] = []
+    driven.notifier.error.connect(said.append)
+    hang(simulator, 0.55, qtbot)
+    driven.motors.set_speed(1, 90)
+    qtbot.waitUntil(lambda: not driven.motors.armed)
+    qtbot.waitUntil(lambda: not driven.may_move)
+    assert driven.motors.stop_reason == "The program was held up for more than half a second."
+    assert len(said) == 1
+    assert is_braked(simulator)
 
 
 def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:

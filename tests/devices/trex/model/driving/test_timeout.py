@@ -23,7 +23,8 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 def test_warning_about_the_timeout_fits_the_line(
     url: str, baud: int, timeout: float, said: str, offered: float
 ) -> None:
-    warning = timeout_warning_on(ConnectionSettings(url, LineSettings(baud)), timeout)
+    settings = ConnectionSettings(url, LineSettings(baud))
+    warning = timeout_warning_on(settings, timeout, is_guarded=True)
     assert (warning is None) == (not said)
     if warning is not None:
         assert said in warning.text
@@ -32,6 +33,18 @@ def test_warning_about_the_timeout_fits_the_line(
 
 def test_slow_line_gets_the_longest_offered_timeout() -> None:
     settings = ConnectionSettings("socket://robot:23", timeouts=Timeouts(extra=10.0))
-    warning = timeout_warning_on(settings, 1.0)
+    warning = timeout_warning_on(settings, 1.0, is_guarded=True)
     assert warning is not None
     assert warning.seconds == 5.0
+
+
+@pytest.mark.parametrize(
+    ("is_guarded", "fails"), [(True, "cable or this computer"), (False, "or this program")]
+)
+def test_warning_names_the_program_only_if_no_guardian_watches_it(
+    is_guarded: bool, fails: str
+) -> None:
+    warning = timeout_warning_on(ConnectionSettings("/dev/ttyUSB0"), 0, is_guarded=is_guarded)
+    assert warning is not None
+    assert fails in warning.text
+    assert ("guardian" in warning.text) == (not is_guarded)
