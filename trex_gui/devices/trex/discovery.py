@@ -23,7 +23,7 @@ from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import query
+from trex_gui.devices.trex.client.reading import agreed
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, crc7
@@ -253,9 +253,13 @@ class TrexProber:
             settings = self._settings_at(attempt.line, polynomial, None)
             client = TrexClient(wire, settings, echo=self._echo)
             try:
-                signature = query(client.request, GetSignature())
+                signature = agreed(client.request, GetSignature(), has_crc=client.has_crc)
                 number, stored = (
-                    query(client.request, GetParameter(parameter_number(key)))
+                    agreed(
+                        client.request,
+                        GetParameter(parameter_number(key)),
+                        has_crc=client.has_crc,
+                    )
                     for key in (ParameterKey.DEVICE_NUMBER, ParameterKey.UART_SETTINGS)
                 )
             except (NoReply, BadReply):

@@ -1,15 +1,22 @@
 """Everything that a board tells of itself."""
 
+from collections.abc import Callable
+
 import pytest
 
-from tests.devices.trex.session.helpers import staged
+from tests.devices.trex.session.helpers import commands, replying, staged
 from tests.support.virtual import Stage
-from trex_gui.core.errors import NoReply, PortUnavailable
-from trex_gui.devices.trex.client.reading import query, read_everything
+from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
+from trex_gui.devices.trex.client.client import Requester, TrexClient
+from trex_gui.devices.trex.client.reading import DeviceState, agreed, query, read_everything
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, GetParameter, ReplyT_co
+from trex_gui.devices.trex.protocol.errors import is_unsteady
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection
+from trex_gui.devices.trex.simulator.firmware import Board
+
+_GET_TIMEOUT = GetParameter(0x07)
 
 
 @pytest.mark.parametrize(
@@ -75,6 +82,74 @@ def test_noisy_line_with_crc_yields_no_wrong_value() -> None:
             continue
         for key, value in state.parameters.items():
             assert value == stage.board.memory.stored()[key]
+
+
+@pytest.mark.parametrize(
+    ("readings", "value"),
+    [([5, 5], 5), ([9, 5, 5], 5), ([5, 9, 5, 5], 5), ([9, 8, 5, 5], 5)],
+)
+def test_value_counts_when_two_readings_in_a_row_agree(
+    stage: Stage, readings: list[int], value: int
+) -> None:
+    request = replying(stage, GetParameter, readings)
+    assert agreed(request, _GET_TIMEOUT) == value
+
+
+def test_readings_that_never_agree_are_an_error(stage: Stage) -> None:
+    request = replying(stage, GetParameter, [5, 9, 5, 9, 9])
+    with pytest.raises(BadReply, match="replies to 9F 07 differ each time") as caught:
+        agreed(request, _GET_TIMEOUT)
+    assert is_unsteady(caught.value)
+
+
+def test_one_reading_suffices_with_crc() -> None:
+    stage, settings = staged(detection=Detection.CRC7)
+    client = stage.client(settings)
+    state = read_everything(client.request, has_crc=True)
+    assert client.counters.requests == 4 + len(state.specs.readable) + len(CHANNELS)
+
+
+def test_corrupted_reply_is_not_kept() -> None:
+    """The reply to each request is corrupted in turn."""
+    whole = Stage(Board())
+    stored = read_everything(whole.client().request)
+    for number in range(len(commands(whole.transport.sent))):
+        stage = Stage(Board())
+        client = stage.client()
+
+        def corrupt(
+            command: Command[ReplyT_co],
+            stage: Stage = stage,
+            client: TrexClient = client,
+            number: int = number,
+        ) -> ReplyT_co:
+            stage.line.faults.to_corrupt = int(client.counters.requests == number)
+            return client.request(command)
+
+        assert read_everything(corrupt) == stored, number
+        assert stage.line.faults.counters["corrupted"] == 1
+
+
+@pytest.mark.parametrize("read", [read_everything, lambda request: agreed(request, _GET_TIMEOUT)])
+def test_request_that_becomes_another_one_spoils_no_value(
+    stage: Stage, read: Callable[[Requester], DeviceState | int]
+) -> None:
+    """9F 07 becomes 8F: both currents. The second one is taken for the next reply."""
+    stage.board.eeprom.write("serial_timeout", 5)
+    client = stage.client()
+    write = stage.transport.write
+    to_damage = [b"\x9f\x07"]
+
+    def damage(data: bytes) -> None:
+        if data in to_damage:
+            to_damage.remove(data)
+            data = b"\x8f\x07"
+        write(data)
+
+    stage.transport.write = damage  # type: ignore[method-assign]
+    found = read(client.request)
+    assert not to_damage
+    assert (found if isinstance(found, int) else found.parameters["serial_timeout"]) == 5
 
 
 def test_unreadable_parameter_does_not_block_remaining_ones(stage: Stage) -> None:

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.devices.trex.session.helpers import commands, staged
+from tests.devices.trex.session.helpers import commands, replying, staged
 from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
@@ -19,6 +19,7 @@ from trex_gui.devices.trex.client.writing import (
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     Command,
+    GetMode,
     GetParameter,
     ReplyT_co,
     SetCalibration,
@@ -51,12 +52,33 @@ def test_every_parameter_accepts_its_limits(spec: ParameterSpec) -> None:
         assert stage.board.eeprom[spec.key] == wire
 
 
-def test_write_is_confirmed_by_read_back(stage: Stage) -> None:
+def test_write_is_confirmed_by_two_equal_readings(stage: Stage) -> None:
     write_parameter(stage.client().request, TIMEOUT, 20)
     assert commands(stage.transport.sent) == [
         SetParameter(TIMEOUT.number, 20),
         GetParameter(TIMEOUT.number),
+        GetMode(),
+        GetParameter(TIMEOUT.number),
     ]
+
+
+def test_write_with_crc_is_confirmed_by_one_reading() -> None:
+    stage, settings = staged(detection=Detection.CRC7)
+    write_parameter(stage.client(settings).request, TIMEOUT, 20, has_crc=True)
+    assert commands(stage.transport.sent, settings.polynomial) == [
+        SetParameter(TIMEOUT.number, 20),
+        GetParameter(TIMEOUT.number),
+    ]
+
+
+def test_corrupted_read_back_does_not_fail_a_write(stage: Stage) -> None:
+    assert write_parameter(replying(stage, GetParameter, [19, 20, 20]), TIMEOUT, 20) == 20
+    assert stage.board.memory.writes == 1
+
+
+def test_read_back_that_differs_each_time_fails_a_write(stage: Stage) -> None:
+    with pytest.raises(BadReply, match="replies to 9F 07 differ each time"):
+        write_parameter(replying(stage, GetParameter, [20, 21, 20, 21]), TIMEOUT, 20)
 
 
 def test_invalid_value_is_not_sent(stage: Stage) -> None:
@@ -68,7 +90,22 @@ def test_invalid_value_is_not_sent(stage: Stage) -> None:
 def test_factory_reset_is_not_read_back(stage: Stage) -> None:
     assert write_parameter(stage.client().request, SPECS["factory_reset"], 0x7F) == 0x7F
     assert stage.board.eeprom.reset_pending
-    assert commands(stage.transport.sent) == [SetParameter(0x7F, 0x7F)]
+    reset = SetParameter(0x7F, 0x7F)
+    assert commands(stage.transport.sent) == [reset, GetMode(), reset]
+
+
+@pytest.mark.parametrize("codes", [[1, 0, 0], [0, 2, 0, 0]])
+def test_corrupted_result_code_does_not_fail_a_factory_reset(
+    stage: Stage, codes: list[int]
+) -> None:
+    request = replying(stage, SetParameter, map(ResultCode, codes))
+    assert write_parameter(request, SPECS["factory_reset"], 0x7F) == 0x7F
+
+
+def test_rejected_factory_reset_is_no_success(stage: Stage) -> None:
+    request = replying(stage, SetParameter, map(ResultCode, [0, 3, 3]))
+    with pytest.raises(Rejected):
+        write_parameter(request, SPECS["factory_reset"], 0x7F)
 
 
 def test_unanswered_factory_reset_fails(stage: Stage) -> None:
@@ -105,12 +142,26 @@ def test_unknown_parameter_error_mentions_firmware() -> None:
     assert caught.value.result is ResultCode.BAD_PARAMETER
 
 
-def test_rejected_write_is_not_retried() -> None:
-    stage, settings = staged(mode="rc")
+def test_rejected_write_is_not_retried_with_crc() -> None:
+    stage, settings = staged(mode="rc", detection=Detection.CRC7)
     client = stage.client(settings)
     with pytest.raises(Rejected):
-        write_parameter(client.request, TIMEOUT, 5)
+        write_parameter(client.request, TIMEOUT, 5, has_crc=True)
     assert client.counters.requests == 1
+
+
+def test_rejection_counts_when_the_board_repeats_it() -> None:
+    stage, settings = staged(mode="rc")
+    with pytest.raises(Rejected):
+        write_parameter(stage.client(settings).request, TIMEOUT, 5)
+    write = SetParameter(TIMEOUT.number, 5)
+    assert commands(stage.transport.sent) == [write, GetMode(), write]
+
+
+@pytest.mark.parametrize("codes", [[1, 0], [1, 2, 3]])
+def test_corrupted_result_code_does_not_fail_a_write(stage: Stage, codes: list[int]) -> None:
+    request = replying(stage, SetParameter, map(ResultCode, codes))
+    assert write_parameter(request, TIMEOUT, 5) == 5
 
 
 # --- A bad line -------------------------------------------------------------------------
@@ -306,12 +357,13 @@ def test_invalid_values_do_not_block_valid_ones(stage: Stage) -> None:
 
 def test_write_ends_when_board_is_not_in_serial_mode() -> None:
     stage, settings = staged(mode="analog")
-    client = stage.client(settings)
     wanted = [(spec.key, spec.default) for spec in SPECS.readable]
-    results = write_all(client.request, SPECS, wanted, [(CalibrationKey.RC_CHANNEL_1, LEARNED)])
+    results = write_all(
+        stage.client(settings).request, SPECS, wanted, [(CalibrationKey.RC_CHANNEL_1, LEARNED)]
+    )
     assert len(results) == len(wanted) + 1
     assert all(isinstance(result.error, Rejected) for result in results)
-    assert client.counters.requests == 1
+    assert set(commands(stage.transport.sent)) == {GetMode()}
 
 
 def test_write_ends_when_board_stops_responding(stage: Stage) -> None:

@@ -1,12 +1,13 @@
 """What several tests of the link say in one word."""
 
 from collections.abc import Callable, Iterable
-from typing import TypeVar
+from typing import Any, TypeVar, cast
 
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.session import Close, Outcome
+from trex_gui.devices.trex.client.client import Requester
 from trex_gui.devices.trex.client.telemetry import Sample
-from trex_gui.devices.trex.protocol.commands import Command
+from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
@@ -35,6 +36,17 @@ def staged(
     eeprom.write("uart_settings", line.to_wire())
     board = Board(model, firmware, eeprom=eeprom, mode=mode)
     return Stage(board, echo=echo), ConnectionSettings("virtual", line)
+
+
+def replying(stage: Stage, kind: type[Command[Any]], replies: Iterable[object]) -> Requester:
+    """Return a requester on a line that turns the replies to one kind of command into these."""
+    client, corrupted = stage.client(), iter(replies)
+
+    def request(command: Command[ReplyT_co]) -> ReplyT_co:
+        reply = client.request(command)
+        return cast("ReplyT_co", next(corrupted)) if isinstance(command, kind) else reply
+
+    return request
 
 
 def among(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:

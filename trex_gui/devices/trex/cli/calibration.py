@@ -18,7 +18,6 @@ from trex_gui.devices.trex.cli.common import (
     open_line_to_change,
     rounded,
 )
-from trex_gui.devices.trex.client.reading import query
 from trex_gui.devices.trex.client.writing import write_calibration
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
@@ -26,7 +25,6 @@ from trex_gui.devices.trex.protocol.calibration import (
     Calibration,
     CalibrationKey,
 )
-from trex_gui.devices.trex.protocol.commands import GetCalibratedChannels, GetCalibration, GetMode
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.rules import Context
@@ -57,9 +55,8 @@ def get_command(as_json: bool, **options: Any) -> None:
     """
     with open_line(link_settings(options)) as client:
         identify(client)
-        source = query(client.request, GetMode()).source
-        rows = {channel: query(client.request, GetCalibration(channel)) for channel in CHANNELS}
-        learned = channels_in(query(client.request, GetCalibratedChannels()))
+        state = read_board(client)
+    source, rows, learned = state.source, state.calibrations, channels_in(state.calibrated)
     if as_json:
         report = {
             "source": source.value,
@@ -110,7 +107,7 @@ def set_command(channel: int, **options: Any) -> None:
             state,
             replace(stored, calibrations={**stored.calibrations, key: wanted}),
             Context(port_rates=rates, used_by_line=link.line),
-            lambda: write_calibration(client.request, key, wanted),
+            lambda: write_calibration(client.request, key, wanted, has_crc=client.has_crc),
             what=f"Calibration of channel {channel}",
             command=f"trexcmd calibration set {channel}",
         )

@@ -19,7 +19,7 @@ from trex_gui.devices.trex.settings.rules import Context, lint
 def read_board(client: TrexClient) -> DeviceState:
     """Read everything, with a progress line."""
     with ProgressLine("Reading") as line:
-        return read_everything(client.request, line)
+        return read_everything(client.request, line, has_crc=client.has_crc)
 
 
 def warn(settings: Settings, context: Context) -> None:

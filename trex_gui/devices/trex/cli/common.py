@@ -14,7 +14,7 @@ from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient, diagnose
-from trex_gui.devices.trex.client.reading import query
+from trex_gui.devices.trex.client.reading import agreed
 from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -186,7 +186,7 @@ def _begun(transport: Transport, settings: ConnectionSettings) -> Iterator[TrexC
 def identify(client: TrexClient) -> Signature:
     """Return which board replies; NoReply and BadReply say what to check."""
     try:
-        return query(client.request, GetSignature())
+        return agreed(client.request, GetSignature(), has_crc=client.has_crc)
     except (NoReply, BadReply) as error:
         raise diagnose(client.settings, echo=client.echo, error=error) from error
 
@@ -200,7 +200,7 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
     client = TrexClient(host().open_transport(settings), settings)
     try:
         client.detect_echo()
-        signature = query(client.request, GetSignature())
+        signature = agreed(client.request, GetSignature(), has_crc=client.has_crc)
     except NoReply:
         return PortAnswer("echo only" if client.echo else "no reply")
     except BadReply as error:

@@ -269,6 +269,7 @@ def _write(
             parameters,
             calibrations,
             line,
+            has_crc=client.has_crc,
             cancelled=interrupted.__bool__,
         )
     failed = [result for result in results if result.error is not None]

@@ -62,7 +62,7 @@ def set_command(name: str, value: str, **options: Any) -> None:
             state,
             replace(stored, parameters={**stored.parameters, spec.key: wire}),
             Context(port_rates=rates, used_by_line=link.line),
-            lambda: write_parameter(client.request, spec, wire),
+            lambda: write_parameter(client.request, spec, wire, has_crc=client.has_crc),
             what=spec.name,
             command=f"trexcmd set {spec.key}",
         )
@@ -92,7 +92,7 @@ def restore_defaults(yes: bool, **options: Any) -> None:
             question = "Reset every parameter of this board to its default?"
             click.confirm(question, abort=True, err=True)
         keep(stored, link, "trexcmd restore-defaults")
-        write_parameter(client.request, spec, spec.maximum)
+        write_parameter(client.request, spec, spec.maximum, has_crc=client.has_crc)
     line, number = (
         specs[key].text(specs[key].default)
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.DEVICE_NUMBER)

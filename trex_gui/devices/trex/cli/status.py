@@ -18,7 +18,7 @@ from trex_gui.devices.trex.cli.common import (
     spec_of,
 )
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything
+from trex_gui.devices.trex.client.reading import DeviceState, agreed, query, read_everything
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
 from trex_gui.devices.trex.protocol.commands import (
     GetCurrents,
@@ -54,7 +54,7 @@ def status(as_json: bool, **options: Any) -> None:
     """
     with open_line(link_settings(options)) as client:
         identify(client)
-        state = read_everything(client.request)
+        state = read_everything(client.request, has_crc=client.has_crc)
         report = _report(client, state)
     if as_json:
         print_json(report)
@@ -84,7 +84,7 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
         spec = spec_of(client, name)
         if not spec.readable:
             raise BadRequest(f"{spec.name} can only be written")
-        wire = query(client.request, GetParameter(spec.number))
+        wire = agreed(client.request, GetParameter(spec.number), has_crc=client.has_crc)
     if as_json:
         click.echo(json.dumps({"name": spec.key, "value": wire, "text": spec.text(wire)}))
     else:

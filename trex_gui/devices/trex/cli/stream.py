@@ -15,7 +15,7 @@ from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.recording.kinds import SampleKind
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import query
+from trex_gui.devices.trex.client.reading import agreed
 from trex_gui.devices.trex.client.telemetry import (
     Currents,
     LatchedStatus,
@@ -64,7 +64,7 @@ def stream(file: str | None, seconds: float | None, as_json: bool, **options: An
     settings = link_settings(options)
     with open_line(settings) as client, _target(file) as target, Interruption() as interrupted:
         unit = identify(client).model.current_unit
-        mode = query(client.request, GetMode())
+        mode = agreed(client.request, GetMode(), has_crc=client.has_crc)
         table = _Table(mode, unit)
         rows = csv.DictWriter(target, list(table.row), lineterminator="\n")
         if not as_json:

@@ -26,6 +26,7 @@ from trex_gui.devices.trex.protocol.errors import (
     ResultCode,
     TrexBadReplyError,
     TrexNoReplyError,
+    is_unsteady,
 )
 from trex_gui.devices.trex.protocol.flags import Status
 from trex_gui.devices.trex.protocol.framing import Framing, Malformed, NeedData, Reply, ReplyParser
@@ -244,6 +245,11 @@ class TrexClient:
         self.transport.close()
 
     @property
+    def has_crc(self) -> bool:
+        """Whether a CRC shows corrupted bytes; a parity bit shows them to the board only."""
+        return self.settings.line.has_crc
+
+    @property
     def _allowance(self) -> float:
         return self.transport.latency + self.settings.timeouts.extra + _BOARD_DELAY
 
@@ -274,6 +280,8 @@ def _hex(data: bytes) -> str:
 def diagnose(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
     """Return why no TReX was found, from the error of the first query and its echo."""
     where = settings.text()
+    if is_unsteady(error):
+        return error
     if isinstance(error, BadReply):
         return TrexBadReplyError(ErrorCode.OTHER_DEVICE, where, error)
     if not isinstance(error, NoReply):

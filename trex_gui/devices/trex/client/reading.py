@@ -5,7 +5,7 @@ Plain functions over a `Requester`, so the command line, the session and tests s
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.client import Requester
@@ -22,6 +22,11 @@ from trex_gui.devices.trex.protocol.commands import (
     Signature,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import (
+    ErrorCode,
+    TrexBadReplyError,
+    is_unsteady,
+)
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet, parameters_of
 
@@ -31,6 +36,9 @@ Progress = Callable[[int, int, str], None]
 """Called with the steps done, their total, and what comes next."""
 
 ATTEMPTS = 3  # how often a transaction is tried on a line that corrupts bytes
+
+_DISAGREEMENTS = 3
+"""How often a reading may differ from the one before it; then the value counts as unknown."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,40 +114,99 @@ def query(request: Requester, command: Command[ReplyT_co]) -> ReplyT_co:
     return request(command)
 
 
+def agreed(
+    request: Requester,
+    command: Command[ReplyT_co],
+    *,
+    has_crc: bool = False,
+    earlier: ReplyT_co | None = None,
+) -> ReplyT_co:
+    """Read a stored value until two readings in a row are equal; with a CRC once.
+
+    Without a CRC nothing shows that a byte was corrupted. One corrupted byte can even spoil two
+    replies: a request that becomes another one has a longer reply, whose rest is taken for the
+    next reply. So there is another query between two readings. `earlier` counts as the first one.
+
+    Raises:
+        BadReply: three readings in a row differ from the one before.
+        NoReply, PortUnavailable: as for `query`.
+    """
+    readings = [query(request, command) if earlier is None else earlier]
+    if has_crc:
+        return readings[0]
+    for count in range(_DISAGREEMENTS):
+        if count or earlier is None:
+            query(request, GetMode())
+        readings.append(query(request, command))
+        if readings[-1] == readings[-2]:
+            return readings[-1]
+    packet = bytes([command.opcode]) + command.data()
+    raise TrexBadReplyError(ErrorCode.READINGS_DIFFER, packet.hex(" ").upper())
+
+
 def read_everything(
-    request: Requester, progress: Progress = lambda _done, _total, _what: None
+    request: Requester,
+    progress: Progress = lambda _done, _total, _what: None,
+    *,
+    has_crc: bool = False,
 ) -> DeviceState:
     """Read signature, mode, every parameter and the calibrations that the mode shows.
 
+    Without a CRC everything is read in two passes: what corrupts bytes often lasts for more than
+    one transaction.
+
     Raises:
-        NoReply, BadReply: the board does not answer, or is no TReX.
+        NoReply, BadReply: the board does not answer, or is no TReX, or a value was not `agreed`.
         PortUnavailable: the line is gone.
     """
+    readings: dict[Command[Any], Any] = {}
+
+    def read(command: Command[ReplyT_co]) -> ReplyT_co:
+        readings[command] = reply = query(request, command)
+        return reply
+
+    def read_again(command: Command[ReplyT_co]) -> ReplyT_co:
+        earlier: ReplyT_co | None = readings.get(command)
+        return agreed(request, command, earlier=earlier)
+
     progress(0, 1, "signature")
-    signature = query(request, GetSignature())
+    passes: list[Requester] = [read] if has_crc else [read, read_again]
+    for number, requester in enumerate(passes):
+        state = _read_pass(requester, progress, number, len(passes))
+    return state
+
+
+def _read_pass(read: Requester, progress: Progress, number: int, passes: int) -> DeviceState:
+    signature = read(GetSignature())
     specs = parameters_of(signature.model.key, signature.firmware).readable
-    total = 4 + len(specs) + len(CHANNELS)
-    progress(1, total, "mode")
-    mode = query(request, GetMode())
-    progress(2, total, "control")
-    serial_controls = query(request, GetSerialControl())
+    steps = 4 + len(specs) + len(CHANNELS)
+
+    def report(done: int, what: str) -> None:
+        progress(number * steps + done, passes * steps, what)
+
+    report(1, "mode")
+    mode = read(GetMode())
+    report(2, "control")
+    serial_controls = read(GetSerialControl())
     parameters: dict[str, int] = {}
     unread: dict[str, str] = {}
     for done, spec in enumerate(specs, start=3):
-        progress(done, total, spec.name)
+        report(done, spec.name)
         try:
-            parameters[spec.key] = query(request, GetParameter(spec.number))
+            parameters[spec.key] = read(GetParameter(spec.number))
         except (NoReply, BadReply) as error:
+            if is_unsteady(error):
+                raise
             # Either the board is gone, and this raises, or it rejects this one parameter.
-            query(request, GetMode())
+            read(GetMode())
             unread[spec.key] = str(error)
     calibrations: dict[int, Calibration] = {}
     for done, channel in enumerate(CHANNELS, start=3 + len(specs)):
-        progress(done, total, f"calibration of channel {channel}")
-        calibrations[channel] = query(request, GetCalibration(channel))
-    progress(total - 1, total, "learned channels")
-    calibrated = query(request, GetCalibratedChannels())
-    progress(total, total, "done")
+        report(done, f"calibration of channel {channel}")
+        calibrations[channel] = read(GetCalibration(channel))
+    report(steps - 1, "learned channels")
+    calibrated = read(GetCalibratedChannels())
+    report(steps, "done")
     return DeviceState(
         signature, mode, serial_controls, parameters, calibrations, calibrated, unread
     )

@@ -6,11 +6,12 @@ Plain functions over a `Requester`, so the command line, the session and tests s
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
+from functools import partial
 from typing import TypeVar
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.client.client import Requester
-from trex_gui.devices.trex.client.reading import ATTEMPTS, DeviceState, Progress, query
+from trex_gui.devices.trex.client.reading import ATTEMPTS, DeviceState, Progress, agreed, query
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_KEYS,
     DEFAULT_CALIBRATION,
@@ -61,11 +62,15 @@ class WriteResult:
         return CALIBRATION_KEYS[self.key].channel if self.key in CALIBRATION_KEYS else None
 
 
-def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
+def write_parameter(
+    request: Requester, spec: ParameterSpec, wire: int, *, has_crc: bool = False
+) -> int:
     """Store one parameter and return the value that was read back.
 
     A lost reply is no failure: only the value read back counts. The factory reset cannot be read
     back; its result code has to suffice.
+
+    `has_crc` says for every function here whether a CRC protects the line; see `agreed`.
 
     Raises:
         BadRequest: the value is outside the parameter's limits; nothing was sent.
@@ -76,16 +81,21 @@ def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
     """
     command = SetParameter(spec.number, spec.check(wire))
     if not spec.readable:
-        _write(request, spec.name, command, may_fail=False)
+        code = agreed(request, command, has_crc=has_crc)
+        if code is not ResultCode.OK:
+            raise Rejected(spec.name, code)
         return wire
-    stored = _write_and_verify(request, spec.name, command, GetParameter(spec.number), wire)
+    read_back = GetParameter(spec.number)
+    stored = _write_and_verify(request, spec.name, command, read_back, wire, has_crc=has_crc)
     if stored != wire:
         texts = spec.text(wire), spec.text(stored)
         raise TrexBadReplyError(ErrorCode.PARAMETER_MISMATCH, spec.name, *texts)
     return stored
 
 
-def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibration) -> Calibration:
+def write_calibration(
+    request: Requester, key: CalibrationKey, wanted: Calibration, *, has_crc: bool = False
+) -> Calibration:
     """Store a calibration for the active input source; return what was read back.
 
     A board that lost power for a moment may have another active source now. Then nothing more is
@@ -101,7 +111,7 @@ def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibrati
     command.data()  # invalid values raise here, before anything is sent
 
     def require_source() -> None:
-        mode = query(request, GetMode())
+        mode = agreed(request, GetMode(), has_crc=has_crc)
         if not mode.is_serial:
             raise Rejected(what, ResultCode.NOT_SERIAL_MODE)
         if mode.source is not key.source:
@@ -109,7 +119,13 @@ def write_calibration(request: Requester, key: CalibrationKey, wanted: Calibrati
             raise TrexBadReplyError(ErrorCode.OTHER_SOURCE, what, *names)
 
     stored = _write_and_verify(
-        request, what, command, GetCalibration(key.channel), wanted, before=require_source
+        request,
+        what,
+        command,
+        GetCalibration(key.channel),
+        wanted,
+        has_crc=has_crc,
+        before=require_source,
     )
     if stored != wanted:
         raise TrexBadReplyError(ErrorCode.CALIBRATION_MISMATCH, what, stored)
@@ -123,18 +139,15 @@ def _write_and_verify(
     read_back: Command[ValueT],
     wanted: ValueT,
     *,
+    has_crc: bool,
     before: Callable[[], None] = lambda: None,
 ) -> ValueT:
-    """Write until the value is read back; return what was read last.
-
-    Without CRC the line may have corrupted what was read, or what was written: only two equal
-    readings speak against the write, and a write may be repeated.
-    """
+    """Write until the value is read back; return what was read last."""
     stored = wanted
     for _ in range(ATTEMPTS):
-        _write(request, what, command, may_fail=True, before=before)
-        stored = query(request, read_back)
-        if stored == wanted or (stored := query(request, read_back)) == wanted:
+        _write(request, what, command, has_crc=has_crc, before=before)
+        stored = agreed(request, read_back, has_crc=has_crc)
+        if stored == wanted:
             break
     return stored
 
@@ -144,21 +157,29 @@ def _write(
     what: str,
     command: SetParameter | SetCalibration,
     *,
-    may_fail: bool,
-    before: Callable[[], None] = lambda: None,
+    has_crc: bool,
+    before: Callable[[], None],
 ) -> None:
-    for attempt in range(ATTEMPTS):
+    """Write until the board accepts it, or reading it back has to show what was stored.
+
+    Raises:
+        Rejected: the board rejects it; without a CRC twice in a row, because the first time the
+            packet may have been corrupted, or the reply.
+    """
+    rejected: ResultCode | None = None
+    for _ in range(ATTEMPTS):
         before()
         try:
             code = request(command)
         except (NoReply, BadReply):
             # The packet or its reply was corrupted: writing the same value again is harmless.
-            if attempt == ATTEMPTS - 1 and not may_fail:
-                raise
             continue
-        if code is not ResultCode.OK:
+        if code is ResultCode.OK:
+            return
+        if has_crc or code is rejected:
             raise Rejected(what, code)
-        return
+        rejected = code
+        query(request, GetMode())  # see `agreed`
 
 
 def write_all(
@@ -168,6 +189,7 @@ def write_all(
     calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
     progress: Progress = lambda _done, _total, _what: None,
     *,
+    has_crc: bool = False,
     cancelled: Callable[[], bool] = lambda: False,
     stored: Callable[[WriteResult], None] = lambda _result: None,
 ) -> tuple[WriteResult, ...]:
@@ -188,7 +210,7 @@ def write_all(
     belong together are not separated. `stored` is called after each verified write.
     """
     total = len(parameters) + len(calibrations)
-    work = _Work(request, specs, total, progress, cancelled, stored)
+    work = _Work(request, specs, total, progress, has_crc, cancelled, stored)
     for calibration_key, wanted in calibrations:
         work.store_calibration(calibration_key, wanted)
     ordered = sorted(parameters, key=lambda item: _write_order(specs, item[0]))
@@ -233,6 +255,7 @@ class _Work:
     specs: ParameterSet
     total: int
     progress: Progress
+    has_crc: bool
     cancelled: Callable[[], bool]
     stored: Callable[[WriteResult], None]
     results: list[WriteResult] = field(default_factory=list)
@@ -240,12 +263,16 @@ class _Work:
 
     def store_calibration(self, key: CalibrationKey, wanted: Calibration) -> None:
         self._check_cancelled()
-        self._try(key, lambda: write_calibration(self.request, key, wanted))
+        write = partial(write_calibration, self.request, key, wanted, has_crc=self.has_crc)
+        self._try(key, write)
 
     def store(self, key: str, wire: int, *, may_cancel: bool = True) -> None:
         if may_cancel:
             self._check_cancelled()
-        self._try(key, lambda: write_parameter(self.request, self.specs[key], wire))
+        self._try(key, lambda: self._write_parameter(key, wire))
+
+    def _write_parameter(self, key: str, wire: int) -> int:
+        return write_parameter(self.request, self.specs[key], wire, has_crc=self.has_crc)
 
     def store_serial(self, serial: list[tuple[str, int]]) -> None:
         """Store line settings and polynomial in the order that keeps the board reachable."""
@@ -255,7 +282,7 @@ class _Work:
             try:
                 route = self._route(dict(serial))
                 if route is _Route.VIA_DEFAULT:
-                    write_parameter(self.request, self.specs[_LINE], self.specs[_LINE].default)
+                    self._write_parameter(_LINE, self.specs[_LINE].default)
             except _FAILURES as error:
                 self.fatal_error = error
         if route is _Route.LINE_FIRST:
@@ -266,12 +293,15 @@ class _Work:
             self._note_uncertain_line()
 
     def _route(self, wanted: Mapping[str, int]) -> "_Route":
-        stored = {key: query(self.request, GetParameter(self.specs[key].number)) for key in wanted}
+        stored = {
+            key: agreed(self.request, GetParameter(self.specs[key].number), has_crc=self.has_crc)
+            for key in wanted
+        }
         is_possible = not any(self.specs[key].problem(wire) for key, wire in wanted.items())
-        has_crc = _has_crc(stored[_LINE])
-        if not (is_possible and has_crc and stored[_POLYNOMIAL] != wanted[_POLYNOMIAL]):
+        stores_crc = _stores_crc(stored[_LINE])
+        if not (is_possible and stores_crc and stored[_POLYNOMIAL] != wanted[_POLYNOMIAL]):
             return _Route.POLYNOMIAL_FIRST
-        if not _has_crc(wanted[_LINE]):
+        if not _stores_crc(wanted[_LINE]):
             return _Route.LINE_FIRST
         is_same = stored[_LINE] == wanted[_LINE]
         return _Route.POLYNOMIAL_FIRST if is_same else _Route.VIA_DEFAULT
@@ -312,7 +342,7 @@ class _Work:
         self.results.append(result)
 
 
-def _has_crc(wire: int) -> bool:
+def _stores_crc(wire: int) -> bool:
     """Whether packets carry a CRC under these line settings; not under unknown ones."""
     try:
         return LineSettings.from_wire(wire).detection is Detection.CRC7

@@ -15,7 +15,6 @@ from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import Stop, packets
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
-from trex_gui.devices.trex.protocol.line_settings import Detection
 
 log = logging.getLogger(__name__)
 
@@ -242,8 +241,7 @@ class MotorDriver:
         return self.client.request(command)
 
     def _is_quiet(self) -> bool:
-        has_crc = self.client.settings.line.detection is Detection.CRC7
-        self.output.quality.observe(self.client.counters, has_crc=has_crc)
+        self.output.quality.observe(self.client.counters, has_crc=self.client.has_crc)
         return self.output.quality.is_quiet
 
     def _now(self) -> float:

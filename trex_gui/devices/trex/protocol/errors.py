@@ -49,6 +49,12 @@ class ErrorCode(Enum):
     LATE_REPLIES = QT_TRANSLATE_NOOP(
         "TrexErrors", "Late replies arrived and cannot be matched to requests."
     )
+    READINGS_DIFFER = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "The board's replies to {0} differ each time: the line corrupts bytes, so what is stored "
+        "is not known. Check cable and ground, keep motor leads away from them, or use a lower "
+        "baud rate or CRC.",
+    )
     # Motors
     STOP_UNCONFIRMED = QT_TRANSLATE_NOOP(
         "TrexErrors",
@@ -142,6 +148,11 @@ _REJECTIONS = {
     ResultCode.BAD_VALUE: ErrorCode.BAD_VALUE,
     ResultCode.NOT_SERIAL_MODE: ErrorCode.NOT_SERIAL_MODE,
 }
+
+
+def is_unsteady(error: BaseException) -> bool:
+    """Whether a stored value was read differently again and again."""
+    return isinstance(error, TrexError) and error.code is ErrorCode.READINGS_DIFFER
 
 
 def suggests_scan(error: BaseException) -> bool:

@@ -327,6 +327,7 @@ class TrexSession:
             job.parameters,
             job.calibrations,
             self._report_progress,
+            has_crc=self._line.has_crc,
             cancelled=self._is_closing,
             stored=self._note_stored,
         )
@@ -345,7 +346,9 @@ class TrexSession:
         """
         if occasion.power_cycled:
             self._motors.handle(OutputEvent.LOCK_OUT, self._now())
-        self._state = read_everything(self._request, self._report_progress)
+        self._state = read_everything(
+            self._request, self._report_progress, has_crc=self._line.has_crc
+        )
         self._signature = self._state.signature
         if occasion is not ReadReason.RELOADED:
             if occasion.power_cycled or self._motors.is_armed:

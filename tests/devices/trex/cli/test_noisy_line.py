@@ -1,0 +1,92 @@
+"""What commands keep and report on a line without CRC that corrupts one byte in a hundred."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import Result
+
+from tests.support.matrix import sampled
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import VirtualCommand
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.devices.trex.settings.reader import read_settings
+
+_NOISE = 0.01  # probability that a byte is corrupted, either way
+_STORED = {"required_channels": 1, "motor1_current_limit": 20, "motor2_acceleration": 5}
+"""Parameters of the board that differ from the defaults."""
+
+
+class NoisyBoard:
+    """A simulated board behind a noisy line, and the program at the other end."""
+
+    def __init__(self, runtime: VirtualRuntime, simulator: SimulatedDevice) -> None:
+        self._runtime = runtime
+        self.simulator = simulator
+        self.run("calibration", "set", "2", "2400", "3700", "5100", "60")
+        for key, value in _STORED.items():
+            assert not self.run("set", key, str(value)).exit_code
+        self.earlier = {found.path for found in SettingsHistory().snapshots()}
+        self.before = simulator.show()
+        simulator.do(f"line noise {_NOISE}")
+
+    def run(self, *words: str) -> Result:
+        command = VirtualCommand(self._runtime, words, {"TREX_PORT": self.simulator.url})
+        command.wait()
+        return command.result
+
+    @property
+    def snapshots(self) -> list[Path]:
+        """Return what was kept since the line became noisy."""
+        return [
+            found.path for found in SettingsHistory().snapshots() if found.path not in self.earlier
+        ]
+
+
+@pytest.fixture
+def board(seed: int, virtual_time: VirtualRuntime, start_simulator: StartSimulator) -> NoisyBoard:
+    return NoisyBoard(virtual_time, start_simulator("--seed", str(seed)))
+
+
+def settings_in(path: Path) -> Settings:
+    return read_settings(path.read_bytes(), str(path))[0]
+
+
+def assert_true(path: Path, shown: dict[str, Any]) -> None:
+    """Every value in a settings file is what the board stored."""
+    settings = settings_in(path)
+    stored = shown["parameters"]
+    assert dict(settings.parameters) == {key: stored[key] for key in settings.parameters}
+    for key, calibration in settings.calibrations.items():
+        source, channel = key.source.value.lower(), key.channel
+        fields = shown["calibrations"][f"{source}_channel_{channel}"]
+        assert [getattr(calibration, name) for name in fields] == list(fields.values()), key
+
+
+SEEDS = range(100)
+
+
+@pytest.mark.parametrize("seed", sampled(SEEDS, every=5))
+def test_saved_settings_are_those_of_the_board(board: NoisyBoard, tmp_path: Path) -> None:
+    path = tmp_path / "board.txt"
+    result = board.run("get-settings", str(path))
+    assert path.exists() is (result.exit_code == 0)
+    if path.exists():
+        assert_true(path, board.before)
+        left_out = result.stderr.count("could not be read")
+        assert len(settings_in(path).parameters) + left_out == len(board.before["parameters"])
+
+
+@pytest.mark.parametrize("seed", sampled(SEEDS, every=5))
+def test_snapshot_before_a_change_is_true_and_the_change_verified(board: NoisyBoard) -> None:
+    result = board.run("set", "serial_timeout", "15")
+    after = board.simulator.show()["parameters"]
+    for path in board.snapshots:
+        assert_true(path, board.before)
+    if result.exit_code == 0:
+        assert board.snapshots
+        assert after == {**board.before["parameters"], "serial_timeout": 15}
+    else:
+        assert result.stderr.strip()
