@@ -68,11 +68,17 @@ class DrivingProcess:
     """
 
     def __init__(
-        self, simulator: SimulatedDevice, folder: Path, extra_time: str = "long", **environment: str
+        self,
+        simulator: SimulatedDevice,
+        folder: Path,
+        extra_time: str = "long",
+        baud: str = "19200",
+        **environment: str,
     ) -> None:
         self.simulator = simulator
+        program = [sys.executable, "-m", "tests.support.driven_window"]
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "tests.support.driven_window", simulator.url, extra_time],
+            [*program, simulator.url, extra_time, baud],
             cwd=ROOT,
             env={
                 **os.environ,

@@ -3,7 +3,8 @@
 Run as `python -m tests.support.driven_window URL`; takes lines on stdin. At `drive` it drives all
 motors, again whenever they were stopped, and prints `driving` once they do; `only_watch` ends that.
 Every other line is the name of something that goes wrong. With `usual` behind the URL it waits no
-longer for its own window than the program does by itself. What hangs prints `hanging` before.
+longer for its own window than the program does by itself. A third argument is the baud rate. What
+hangs prints `hanging` before.
 """
 
 import os
@@ -21,6 +22,8 @@ from tests.support.patient import PATIENT
 from tests.support.program import trex
 from trex_gui import app, composition
 from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session import session
 from trex_gui.supervisor import SuspendDetector
 from trex_gui.ui.devices.connection import ConnectionState
@@ -164,13 +167,14 @@ class Driver(QObject):
 WATCHES: list[QObject] = []
 
 
-def main(url: str, extra_time: str = "") -> int:
+def main(url: str, extra_time: str = "", baud: str = "19200") -> int:
     """Run the program until it is ended."""
     build = composition.build
 
     def build_and_drive(timeouts: Timeouts | None = None) -> Program:
         del timeouts
         program = build(Timeouts() if extra_time == "usual" else PATIENT)
+        trex(program).controller.set_settings(ConnectionSettings("", LineSettings(int(baud))))
         Driver(program)
         from PySide6.QtCore import QCoreApplication
 

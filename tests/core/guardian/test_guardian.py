@@ -7,6 +7,7 @@ import socket
 import sys
 import time
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from threading import Thread
 
@@ -185,6 +186,22 @@ def test_echo_is_not_taken_for_the_status(ends: Ends) -> None:
     )
     assert guardian.stop(LONG_TIMEOUT)
     assert board.received.count(STOP.query) == 3
+
+
+def test_request_that_comes_back_byte_by_byte_confirms_nothing(ends: Ends) -> None:
+    """Wires that touch, where no echo was expected."""
+
+    def come_back() -> None:
+        with suppress(OSError):
+            while data := ends[1].recv(1):
+                time.sleep(0.001)
+                ends[1].sendall(data)
+
+    Thread(target=come_back, daemon=True).start()
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    assert not guardian.stop(LONG_TIMEOUT)
+    assert has_ended(guardian)
 
 
 def test_telnet_commands_are_no_status(ends: Ends) -> None:

@@ -32,6 +32,10 @@ _GIVE_UP_S = 5.0  # seconds for which a stop is repeated
 _GRACE_S = 0.02  # seconds for a heartbeat that was sent in time and not read yet
 _SUSPENDED_S = 0.2  # a wait that is so much too long: this process was suspended itself
 _CLEAN_ROUNDS = 2  # stops with a clean status in a row that confirm it
+_QUIET_S = 0.03
+"""Seconds without a byte that end a reply, so that bytes that come back are none: two at 1200 baud,
+or the latency of a usual adapter."""
+
 _MOST = 4096  # bytes of one read
 
 
@@ -264,7 +268,7 @@ class Guardian:
         end = time.monotonic() + seconds
         while len(received) < size and (left := end - time.monotonic()) > 0:
             received += self._port.receive(left)
-        return received + self._port.receive(0)
+        return received + self._port.receive(_QUIET_S)
 
     def _reply(self, word: str) -> None:
         with suppress(OSError, ValueError):  # the program may be gone

@@ -9,6 +9,7 @@ import pytest
 from tests.devices.trex.cli.conftest import StartProcess, becomes, comes_true, outputs
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
+from trex_gui.core.transport.guarded import GuardedTransport
 
 
 def run_motor(
@@ -286,3 +287,26 @@ def test_stop_names_the_process_that_holds_the_port(
     assert "Esc in its window stops the motors" in errors
     holder.terminate()
     holder.communicate(timeout=60)
+
+
+@pytest.mark.realtime
+@pytest.mark.skipif(sys.platform == "win32", reason="the guardian shares a descriptor")
+def test_guardian_stops_motor_of_killed_process(
+    start_process: StartProcess, quick_simulator: SimulatedDevice
+) -> None:
+    process = start_process("motor", "1", "60")
+    assert comes_true(lambda: outputs(quick_simulator) == [60, 0, 0])
+    process.kill()
+    assert comes_true(lambda: braked(quick_simulator))
+    _, errors = process.communicate()
+    assert "The program ended while motors could move. The stop was sent" in errors
+
+
+def test_missing_guardian_is_reported_where_nothing_else_stops_the_motor(
+    start: StartCommand, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(GuardedTransport, "is_guarded", False)
+    command = run_motor_1(start, quick_simulator)
+    command.send_signal(signal.SIGINT)
+    _, errors = command.communicate()
+    assert "computer fails, and also if this program is killed." in errors

@@ -1,0 +1,80 @@
+"""From a fault to the stop at the board, while the window drives and telemetry runs at full rate.
+
+The simulated board, which works at the pace of the wire, is polled for its motors; that adds up to
+some 10 ms.
+"""
+
+import signal
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from tests.benchmarks.conftest import ReportFigure
+from tests.end_to_end.test_every_stop_cause import DrivingProcess
+from tests.support.pages.motors import is_stopped
+from tests.support.simulator import SimulatorProcess
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.simulator.memory import Eeprom
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="pseudo-terminals and signals")
+
+_ROUNDS = 5
+_DEATH_S, _HANG_S = 0.3, 0.8
+
+
+def _kill(window: DrivingProcess) -> None:
+    window.process.kill()
+
+
+def _crash(window: DrivingProcess) -> None:
+    window.process.send_signal(signal.SIGSEGV)
+
+
+def _suspend(window: DrivingProcess) -> None:
+    window.process.send_signal(signal.SIGSTOP)
+
+
+def _hang_window(window: DrivingProcess) -> None:
+    window.hang("hang")
+
+
+def _hang_line(window: DrivingProcess) -> None:
+    window.hang("hang_the_line")
+
+
+FAULTS = {
+    "killed": (_kill, _DEATH_S),
+    "crashed": (_crash, _DEATH_S),
+    "suspended": (_suspend, _HANG_S),
+    "window hangs": (_hang_window, _HANG_S),
+    "line hangs": (_hang_line, _HANG_S),
+}
+
+
+@pytest.mark.timeout(600)
+@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("baud", [19200, 115200])
+def test_motors_stop_soon_after_a_fault(
+    fault: str, baud: int, tmp_path: Path, figure: ReportFigure
+) -> None:
+    cause, limit = FAULTS[fault]
+    line = LineSettings(baud)
+    eeprom = Eeprom.open(tmp_path / "board.json", "trex")
+    eeprom.write("uart_settings", line.to_wire())
+    worst = 0.0
+    for _ in range(_ROUNDS):
+        simulator = SimulatorProcess("--eeprom", str(tmp_path / "board.json"))
+        window = DrivingProcess(simulator, tmp_path, "usual", str(baud))
+        try:
+            window.drive()
+            begun = time.perf_counter()
+            cause(window)
+            while not is_stopped(simulator):
+                assert time.perf_counter() - begun < 10
+            worst = max(worst, time.perf_counter() - begun)
+        finally:
+            window.end()
+            simulator.end()
+    figure(f"{fault}, {baud} baud: until the stop, worst of {_ROUNDS}", worst, "s", at_most=limit)
