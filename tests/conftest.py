@@ -292,10 +292,8 @@ def program(qtbot: QtBot, qapp: QApplication) -> Iterator[Program]:
     yield program
     trex(program).device.draft.discard_edits()
     program.window.close()
-    # Windows that live on would all be painted anew with each change of theme.
-    program.window.deleteLater()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert trex(program).device.link is ConnectionState.DISCONNECTED
+    assert program.close(), "a thread of the program lives on"
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLabel, QStackedWidget
 from pytestqt.qtbot import QtBot
@@ -104,8 +104,7 @@ def lamp_program(qtbot: QtBot) -> Iterator[Program]:
     program.window.show()
     yield program
     program.window.close()
-    program.window.deleteLater()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert program.close()
 
 
 def test_third_device_needs_only_its_plugin(

@@ -122,7 +122,7 @@ def main(argv: list[str] | None = None) -> int:
             0, lambda: program.open_named(arguments.settings, connecting=is_connecting)
         )
     code = app.exec()
-    # Qt would destroy visible windows while the interpreter shuts down.
+    # Closing the line or a recording may take seconds.
     for window in app.topLevelWidgets():
         window.hide()
     have_ended = program.shut_down()
@@ -136,4 +136,5 @@ def main(argv: list[str] | None = None) -> int:
         # A thread hangs in a port or a disk. Qt would abort on destroying it.
         os._exit(code)
     watching.close()
+    program.close()
     return code

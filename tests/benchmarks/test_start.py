@@ -24,8 +24,7 @@ trex(program).controller.connect_to(program.ports.demo_of("trex"))
 while trex(program).device.telemetry.raw is None:
     app.processEvents()
 live = time.perf_counter()
-program.window.hide()  # as the program does: Qt crashes when it destroys shown windows at exit
-program.shut_down()
+assert program.close()
 print(shown - begun, live - begun)
 """
 

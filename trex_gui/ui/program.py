@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
@@ -23,7 +23,7 @@ class Program:
     def __init__(self, plugins: Sequence[DevicePlugin], timeouts: Timeouts | None = None) -> None:
         self.plugins = tuple(plugins)
         self.timeouts = timeouts or Timeouts()
-        notifier = Notifier()
+        self._notifier = notifier = Notifier()
         self.ports = Ports(plugins)
         scanner = DeviceScanner(timeouts=self.timeouts)
         # By the key of the kind of device, in the order of the plugins.
@@ -96,6 +96,25 @@ class Program:
         ends = [self.device_manager.shut_down()]
         ends += [workspace.shut_down() for workspace in self.workspaces.values()]
         return all(ends) and wait_for_orphans()
+
+    def close(self) -> bool:
+        """Shut down, then destroy the window and its models; for whoever runs the event loop.
+
+        Nothing is left to the end of the interpreter, which destroys objects in any order while
+        their event handlers can no longer run: Qt crashes. Return whether every thread has ended;
+        otherwise nothing is destroyed, and only `os._exit` ends the process.
+        """
+        if not self.shut_down():
+            return False
+        for workspace in self.workspaces.values():
+            workspace.prepare_to_close()
+            workspace.finish()
+        manager = self.device_manager
+        models = (manager, *self.controllers.values(), manager.scanner, self.ports, self._notifier)
+        for part in (self.window, *models):
+            part.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        return True
 
     def end(self) -> None:
         self.device_manager.shut_down()

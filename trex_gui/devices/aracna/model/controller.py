@@ -45,4 +45,7 @@ def make_controller(
     scanner: DeviceScanner,
     timeouts: Timeouts,
 ) -> AracnaController:
-    return AracnaController(plugin, Robot(notifier), ports, scanner, timeouts)
+    robot = Robot(notifier)
+    controller = AracnaController(plugin, robot, ports, scanner, timeouts)
+    robot.setParent(controller)
+    return controller

@@ -152,7 +152,10 @@ def make_controller(
     scanner: DeviceScanner,
     timeouts: Timeouts,
 ) -> TrexController:
-    return TrexController(plugin, Device(notifier), ports, scanner, timeouts)
+    device = Device(notifier)
+    controller = TrexController(plugin, device, ports, scanner, timeouts)
+    device.setParent(controller)
+    return controller
 
 
 class AutomaticStop(QObject):
