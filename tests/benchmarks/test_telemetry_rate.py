@@ -64,6 +64,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
         _show_every_page(program)
     else:
         program.window.hide()
+        trex(program).device.connection.watch("benchmark", True)
 
     reports: list[Report] = []
     trex(program).device.connect_to(settings)

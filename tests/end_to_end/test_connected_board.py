@@ -39,6 +39,34 @@ def wait_for_brake(window: WindowDriver, simulator: SimulatedDevice, index: int)
     window.wait(lambda: simulator.show()["motors"][index]["direction"] == "brake")
 
 
+def test_minimised_window_shows_nothing_new_until_it_is_restored(
+    connected: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    window = connected
+    channels = window.open_page("channelsPage")
+    channels.wait(lambda: channels.text("channel1Input") == "1500 µs (3750)")
+    telemetry = window.device.telemetry
+    window.window.showMinimized()
+    simulator.do("channel 1 1800us")
+    window.wait(lambda: telemetry.raw_of(1) == 4500)
+    begun, before = now(), telemetry.samples
+    window.wait(lambda: now() > begun + 2)
+    assert telemetry.samples - before < 2 * 60
+    assert channels.text("channel1Input") == "1500 µs (3750)"
+
+    window.window.showNormal()
+    assert channels.text("channel1Input") == "1800 µs (4500)"
+    begun, before = now(), telemetry.samples
+    window.wait(lambda: now() > begun + 2)
+    assert telemetry.samples - before > 2 * 150
+
+    window.window.showMinimized()
+    window.disconnect()
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
+    window.window.showNormal()
+    assert channels.text("channel1Input") == "N/A"
+
+
 def test_pages_show_board_data_until_disconnect(
     connected: WindowDriver, simulator: SimulatedDevice
 ) -> None:

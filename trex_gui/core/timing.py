@@ -7,6 +7,9 @@ FRAME = 1 / 30
 
 FRAME_MS = round(1000 * FRAME)
 
+UNWATCHED_INTERVAL = 0.25
+"""Seconds between two batches of samples while nothing shows or records them."""
+
 TEXT_INTERVAL = 0.2
 """Seconds between two renewals of a measured value as text: nobody reads faster, and a text that
 changes may lay out the whole page again."""

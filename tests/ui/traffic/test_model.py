@@ -54,6 +54,25 @@ def test_polls_are_separated_from_commands(setup: TrafficSetup) -> None:
     assert setup.traffic.faults == 0
 
 
+def test_polls_are_not_decoded_until_they_are_shown(setup: TrafficSetup) -> None:
+    setup.log(POLL, ANSWER)
+    setup.log(POLL)
+    setup.log(POLL, ANSWER)
+    setup.traffic.pull()
+    assert setup.traffic.faults == 1
+    assert [row.words for row in setup.traffic.everything.rows] == [None] * 3
+
+
+def test_page_that_is_not_seen_is_told_of_rows_when_it_is(
+    setup: TrafficSetup, qtbot: QtBot
+) -> None:
+    setup.log(POLL, ANSWER)
+    with qtbot.assertNotEmitted(setup.traffic.changed):
+        setup.traffic.pull()
+    with qtbot.waitSignal(setup.traffic.changed):
+        setup.traffic.set_seen(True)
+
+
 def test_failed_poll_is_listed_in_its_place(setup: TrafficSetup) -> None:
     setup.log(WRITE, STORED)
     setup.log(POLL)

@@ -212,6 +212,10 @@ class Decoder(ABC):
     def read(self, transaction: Transaction) -> Decoded:
         """Return the meaning of a transaction that has bytes."""
 
+    def is_fault(self, transaction: Transaction) -> bool:
+        """Return whether something went wrong; every row needs this, its text only if shown."""
+        return self.decoded(transaction).is_fault
+
     def decoded(self, transaction: Transaction) -> Decoded:
         """Return the meaning of a transaction; cached once it is complete."""
         if (known := transaction.words) is not None:  # once: `forget` may come from another thread

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer, QUrl, Slot
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, QUrl, Signal, Slot
 from PySide6.QtGui import (
     QActionGroup,
     QCloseEvent,
@@ -12,6 +12,7 @@ from PySide6.QtGui import (
     QGuiApplication,
     QKeyEvent,
     QKeySequence,
+    QShowEvent,
     QWindow,
 )
 from PySide6.QtWidgets import (
@@ -58,6 +59,9 @@ _LOG_OUT_S = 60.0
 
 class MainWindow(QMainWindow):
     """Shows the workspace of the device that is connected, or was last."""
+
+    # Whether any window of the program is seen: neither hidden nor minimised.
+    seen_changed = Signal(bool)
 
     def __init__(
         self,
@@ -300,6 +304,18 @@ class MainWindow(QMainWindow):
         for scheme in SCHEMES:
             if scheme == wanted and scheme != theme().choice:
                 theme().set_scheme(scheme)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.windowHandle().visibilityChanged.connect(
+            self._on_visibility_changed, Qt.ConnectionType.UniqueConnection
+        )
+
+    @Slot()
+    def _on_visibility_changed(self) -> None:
+        unseen = {QWindow.Visibility.Hidden, QWindow.Visibility.Minimized}
+        windows = QGuiApplication.topLevelWindows()
+        self.seen_changed.emit(any(window.visibility() not in unseen for window in windows))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if not self._warning.given and not all(

@@ -19,7 +19,7 @@ _COLUMNS = ("time", "fault", "sent", "received", "took_ms", "meaning")
 
 _CHUNK = 100  # rows of a file from one progress report to the next
 _TRIMMED = MOST_KEPT * 9 // 10
-_INTERVAL_MS = 100
+_SHOWN_MS, _UNSEEN_MS = 100, 1000  # from one reading of the log to the next
 
 
 class RowBuffer:
@@ -50,8 +50,9 @@ class RowBuffer:
 
 
 class TrafficModel(QObject):
-    """Reads the traffic log of a session thread ten times a second while a session runs.
+    """Reads the traffic log of a session thread while a session runs.
 
+    It does so ten times a second for a page that is seen, else once a second without `changed`.
     Rows other than successful polls have a buffer of their own, so that telemetry does not
     displace a write of ten minutes ago.
     """
@@ -69,7 +70,8 @@ class TrafficModel(QObject):
         self._assembler = TransactionAssembler(decoder)
         self._newest = 0
         self._epoch = time.time() - now()
-        self._timer = new_timer(self, _INTERVAL_MS, self.pull)
+        self._is_seen = False
+        self._timer = new_timer(self, _UNSEEN_MS, self.pull)
         line.started.connect(self._on_started)
         line.closed.connect(self._on_closed)
 
@@ -126,7 +128,15 @@ class TrafficModel(QObject):
         rows = self._assembler.feed(self.log.take())
         for transaction in rows:
             self._add(transaction)
-        if rows:
+        if rows and self._is_seen:
+            self.changed.emit()
+
+    def set_seen(self, seen: bool) -> None:
+        """Set whether a page shows the rows; bring one that does up to date."""
+        self._is_seen = seen
+        self._timer.setInterval(_SHOWN_MS if seen else _UNSEEN_MS)
+        if seen:
+            self.pull()
             self.changed.emit()
 
     def _add(self, transaction: Transaction) -> None:
@@ -134,7 +144,7 @@ class TrafficModel(QObject):
         if is_new:
             self._newest = transaction.number
             self.everything.add(transaction)
-        is_fault = transaction.is_over and self.decoder.decoded(transaction).is_fault
+        is_fault = transaction.is_over and self.decoder.is_fault(transaction)
         self.faults += is_fault
         if is_fault if transaction.is_routine else is_new:
             self.without_polling.add(transaction)

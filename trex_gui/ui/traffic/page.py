@@ -4,7 +4,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
+from PySide6.QtGui import QGuiApplication, QHideEvent, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QLineEdit, QPushButton, QWidget
 
 from trex_gui.ui.notifier import Notifier
@@ -134,7 +134,16 @@ class TrafficPage(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._refresh()
+        self._traffic.set_seen(True)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._traffic.set_seen(False)
+
+    @Slot(bool)
+    def set_window_seen(self, seen: bool) -> None:
+        """Show nothing while the window of the page is minimised."""
+        self._traffic.set_seen(seen and self.isVisible())
 
     @Slot()
     def _apply_filter(self) -> None:

@@ -62,6 +62,22 @@ def session(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Recorder
     session.end()
 
 
+def test_recording_has_every_sample_while_no_window_is_seen(
+    session: RecorderSetup, tmp_path: Path
+) -> None:
+    session.device.set_seen(False)
+    session.recorder.start(tmp_path / "unseen.trexrec")
+    begun = now()
+    session.wait(lambda: now() > begun + 3)
+    session.end_recording()
+    assert sum(isinstance(one, Currents) for one in session.samples) > 3 * 70
+
+    session.samples.clear()
+    begun, before = now(), session.device.telemetry.samples
+    session.wait(lambda: now() > begun + 3)
+    assert session.device.telemetry.samples - before < 3 * 60
+
+
 def everything(path: Path) -> list[Record]:
     _, records, problems = read_file(path)
     assert problems == []

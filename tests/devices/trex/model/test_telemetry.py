@@ -97,6 +97,21 @@ def test_text_is_due_as_soon_as_values_are_forgotten(telemetry: Telemetry, qtbot
         take(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
 
 
+def test_views_are_renewed_only_while_a_window_is_seen(telemetry: Telemetry) -> None:
+    emitted: list[str] = []
+    telemetry.updated.connect(lambda: emitted.append("updated"))
+    telemetry.frame_due.connect(lambda: emitted.append("frame"))
+    telemetry.text_due.connect(lambda: emitted.append("text"))
+    telemetry.set_seen(False)
+    take(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
+    telemetry.forget()
+    assert emitted == ["updated", "updated"]
+    telemetry.set_seen(True)
+    assert emitted[2:] == ["frame", "text"]
+    take(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
+    assert emitted[4:] == ["updated", "frame", "text"]
+
+
 def test_status_and_mode_samples_set_only_the_time(telemetry: Telemetry) -> None:
     take(
         telemetry,

@@ -15,7 +15,7 @@ from tests.devices.trex.session.helpers import (
 )
 from tests.support.virtual import Stage
 from trex_gui.core.session import Close
-from trex_gui.core.timing import FRAME
+from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
@@ -25,11 +25,22 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
     Sample,
 )
+from trex_gui.devices.trex.driving.requests import Arm, SetMotor
 from trex_gui.devices.trex.protocol.commands import GetMode, GetStatus
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
-from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason, RunCommand, Write
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Connected,
+    ReadReason,
+    Request,
+    RunCommand,
+    SetWatched,
+    Write,
+)
 from trex_gui.devices.trex.session.polling import POLLED, Topic, rates
 from trex_gui.devices.trex.simulator.channels import Signal
+from trex_gui.ui.plotting.history import MAX_GAP
 
 KINDS: dict[Topic, type[Sample]] = {
     Topic.CURRENTS: Currents,
@@ -60,6 +71,34 @@ def test_every_new_value_is_sampled_from_19200_baud_on(baud: int, mode: str) -> 
     wanted = rates(source)
     for topic, rate in rates_seen(stage, 5.0).items():
         assert rate == pytest.approx(wanted[topic], rel=0.04, abs=0.21), topic
+
+
+def test_unwatched_board_is_polled_slowly() -> None:
+    stage, settings = staged(115200)
+    stage.script.at(0.0, SetWatched(False)).at(6.0, Close())
+    timed = timed_run(stage, settings)
+    moments = [at for at, report in timed if isinstance(report, Batch)]
+    stage.reports += [report for _, report in timed]
+    wanted = rates(InputSource.RC, watched=False)
+    for topic, rate in rates_seen(stage, 5.0).items():
+        assert rate == pytest.approx(wanted[topic], rel=0.04, abs=0.21), topic
+    gaps = [later - sooner for sooner, later in itertools.pairwise(moments[:-1])]
+    assert min(gaps) >= UNWATCHED_INTERVAL - 1e-9
+    assert wanted[Topic.CURRENTS] * MAX_GAP > 2, "the plot of currents has gaps"
+    safety = (Topic.STATUS, Topic.CONTROL, Topic.MODE)
+    assert all(wanted[topic] == POLLED[topic].rate for topic in safety)
+
+
+@pytest.mark.parametrize(
+    "request_",
+    [SetWatched(True), Arm(), SetMotor(1, Drive.at(50))],
+    ids=["watched", "armed", "moved"],
+)
+def test_polling_is_fast_again_when_watched_or_motors_may_move(request_: Request) -> None:
+    stage, settings = staged(115200)
+    stage.script.at(0.0, SetWatched(False)).at(3.0, request_)
+    run_for(stage, 3.5, settings)
+    assert rates_seen(stage, 0.4)[Topic.CURRENTS] == pytest.approx(80, rel=0.1)
 
 
 def test_status_is_polled_ten_times_a_second(stage: Stage) -> None:

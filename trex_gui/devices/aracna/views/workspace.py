@@ -96,6 +96,7 @@ class AracnaWorkspace(Workspace):
         )
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
+        frame.seen_changed.connect(traffic.set_window_seen)
         bar = ActionBar(robot, self)
         ui.column((tabs, 1), self.recordings.indicator, bar, into=self, margins=0)
         self._demo = RobotPanel(controller, frame)

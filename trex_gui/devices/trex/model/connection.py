@@ -3,7 +3,7 @@
 import logging
 import math
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.session import Close, Progress
 from trex_gui.devices.trex.client.client import Counters
@@ -19,6 +19,7 @@ from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
     NotResponding,
+    SetWatched,
     Write,
 )
 from trex_gui.devices.trex.session.session import TrexSession
@@ -49,6 +50,19 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.port_rates: frozenset[int] | None = None  # what the port supports; `None`: unknown
         self.is_guarded = False  # a process stops the motors if this one fails
         self.counters = Counters()  # line statistics since it was opened
+        self._watchers = {"window"}
+        self.started.connect(self._submit_watched)
+
+    def watch(self, watcher: str, watching: bool) -> None:
+        """Poll at full rate while there is a watcher: a window, a recording."""
+        before = bool(self._watchers)
+        (self._watchers.add if watching else self._watchers.discard)(watcher)
+        if bool(self._watchers) != before:
+            self._submit_watched()
+
+    @Slot()
+    def _submit_watched(self) -> None:
+        self.submit(SetWatched(bool(self._watchers)))
 
     def moves(self, request: object) -> bool:
         return isinstance(request, SetpointRequest)

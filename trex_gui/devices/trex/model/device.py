@@ -165,6 +165,11 @@ class Device(QObject):
         may_move = self.may_move or bool(self.driving.lost_board)
         self.connection.open(settings, may_move=may_move)
 
+    def set_seen(self, seen: bool) -> None:
+        """Set whether a window is seen; otherwise views are not updated and polling is slow."""
+        self.connection.watch("window", seen)
+        self.telemetry.set_seen(seen)
+
     def disconnect_line(self) -> None:
         """Stop the motors if they were driven, and close the line; does not wait."""
         self.connection.close()

@@ -39,6 +39,7 @@ class Recorder(RecordThread[Record]):
         device.motors.requested.connect(self._on_requested)
         device.state_changed.connect(self._on_state_changed)
         device.link_changed.connect(self._on_link_changed)
+        self.changed.connect(lambda: device.connection.watch("recording", self.recording))
 
     @property
     def is_available(self) -> bool:

@@ -58,7 +58,9 @@ class Telemetry(QObject):
     """
 
     updated = Signal()  # new samples are in; at most once a display frame
-    text_due = Signal()  # the same for what is shown as text; at most once in `TEXT_INTERVAL`
+    # The same for views: not while no window is seen, and at once when one is seen again.
+    frame_due = Signal()
+    text_due = Signal()  # for what is shown as text, at most once in `TEXT_INTERVAL`
 
     def __init__(self, motors: Motors, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -70,6 +72,7 @@ class Telemetry(QObject):
         self.serial_controls: bool | None = None
         self.latest: float = 0.0
         self.samples = 0
+        self._is_seen = True
         self._text_at = -math.inf
         self._ampere = 1.0
         self._motors = motors
@@ -83,7 +86,8 @@ class Telemetry(QObject):
 
     def forget(self) -> None:
         self.raw = self.remapped = self.motor_currents = self.serial_controls = None
-        self.renew()
+        self.updated.emit()
+        self._renew_views()
 
     @Slot(object)
     def take(self, batch: Batch) -> None:
@@ -105,15 +109,22 @@ class Telemetry(QObject):
             self.latest = sample.time
         self.samples += len(batch.samples)
         self.updated.emit()
-        if self.latest - self._text_at >= TEXT_INTERVAL:
-            self._text_at = self.latest
-            self.text_due.emit()
+        if self._is_seen:
+            self.frame_due.emit()
+            if self.latest - self._text_at >= TEXT_INTERVAL:
+                self._text_at = self.latest
+                self.text_due.emit()
 
-    def renew(self) -> None:
-        """Let everything that follows the values show them now."""
+    def set_seen(self, seen: bool) -> None:
+        """Set whether any window is seen that may show the values."""
+        self._is_seen = seen
+        self._renew_views()
+
+    def _renew_views(self) -> None:
         self._text_at = -math.inf
-        self.updated.emit()
-        self.text_due.emit()
+        if self._is_seen:
+            self.frame_due.emit()
+            self.text_due.emit()
 
     def _setpoint(self, motor: int) -> int:
         """Return a motor's speed setpoint; 0 for none and for braking."""

@@ -55,10 +55,20 @@ class SetReconnectCandidates:
     settings: tuple[ConnectionSettings, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class SetWatched:
+    """Poll at full rate, or slowly since nothing shows or records samples; has no outcome.
+
+    While motors may be moving the rate is full in either case.
+    """
+
+    watched: bool
+
+
 Job = RunCommand | Write | Reload
 """Requests that are served in their order; each has an `Outcome`."""
 
-Request = Job | MotorRequest | SetReconnectCandidates | Close
+Request = Job | MotorRequest | SetReconnectCandidates | SetWatched | Close
 
 
 class ReadReason(Enum):
@@ -120,7 +130,7 @@ class NotResponding:
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """Every sample since the last batch; at most one batch each display frame."""
+    """Every sample since the last batch; at most one each display frame, fewer if unwatched."""
 
     samples: tuple[Sample, ...]
     counters: Counters

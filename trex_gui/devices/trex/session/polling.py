@@ -54,6 +54,8 @@ class PolledValue:
 
     Attributes:
         rate: times a second; `analog_rate`: with analog inputs, if it differs.
+        unwatched: times a second while nothing shows or records samples and no motor moves, if it
+            differs.
         sample: makes its sample of a time and the reply; `None`: `StatusReader` reads it.
     """
 
@@ -61,6 +63,7 @@ class PolledValue:
     rate: float
     sample: Callable[[float, Any], Sample] | None
     analog_rate: float | None = None
+    unwatched: float | None = None
 
 
 def _channels(reply: Mapping[int, Any]) -> tuple[Any, ...]:
@@ -68,10 +71,15 @@ def _channels(reply: Mapping[int, Any]) -> tuple[Any, ...]:
 
 
 POLLED: Mapping[Topic, PolledValue] = {
-    Topic.CURRENTS: PolledValue(GetCurrents(), 80.0, Currents, analog_rate=50.0),
-    Topic.RAW: PolledValue(GetRawChannels(), 50.0, lambda time, raw: Raw(time, _channels(raw))),
+    Topic.CURRENTS: PolledValue(GetCurrents(), 80.0, Currents, analog_rate=50.0, unwatched=20.0),
+    Topic.RAW: PolledValue(
+        GetRawChannels(), 50.0, lambda time, raw: Raw(time, _channels(raw)), unwatched=2.0
+    ),
     Topic.REMAPPED: PolledValue(
-        GetRemappedChannels(), 50.0, lambda time, values: Remapped(time, _channels(values))
+        GetRemappedChannels(),
+        50.0,
+        lambda time, values: Remapped(time, _channels(values)),
+        unwatched=2.0,
     ),
     Topic.STATUS: PolledValue(GetStatus(), 10.0, None),
     Topic.CONTROL: PolledValue(GetSerialControl(), 10.0, Control),
@@ -79,7 +87,7 @@ POLLED: Mapping[Topic, PolledValue] = {
 }
 """Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog, about
 80 Hz with RC inputs). Status bits are latched, so none is missed between two polls. The mode only
-changes with the power."""
+changes with the power. Unwatched, the plot of currents keeps a curve without gaps."""
 
 _LONGEST_LAG = 0.1
 """Seconds by which the schedule may be late before it stops catching up."""
@@ -95,11 +103,14 @@ _CHEAPEST = Topic.CONTROL
 """Polled to feed the serial timeout: one byte out, one byte in."""
 
 
-def rates(source: InputSource) -> Mapping[Topic, float]:
+def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]:
     """Return how often a second to poll each topic."""
     is_analog = source is InputSource.ANALOG
     return {
-        topic: (is_analog and polled.analog_rate) or polled.rate for topic, polled in POLLED.items()
+        topic: (not watched and polled.unwatched)
+        or (is_analog and polled.analog_rate)
+        or polled.rate
+        for topic, polled in POLLED.items()
     }
 
 
@@ -170,11 +181,20 @@ class Polling:
 
     def __init__(self) -> None:
         self._schedule = Schedule()
+        self._source: InputSource | None = None
+        self._watched = True
         self._polled_at = 0.0
 
     def start(self, source: InputSource, now: float) -> None:
-        self._schedule.start(rates(source), now)
+        self._source = source
+        self._schedule.start(rates(source, watched=self._watched), now)
         self._polled_at = now
+
+    def set_watched(self, watched: bool, now: float) -> None:
+        if watched != self._watched:
+            self._watched = watched
+            if self._source is not None:
+                self.start(self._source, now)
 
     def next(
         self, now: float, line: LineSettings, timeout: float, *, armed: bool, careful: bool = False
@@ -235,11 +255,12 @@ class SampleBatcher:
         self._report = report
         self._samples: list[Sample] = []
         self._last_flush = 0.0
+        self.interval = FRAME  # least seconds between two batches
         self.add = self._samples.append
         self.extend = self._samples.extend
 
     def seconds_to_next(self, now: float) -> float:
-        return self._last_flush + FRAME - now if self._samples else math.inf
+        return self._last_flush + self.interval - now if self._samples else math.inf
 
     def flush(self, counters: Counters, now: float) -> None:
         self._last_flush = now

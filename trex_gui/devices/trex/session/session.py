@@ -21,6 +21,7 @@ from trex_gui.core.session import (
     Progress,
     run_until_closed,
 )
+from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.client.client import TrexClient, diagnose
@@ -58,6 +59,7 @@ from trex_gui.devices.trex.session.messages import (
     Request,
     RunCommand,
     SetReconnectCandidates,
+    SetWatched,
     Write,
     Written,
 )
@@ -218,6 +220,7 @@ class TrexSession:
         self._report_guardian()
         self._collect()
         now = self._now()
+        self._set_pace(now)
         if self._batcher.seconds_to_next(now) <= 0:
             self._flush()
         if self._serve_motors():
@@ -230,6 +233,12 @@ class TrexSession:
             self._poll(topic)
         else:
             self._collect(self._seconds_to_wait(now))
+
+    def _set_pace(self, now: float) -> None:
+        motors = self._motors
+        watched = self._queue.is_watched or motors.is_armed or motors.may_move
+        self._polling.set_watched(watched, now)
+        self._batcher.interval = FRAME if watched else UNWATCHED_INTERVAL
 
     def _collect(self, seconds: float = 0.0) -> None:
         self._queue.collect(seconds)
@@ -436,6 +445,7 @@ class TrexRequestQueue:
 
     Attributes:
         is_closing: whether a `Close` came.
+        is_watched: whether anything shows or records samples.
     """
 
     def __init__(
@@ -448,6 +458,7 @@ class TrexRequestQueue:
     ) -> None:
         self.jobs: deque[Job] = deque()
         self.is_closing = False
+        self.is_watched = True
         self._inbox = inbox
         self._output = output
         self._liveness = liveness
@@ -471,6 +482,8 @@ class TrexRequestQueue:
                     self._reject_motor_commands()
                 case SetReconnectCandidates(settings=settings):
                     self._liveness.expect(settings)
+                case SetWatched(watched=watched):
+                    self.is_watched = watched
                 case RunCommand() | Write() | Reload():
                     self.jobs.append(request)
                 case _ if isinstance(request, Heartbeat) or not self.is_closing:

@@ -47,31 +47,48 @@ class TrexDecoder(Decoder):
         packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1]
         return isinstance(packet, Packet) and not isinstance(_reply(packet, transaction), NeedData)
 
-    def read(self, transaction: Transaction) -> Decoded:
+    def is_fault(self, transaction: Transaction) -> bool:
         if not transaction.sent:
-            return Decoded("unsolicited bytes", is_fault=True)
+            return not transaction.note
+        packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1]
+        if isinstance(packet, Malformed):
+            return False
+        match _reply(packet, transaction):
+            case Reply(value=value):
+                return is_refusal(value)
+            case Malformed():
+                return True
+            case NeedData():
+                return transaction.is_over
+
+    def read(self, transaction: Transaction) -> Decoded:
+        return Decoded(self._text(transaction), self.is_fault(transaction))
+
+    def _text(self, transaction: Transaction) -> str:
+        if not transaction.sent:
+            return "unsolicited bytes"
         packets = _packets(transaction.sent, _polynomial(transaction.settings))
         said = "; ".join(map(self._said, packets))
         packet = packets[-1]
         if isinstance(packet, Malformed):
-            return Decoded(said)
+            return said
         match _reply(packet, transaction):
             case Reply(value=value):
                 reply = describe_reply(packet.command, value, self.board)
-                return Decoded(f"{said} → {reply}" if reply else said, is_refusal(value))
+                return f"{said} → {reply}" if reply else said
             case Malformed() if not packet.command.reply_size():
                 fault = "unsolicited bytes; perhaps a late reply"
             case Malformed(reason=reason):
                 fault = f"corrupted: {reason}"
             case _ if not transaction.is_over:
-                return Decoded(said)
+                return said
             case _ if not transaction.received:
                 fault = "no reply"
             case _ if transaction.received == transaction.sent:
                 fault = "only its echo came back"
             case _:
                 fault = "incomplete reply"
-        return Decoded(f"{said} → {fault}", is_fault=True)
+        return f"{said} → {fault}"
 
     def _said(self, packet: Packet | Malformed) -> str:
         if isinstance(packet, Malformed):

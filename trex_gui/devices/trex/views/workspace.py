@@ -120,6 +120,8 @@ class TrexWorkspace(Workspace):
         self._learn = LearnDialog(learning, frame)
         self._bench = BenchDialog(device, Bench(device, self), frame)
 
+        frame.seen_changed.connect(device.set_seen)
+        frame.seen_changed.connect(transcript_page.set_window_seen)
         self.files.staged.connect(lambda: self.show_page("parameters"))
         self.recordings.accept_drops(frame, self)
         self.recordings.settings_wanted.connect(self.files.open_editor)

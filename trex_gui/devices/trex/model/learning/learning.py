@@ -284,7 +284,9 @@ class Learning(QObject):
     def _go(self, step: LearningStep) -> None:
         self.step = step
         self.sampling = False
-        if step in _MEASURING:
+        is_measuring = step in _MEASURING
+        self._device.connection.watch("learning", is_measuring)
+        if is_measuring:
             self.inputs.begin()
         else:
             self.inputs.end()

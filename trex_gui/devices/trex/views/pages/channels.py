@@ -50,7 +50,7 @@ class ChannelsPage(QWidget):
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
         device.calibrations.changed.connect(self._on_device_changed)
-        device.telemetry.updated.connect(self._on_telemetry_updated)
+        device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
         self._on_device_changed()
 
@@ -99,7 +99,7 @@ class ChannelsPage(QWidget):
 
     @Slot()
     @only_when_visible
-    def _on_telemetry_updated(self) -> None:
+    def _on_frame_due(self) -> None:
         telemetry = self._device.telemetry
         if telemetry.raw is None:
             return
@@ -123,7 +123,7 @@ class ChannelsPage(QWidget):
                 label.setText(f"{self._source.text(raw)} ({raw})")
 
     def _renew(self) -> None:
-        self._on_telemetry_updated()
+        self._on_frame_due()
         self._on_text_due()
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -38,7 +38,7 @@ class CurrentsPage(QWidget):
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
-        device.telemetry.updated.connect(self._on_telemetry_updated)
+        device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
         device.events.happened.connect(self._on_text_due)
 
@@ -82,7 +82,7 @@ class CurrentsPage(QWidget):
 
     @Slot()
     @only_when_visible
-    def _on_telemetry_updated(self) -> None:
+    def _on_frame_due(self) -> None:
         if self._panel is not None:
             self._panel.draw_live()
 

@@ -117,7 +117,7 @@ class CalibrationPage(QWidget):
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
         device.applied.connect(self._on_applied)
-        device.telemetry.updated.connect(self._on_telemetry_updated)
+        device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
         device.calibrations.changed.connect(self._refresh)
         device.parameters.pending_changed.connect(self._refresh)
@@ -182,7 +182,7 @@ class CalibrationPage(QWidget):
             self._plot.trace.setVisible(is_active)
         self._show_marks()
         self._show_note()
-        self._on_telemetry_updated()
+        self._on_frame_due()
         self._on_text_due()
 
     def _show_heading(self) -> None:
@@ -284,7 +284,7 @@ class CalibrationPage(QWidget):
 
     @Slot()
     @only_when_visible
-    def _on_telemetry_updated(self) -> None:
+    def _on_frame_due(self) -> None:
         self._detect_mixing()
         if self._plot is not None:
             self._plot.set_raw(self._raw)

@@ -107,7 +107,7 @@ class MotorsPage(QWidget):
         device.link_changed.connect(self._show_options)
         device.state_changed.connect(self._on_state_changed)
         theme().changed.connect(self._on_state_changed)
-        device.telemetry.updated.connect(self._on_telemetry_updated)
+        device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
         self._on_state_changed()
 
@@ -196,7 +196,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     @only_when_visible
-    def _on_telemetry_updated(self) -> None:
+    def _on_frame_due(self) -> None:
         if self._channels_drive():
             for number, control in self._controls.items():
                 self._show_channel(number, control)
