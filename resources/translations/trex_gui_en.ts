@@ -81,6 +81,13 @@ was {0}</numerusform>
 <context>
     <name>Device</name>
     <message numerus="yes">
+        <source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
+        <translation>
+            <numerusform>%n edit not applied to the previous {0}: kept, and offered when it is connected again.</numerusform>
+            <numerusform>%n edits not applied to the previous {0}: kept, and offered when it is connected again.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n earlier change(s) still pending. Click Apply to write to this board.</source>
         <translation>
             <numerusform>%n earlier change still pending. Click Apply to write to this board.</numerusform>
@@ -405,6 +412,13 @@ was {0}</numerusform>
         <translation>
             <numerusform>%n setting written and verified.</numerusform>
             <numerusform>%n settings written and verified.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The program ended with %n setting(s) of this {0} edited but not applied ({1}). Restore as pending edits?</source>
+        <translation>
+            <numerusform>The program ended with %n setting of this {0} edited but not applied ({1}). Restore as pending edits?</numerusform>
+            <numerusform>The program ended with %n settings of this {0} edited but not applied ({1}). Restore as pending edits?</numerusform>
         </translation>
     </message>
 </context>

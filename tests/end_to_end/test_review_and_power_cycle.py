@@ -337,10 +337,13 @@ def test_pending_edits_survive_a_disconnect(
     device.connect_to(ConnectionSettings(junior.url))
     window.wait(lambda: "TReX Jr" in device.status and device.link is ConnectionState.CONNECTED)
     assert device.draft.pending == 0
-    (snapshot,) = device.history.snapshots()
-    assert device.history.load(snapshot).parameters["device_number"] == 9
-    assert "not applied" in snapshot.reason
-    window.wait_for_text("bannerText", "are kept in File, History")
+    assert device.history.snapshots() == (), "no board has ever stored that"
+    window.wait_for_text("bannerText", "1 edit not applied to the previous TReX 1.2: kept")
+
+    device.connect_to(ConnectionSettings(simulator.url))
+    window.wait(lambda: window.window.question.text != "")
+    window.click("restoreEdits")
+    assert dict(device.parameters.pending) == {"device_number": 9}
 
 
 def test_calibration_of_inactive_input_source_stays_pending(

@@ -5,7 +5,6 @@ from collections.abc import Callable, Collection, Mapping
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.files import SettingsError
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.reading import DeviceState
@@ -18,6 +17,7 @@ from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.apply import Apply
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -34,11 +34,11 @@ from trex_gui.devices.trex.session.messages import (
     Written,
 )
 from trex_gui.devices.trex.session.reconnecting import reconnect_candidates
-from trex_gui.devices.trex.settings.document import Settings, factory_settings
+from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.translations import error_sentence, error_text
+from trex_gui.ui.translations import error_text
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
@@ -48,6 +48,7 @@ class Device(QObject):
 
     Attributes:
         draft: what the board stores, and its edits.
+        edit_backup: the edits of boards, over the end of the program.
         history: what boards stored before each Apply.
         events: what happened since the line was opened, on the clock of `telemetry`.
         state: what was read from the board; `None` while none is connected.
@@ -69,6 +70,7 @@ class Device(QObject):
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
         self.history = SettingsHistory()
+        self.edit_backup = EditBackup(self.draft, parent=self)
         self._apply = Apply(self.draft, self.history, self._request, self)
         self.connection = Connection(self)
         self.driving = DriveController(
@@ -89,7 +91,7 @@ class Device(QObject):
         self.connection.sampled.connect(self.sampled)
         self.connection.failed.connect(self._on_connection_failed)
         self.driving.confirmed.connect(self.link_changed)
-        self.draft.replacing.connect(self._back_up_edits)
+        self.edit_backup.failed.connect(self.notifier.error)
         self._apply.written.connect(self._on_written)
         self._apply.started.connect(self.link_changed)
         self._apply.finished.connect(self._on_applied)
@@ -279,9 +281,18 @@ class Device(QObject):
     def _on_read(self, report: Connected) -> None:
         state, occasion = report.state, report.occasion
         self.state = state
+        pending, before = self.draft.pending, self.draft.stored
+        is_same_kind = self.parameters.model_key == state.signature.model.key
+        if pending and before is not None and not is_same_kind:
+            text = self.tr(
+                "%n edit(s) not applied to the previous {0}: kept, and offered when it is "
+                "connected again.",
+                "",
+                pending,
+            )
+            self.notifier.delayed_info.emit(text.format(f"{before.product.name} {before.firmware}"))
         if occasion is ReadReason.OPENED:
-            pending = self.draft.pending
-            if pending and self.parameters.model_key == state.signature.model.key:
+            if pending and is_same_kind:
                 text = self.tr(
                     "%n earlier change(s) still pending. Click Apply to write to this board.",
                     "",
@@ -290,23 +301,9 @@ class Device(QObject):
                 self.notifier.delayed_info.emit(text)
             self.telemetry.begin(state.signature.model.current_unit)
         self.telemetry.serial_controls = state.serial_controls
+        self.edit_backup.leave_board()
         self.draft.take_state(state, report.settings, power_cycled=occasion.power_cycled)
-
-    @Slot(object)
-    def _back_up_edits(self, shown: Settings) -> None:
-        name = f"{shown.product.name} {shown.firmware or ''}".strip()
-        reason = self.tr("another board; with edits that were not applied")
-        try:
-            self.history.take(shown, adapter="", reason=reason)
-        except SettingsError as error:
-            text = self.tr("The edits for the previous {0} could not be saved. {1}")
-            self.notifier.error.emit(text.format(name, error_sentence(error)))
-            return
-        text = self.tr(
-            "The settings of the previous {0}, with the edits that were not applied, are kept in "
-            "File, History."
-        )
-        self.notifier.delayed_info.emit(text.format(name))
+        self.edit_backup.take_board(ask=occasion is ReadReason.OPENED)
 
     @Slot(object)
     def _on_written(self, written: Written) -> None:

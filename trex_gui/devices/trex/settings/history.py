@@ -62,11 +62,14 @@ class Bound:
     problem: str = ""
 
 
-def default_folder() -> Path:
-    """Return `snapshots` in `$TREX_STUDIO_DATA`, by default in the system's folder for data."""
+def data_folder() -> Path:
+    """Return `$TREX_STUDIO_DATA`, by default the system's folder for data of this program."""
     given = os.environ.get("TREX_STUDIO_DATA")
-    data = given or platformdirs.user_data_dir("TReX Studio", appauthor=False)
-    return Path(data).absolute() / "snapshots"
+    return Path(given or platformdirs.user_data_dir("TReX Studio", appauthor=False)).absolute()
+
+
+def default_folder() -> Path:
+    return data_folder() / "snapshots"
 
 
 class SettingsHistory:

@@ -80,6 +80,7 @@ class TrexWorkspace(Workspace):
         self._question = frame.question
         self._frame = frame
         self._may_leave = False
+        self._keeps_edits = True
         self._actions: Mapping[str, QAction] = {}
 
         tabs = self.pages
@@ -143,6 +144,7 @@ class TrexWorkspace(Workspace):
         controller.demo_board.rejected.connect(self.notifier.error)
         device.applied.connect(self._on_applied)
         device.applied.connect(self._question.reconsider)
+        device.edit_backup.offered.connect(self._on_edits_offered)
         for changed in (
             self.recordings.changed,
             controller.changed,
@@ -289,6 +291,27 @@ class TrexWorkspace(Workspace):
         self._device.draft.discard_edits()
         self._device.reload()
 
+    @Slot()
+    def _on_edits_offered(self) -> None:
+        backup = self._device.edit_backup
+        offer = backup.offer
+        self._question.reconsider()
+        if offer is None or self._question.text:
+            return  # what another question keeps from being asked is offered at the next connection
+        text = self.tr(
+            "The program ended with %n setting(s) of this {0} edited but not applied ({1}). "
+            "Restore as pending edits?",
+            "",
+            len(offer.rows),
+        )
+        saved = offer.saved.saved.astimezone().strftime("%Y-%m-%d %H:%M")
+        self._question.ask(
+            text.format(offer.saved.settings.product.name, saved),
+            PromptAnswer("restoreEdits", self.tr("Restore edits"), backup.restore),
+            PromptAnswer("discardEdits", self.tr("Discard edits"), backup.discard_offer),
+            still=lambda: backup.offer is offer,
+        )
+
     # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
@@ -296,35 +319,42 @@ class TrexWorkspace(Workspace):
             self._may_leave = False
             return self.files.may_close()
 
-        def leave_anyway() -> None:
+        def leave_anyway(*, keep_edits: bool) -> None:
             self._may_leave = True
+            self._keeps_edits = keep_edits
             leave()
 
         def save_and_leave() -> None:
             if self.files.ask_and_save():
-                leave_anyway()
+                leave_anyway(keep_edits=False)
+
+        keep = partial(leave_anyway, keep_edits=True)
+        discard = partial(leave_anyway, keep_edits=False)
 
         self._frame.activateWindow()
         if self._device.applying:
             self._question.ask(
                 self.tr(
-                    "Settings are still being written. Close anyway? Unwritten settings will be "
-                    "lost."
+                    "Settings are still being written. Close anyway? Unwritten settings are "
+                    "offered when the board is connected again."
                 ),
-                PromptAnswer("closeYes", self.tr("Close anyway"), leave_anyway),
+                PromptAnswer("closeYes", self.tr("Close anyway"), keep),
                 still=lambda: self._device.applying,
             )
         else:
             self._question.ask(
                 self.tr("There are unapplied changes."),
                 PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
-                PromptAnswer("closeYes", self.tr("Discard and close"), leave_anyway),
+                PromptAnswer("keepAndClose", self.tr("Keep for next time"), keep),
+                PromptAnswer("closeYes", self.tr("Discard and close"), discard),
                 still=lambda: self._device.draft.pending > 0 and not self._device.applying,
             )
         return False
 
     def prepare_to_close(self) -> None:
         QObject.disconnect(self._undo_watch)  # the stack emits at its own end, too
+        if not self._keeps_edits:
+            self._device.edit_backup.discard()
         self._history.close()
         self._learn.close()
         self._bench.close()
@@ -333,9 +363,11 @@ class TrexWorkspace(Workspace):
 
     def finish(self) -> None:
         self.recordings.close_all()
+        self._device.edit_backup.shut_down()
 
     def shut_down(self) -> bool:
-        return self.recordings.shut_down()
+        ends = [self.recordings.shut_down(), self._device.edit_backup.shut_down()]
+        return all(ends)
 
     def edit_line_settings(self) -> None:
         dialog = LineSettingsDialog(self._controller.settings, self._frame)

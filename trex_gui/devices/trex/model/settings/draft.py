@@ -26,7 +26,6 @@ class SettingsDraft(QObject):
     """Stored settings, their edits, and the undo stack that parameters and calibrations share."""
 
     loaded = Signal()  # the stored settings were read again
-    replacing = Signal(object)  # the `Settings` shown, whose edits another kind of board replaces
     pending_changed = Signal(int)  # the number of edits
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -80,8 +79,6 @@ class SettingsDraft(QObject):
 
     def _begin(self, product: Model, firmware: str | None) -> None:
         if self._product is None or self._product.key != product.key:
-            if self.pending:
-                self.replacing.emit(self.shown)
             self.undo.clear()  # the edits belong to another kind of board
         self._product = product
         self._firmware = firmware
@@ -107,6 +104,11 @@ class SettingsDraft(QObject):
     @property
     def pending(self) -> int:
         return len(self.parameters.modified) + len(self.calibrations.modified)
+
+    def is_modified(self, key: str) -> bool:
+        if key in CALIBRATION_KEYS:
+            return CALIBRATION_KEYS[key] in self.calibrations.modified
+        return self.parameters.is_modified(key)
 
     def can_edit(self, key: str) -> bool:
         if key in CALIBRATION_KEYS:

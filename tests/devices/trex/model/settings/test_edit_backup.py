@@ -1,0 +1,286 @@
+"""Edits that were not applied outlive the program, for the board that they belong to."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.core.files import SettingsError
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.runtime import now
+
+STICK = Calibration(2400, 3700, 5100, 80)
+RC_2 = CalibrationKey.of(InputSource.RC, 2)
+TREX = BoardIdentity(device_table().model("trex"), "1.2", 7)
+
+
+class Run:
+    """One run of the program, which only ends by dying: nothing is closed in order."""
+
+    def __init__(self, qtbot: QtBot, url: str = "") -> None:
+        self.qtbot = qtbot
+        self.device = Device()
+        self.backup = self.device.edit_backup
+        self.draft = self.device.draft
+        if url:
+            self.connect(url)
+
+    def connect(self, url: str) -> None:
+        self.device.connect_to(ConnectionSettings(url))
+        self.wait(
+            lambda: (
+                self.device.link is ConnectionState.CONNECTED
+                and self.device.settings is not None
+                and self.device.settings.url == url
+            )
+        )
+        self.settle()
+
+    def edit(self, **values: int) -> None:
+        for key, wire in values.items():
+            self.device.parameters.edit(key, wire)
+        self.settle()
+
+    def settle(self) -> None:
+        """Let everything be read and saved that is due."""
+        backup = self.backup
+        self.wait(
+            lambda: (
+                not backup._due
+                and not backup._task.is_running
+                and not backup._timer.isActive()
+                and backup._is_read
+            )
+        )
+
+    def die(self) -> None:
+        self.draft.pending_changed.disconnect(self.backup._on_changed)
+        self.wait(self.device.shut_down)
+
+    @property
+    def offered(self) -> dict[str, object]:
+        offer = self.backup.offer
+        return {} if offer is None else {row.key: row.after for row in offer.rows}
+
+    @property
+    def edits(self) -> dict[str, object]:
+        found: dict[str, object] = dict(self.device.parameters.pending)
+        return found | dict(self.device.calibrations.edited)
+
+    def wait(self, condition: Callable[[], bool]) -> None:
+        self.qtbot.waitUntil(condition, timeout=20_000)
+
+
+@pytest.fixture
+def run(qtbot: QtBot) -> Iterator[Callable[..., Run]]:
+    """Start the program again: the last run dies."""
+    runs: list[Run] = []
+
+    def start(url: str = "") -> Run:
+        if runs:
+            runs.pop().die()
+        runs.append(Run(qtbot, url))
+        return runs[-1]
+
+    yield start
+    runs.pop().die()
+
+
+Start = Callable[..., Run]
+
+
+def files() -> list[Path]:
+    folder = EditFiles().folder
+    return sorted(folder.iterdir()) if folder.exists() else []
+
+
+def test_edits_are_offered_after_a_crash(run: Start, quick_simulator: SimulatedDevice) -> None:
+    first = run(quick_simulator.url)
+    assert first.backup.offer is None
+    first.edit(serial_timeout=15, motor1_acceleration=3)
+    first.device.calibrations.edit(2, STICK)
+    first.settle()
+
+    second = run(quick_simulator.url)
+    wanted = {"serial_timeout": 15, "motor1_acceleration": 3, RC_2: STICK}
+    assert second.offered == wanted
+    assert second.draft.pending == 0, "nothing is restored unasked"
+    second.backup.restore()
+    assert second.edits == wanted
+    second.settle()
+    assert run(quick_simulator.url).offered == wanted, "they are pending still"
+
+
+def test_edits_that_are_stored_by_now_are_not_offered(
+    run: Start, quick_simulator: SimulatedDevice
+) -> None:
+    run(quick_simulator.url).edit(serial_timeout=15, motor1_acceleration=3)
+    quick_simulator.do("eeprom serial_timeout 15")
+    second = run(quick_simulator.url)
+    assert second.offered == {"motor1_acceleration": 3}
+    quick_simulator.do("eeprom motor1_acceleration 3")
+    assert run(quick_simulator.url).offered == {}
+    assert files() == []
+
+
+def test_discarded_edits_are_not_offered_again(
+    run: Start, quick_simulator: SimulatedDevice
+) -> None:
+    run(quick_simulator.url).edit(serial_timeout=15)
+    second = run(quick_simulator.url)
+    second.backup.discard_offer()
+    second.settle()
+    assert files() == []
+    assert run(quick_simulator.url).offered == {}
+
+
+@pytest.mark.parametrize("how", ["apply", "discard", "undo"])
+def test_edits_that_are_done_with_leave_no_file(
+    run: Start, quick_simulator: SimulatedDevice, how: str
+) -> None:
+    first = run(quick_simulator.url)
+    first.edit(serial_timeout=15)
+    assert len(files()) == 1
+    if how == "apply":
+        first.device.apply()
+        first.wait(lambda: not first.device.applying)
+    elif how == "discard":
+        first.draft.discard_edits()
+    else:
+        first.draft.undo.undo()
+    first.settle()
+    assert files() == []
+
+
+def test_undecided_edits_stay_saved_beside_new_ones(
+    run: Start, quick_simulator: SimulatedDevice
+) -> None:
+    run(quick_simulator.url).edit(serial_timeout=15, motor1_acceleration=3)
+    run(quick_simulator.url).edit(motor1_acceleration=4, motor2_acceleration=5)
+    third = run(quick_simulator.url)
+    wanted = {"serial_timeout": 15, "motor1_acceleration": 4, "motor2_acceleration": 5}
+    assert third.offered == wanted
+    third.edit(serial_timeout=20)
+    third.backup.restore()
+    assert third.edits == {**wanted, "serial_timeout": 20}, "the newer edit counts"
+
+
+def test_edits_of_a_replaced_board_are_offered_when_it_is_back(
+    run: Start, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
+) -> None:
+    other = start_simulator("--unpaced", "--model", "trexjr")
+    one = run(quick_simulator.url)
+    one.edit(serial_timeout=15)
+    one.connect(other.url)
+    assert one.draft.pending == 0
+    assert one.backup.offer is None
+    one.edit(serial_timeout=9)
+    one.connect(quick_simulator.url)
+    assert one.offered == {"serial_timeout": 15}
+    one.backup.restore()
+    one.settle()
+    one.connect(other.url)
+    assert one.offered == {"serial_timeout": 9}
+
+
+def test_board_with_another_number_gets_no_offer(
+    run: Start, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
+) -> None:
+    run(quick_simulator.url).edit(serial_timeout=15)
+    other = start_simulator("--unpaced", "--device", "9")
+    assert run(other.url).offered == {}
+    assert run(quick_simulator.url).offered == {"serial_timeout": 15}
+
+
+def test_edits_follow_a_board_that_gets_another_number(
+    run: Start, quick_simulator: SimulatedDevice
+) -> None:
+    first = run(quick_simulator.url)
+    first.edit(device_number=9, serial_timeout=15)
+    first.device.apply({"device_number"})
+    first.wait(lambda: not first.device.applying)
+    first.settle()
+    (path,) = files()
+    assert path.name == "trex-1.2-9.txt"
+    assert run(quick_simulator.url).offered == {"serial_timeout": 15}
+
+
+def test_calibrations_of_the_other_source_stay_saved(
+    run: Start, quick_simulator: SimulatedDevice
+) -> None:
+    first = run(quick_simulator.url)
+    first.device.calibrations.edit(2, STICK)
+    first.settle()
+    quick_simulator.do("eeprom channel_input_source 1")
+    quick_simulator.do("power cycle")
+    second = run(quick_simulator.url)
+    assert second.offered == {}
+    second.edit(serial_timeout=15)
+    quick_simulator.do("eeprom channel_input_source 0")
+    quick_simulator.do("power cycle")
+    assert run(quick_simulator.url).offered == {"serial_timeout": 15, RC_2: STICK}
+
+
+def test_damaged_file_is_left_out(run: Start, quick_simulator: SimulatedDevice) -> None:
+    run(quick_simulator.url).edit(serial_timeout=15)
+    (path,) = files()
+    path.write_bytes(b"\0\0")
+    second = run(quick_simulator.url)
+    assert second.offered == {}
+    assert path.exists()
+    second.edit(serial_timeout=20)
+    assert run(quick_simulator.url).offered == {"serial_timeout": 20}
+
+
+def test_failing_disk_is_reported_once(
+    run: Start, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = run(quick_simulator.url)
+    errors: list[str] = []
+    first.device.notifier.error.connect(errors.append)
+    folder = EditFiles().folder
+    folder.write_text("in the way")
+    first.edit(serial_timeout=15)
+    first.edit(serial_timeout=16)
+    (error,) = errors
+    assert error.startswith("Edits that are not applied yet cannot be kept for the next start.")
+    folder.unlink()
+    first.edit(serial_timeout=17)
+    assert len(files()) == 1
+    with pytest.raises(SettingsError):
+        EditFiles(files()[0]).save(TREX, None)
+
+
+def test_edits_are_saved_within_a_second_while_they_go_on(
+    run: Start, quick_simulator: SimulatedDevice
+) -> None:
+    first = run(quick_simulator.url)
+    for wire in range(1, 40):
+        first.device.parameters.edit("serial_timeout", wire)
+        first.wait(_later(0.05))
+    saved = EditFiles().load(TREX)
+    assert saved is not None
+    assert saved.settings.parameters["serial_timeout"] >= 20
+
+
+def _later(seconds: float) -> Callable[[], bool]:
+    end = now() + seconds
+    return lambda: now() >= end
+
+
+def test_backup_needs_no_board(qtbot: QtBot) -> None:
+    backup = EditBackup(Device().draft)
+    backup.leave_board()
+    backup.take_board(ask=True)
+    backup.restore()
+    backup.discard()
+    assert backup.shut_down()

@@ -1,0 +1,99 @@
+"""Edits that were not applied: offered at the next start, kept or discarded at the end."""
+
+import pytest
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles
+
+TREX = device_table().model("trex")
+BOARD = BoardIdentity(TREX, "1.2", 7)
+
+
+def saved() -> dict[str, int]:
+    found = EditFiles().load(BOARD)
+    return {} if found is None else dict(found.settings.parameters)
+
+
+def is_asked(window: WindowDriver) -> bool:
+    return bool(window.window.question.text)
+
+
+@pytest.fixture
+def crashed() -> None:
+    """A run of the program that died with two edits."""
+    edits = Settings(TREX, "1.2", {"serial_timeout": 15, "motor1_acceleration": 3})
+    EditFiles().save(BOARD, edits)
+
+
+@pytest.mark.usefixtures("crashed")
+def test_edits_of_a_crashed_run_are_offered_and_restored(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    window.connect(quick_simulator.url)
+    window.wait(lambda: is_asked(window))
+    text = window.window.question.text
+    assert text.startswith("The program ended with 2 settings of this TReX edited but not applied")
+    window.click("questionCancel")
+    assert window.device.draft.pending == 0
+
+    window.disconnect()
+    window.connect(quick_simulator.url)
+    window.wait(lambda: is_asked(window))
+    window.click("restoreEdits")
+    assert not is_asked(window)
+    assert dict(window.device.parameters.pending) == {
+        "serial_timeout": 15,
+        "motor1_acceleration": 3,
+    }
+    assert window.is_enabled("applyButton")
+
+
+@pytest.mark.usefixtures("crashed")
+def test_discarded_offer_is_not_made_again(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    window.connect(quick_simulator.url)
+    window.wait(lambda: is_asked(window))
+    window.click("discardEdits")
+    window.wait(lambda: saved() == {})
+    window.disconnect()
+    window.connect(quick_simulator.url)
+    assert not is_asked(window)
+
+
+@pytest.mark.parametrize(
+    ("answer", "kept"), [("keepAndClose", {"serial_timeout": 15}), ("closeYes", {})]
+)
+def test_closing_keeps_or_discards_edits(
+    connected_window: WindowDriver, answer: str, kept: dict[str, int]
+) -> None:
+    connected_window.device.parameters.edit("serial_timeout", 15)
+    assert not connected_window.window.close()
+    connected_window.click(answer)
+    assert not connected_window.window.isVisible()
+    assert saved() == kept
+
+
+@pytest.mark.usefixtures("crashed")
+def test_closing_without_an_answer_keeps_the_offer(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    window.connect(quick_simulator.url)
+    window.wait(lambda: is_asked(window))
+    window.device.parameters.edit("motor2_acceleration", 4)
+    assert not window.window.close()
+    window.click("closeYes")
+    assert not window.window.isVisible()
+    assert saved() == {"serial_timeout": 15, "motor1_acceleration": 3}
+
+
+def test_edits_are_kept_if_the_program_is_ended_from_outside(
+    connected_window: WindowDriver,
+) -> None:
+    connected_window.device.parameters.edit("serial_timeout", 15)
+    connected_window.program.device_manager.shut_down()
+    assert connected_window.program.shut_down()
+    assert saved() == {"serial_timeout": 15}

@@ -1,0 +1,244 @@
+"""Keeps the edits of a board until they are applied or discarded, even if the program dies."""
+
+import logging
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TypeVar
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.files import SettingsError
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft, diff_against_draft
+from trex_gui.devices.trex.settings.comparison import ComparisonRow
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles, SavedEdits
+from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
+
+KeyT = TypeVar("KeyT", bound=str)
+ValueT = TypeVar("ValueT")
+
+log = logging.getLogger(__name__)
+
+_DELAY_MS = 500
+"""Milliseconds of edits that a crash may lose."""
+
+_CLOSING_MS = 1000
+
+
+@dataclass(frozen=True, slots=True)
+class EditOffer:
+    """Edits that were not applied in an earlier run, as far as they still change something."""
+
+    rows: tuple[ComparisonRow, ...]
+    saved: SavedEdits
+
+
+@dataclass(frozen=True, slots=True)
+class _Result:
+    board: BoardIdentity | None  # whose file was read
+    found: SavedEdits | None
+    failure: SettingsError | None
+
+
+class EditBackup(QObject):
+    """Saves the edits of a draft soon after each change, and offers those of an earlier run.
+
+    Files are read and written in a thread.
+
+    Attributes:
+        offer: what the user has to decide about; it stays saved until then.
+
+    Signals:
+        offered: `offer` is new, or gone.
+        failed: why edits cannot be kept, for the user; once, until it works again.
+    """
+
+    offered = Signal()
+    failed = Signal(str)
+
+    def __init__(
+        self, draft: SettingsDraft, files: EditFiles | None = None, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.offer: EditOffer | None = None
+        self._draft = draft
+        self._files = files or EditFiles()
+        self._board: BoardIdentity | None = None  # whose edits the draft holds
+        self._is_read = False  # what was saved for it before is known
+        self._has_file = False
+        self._undecided: Settings | None = None  # saved edits that the draft does not hold
+        self._left: tuple[BoardIdentity | None, bool] = (None, False)
+        self._due: dict[BoardIdentity, Settings | None] = {}
+        self._is_failing = False
+        self._task = FileTask(self)
+        self._timer = new_timer(self, _DELAY_MS, self._begin, single_shot=True)
+        self._task.done.connect(self._on_done)
+        draft.pending_changed.connect(self._on_changed)
+
+    def leave_board(self) -> None:
+        """Save no changes until `take_board`: the draft is about to take what a board stores."""
+        self._left = self._board, self._is_read
+        self._board = None
+
+    def take_board(self, *, ask: bool) -> None:
+        """Keep the edits of the board in the draft, and look for those of an earlier run.
+
+        If it is the same board as before, what is undecided is offered again only with `ask`.
+        """
+        stored = self._draft.stored
+        if stored is None:
+            return
+        self._board = BoardIdentity.of(stored)
+        if (self._board, True) != self._left:
+            self._is_read = self._has_file = False
+            self._undecided = None
+            self._set_offer(None)
+            self._begin()
+        else:
+            self._on_changed()
+            if ask and self.offer is not None:
+                self.offered.emit()
+
+    # --- Decisions ----------------------------------------------------------------------
+
+    def restore(self) -> None:
+        """Make the offered edits pending, but none that was edited again meanwhile.
+
+        Those that the board does not take now stay saved.
+        """
+        if self.offer is None:
+            return
+        rows = [row for row in self.offer.rows if not self._draft.is_modified(row.key)]
+        if self._undecided is not None:
+            self._undecided = _only(self._undecided, self._out_of_reach(self._undecided))
+        self._draft.stage(rows, self.tr("Restore edits"))
+        self._set_offer(None)
+
+    def discard_offer(self) -> None:
+        self._undecided = None
+        self._set_offer(None)
+
+    def discard(self) -> None:
+        """Forget the edits in the draft, at the end of the program."""
+        if self._board is not None and self._has_file and self._draft.pending:
+            self._due[self._board] = self._undecided
+        self._board = None
+
+    def _set_offer(self, offer: EditOffer | None) -> None:
+        if offer is not self.offer:
+            self.offer = offer
+            self.offered.emit()
+        self._on_changed()
+
+    # --- Files --------------------------------------------------------------------------
+
+    def shut_down(self) -> bool:
+        """Save what is due; return whether that ended in time."""
+        self._timer.stop()
+        in_time = self._task.close(0, finish_ms=_CLOSING_MS)
+        if in_time and self._due:
+            self._begin()
+            in_time = self._task.close(0, finish_ms=_CLOSING_MS)
+        return in_time
+
+    @Slot()
+    def _on_changed(self) -> None:
+        stored = self._draft.stored
+        if self._board is None or stored is None or not self._is_read:
+            return
+        board, edits = BoardIdentity.of(stored), self._edits(stored)
+        if board != self._board:  # its number was written
+            self._due[self._board] = None
+            self._board = board
+        if edits is not None or self._has_file:
+            self._has_file = edits is not None
+            self._due[board] = edits
+            if not self._timer.isActive():
+                self._timer.start()
+
+    def _edits(self, stored: Settings) -> Settings | None:
+        parameters = dict(self._draft.parameters.pending)
+        calibrations = dict(self._draft.calibrations.edited)
+        if self._undecided is not None:
+            parameters = {**self._undecided.parameters, **parameters}
+            calibrations = {**self._undecided.calibrations, **calibrations}
+        if not parameters and not calibrations:
+            return None
+        return replace(stored, parameters=parameters, calibrations=calibrations)
+
+    @Slot()
+    def _begin(self) -> None:
+        if self._task.is_running:
+            return  # continues when it has ended
+        due, self._due = self._due, {}
+        board = None if self._is_read else self._board
+        self._task.start(partial(_work, self._files, due, board))
+
+    @Slot(object)
+    def _on_done(self, done: Done) -> None:
+        result = done.result
+        if not isinstance(result, _Result):
+            return
+        if result.failure is not None and not self._is_failing:
+            text = self.tr("Edits that are not applied yet cannot be kept for the next start. {0}")
+            self.failed.emit(text.format(error_sentence(result.failure)))
+        self._is_failing = result.failure is not None
+        if result.board is not None and result.board == self._board and not self._is_read:
+            self._is_read = True
+            self._take(result.found)
+        if self._due or (self._board is not None and not self._is_read):
+            self._timer.start()
+
+    def _take(self, found: SavedEdits | None) -> None:
+        """Offer what differs from what is stored and edited now."""
+        offer = None
+        self._has_file = found is not None
+        if found is not None:
+            changes = diff_against_draft(self._draft, found.settings).rows
+            is_modified = self._draft.is_modified
+            rows = tuple(row for row in changes if row.changed and not is_modified(row.key))
+            keys = {row.key for row in rows} | self._out_of_reach(found.settings)
+            self._undecided = _only(found.settings, keys)
+            offer = EditOffer(rows, found) if rows else None
+        self._set_offer(offer)
+
+    def _out_of_reach(self, edits: Settings) -> set[str]:
+        """Return the keys of edits that the draft cannot take now."""
+        return {
+            key for key in (*edits.parameters, *edits.calibrations) if not self._draft.can_edit(key)
+        }
+
+
+def _only(edits: Settings, keys: Collection[str]) -> Settings | None:
+    parameters = _taken(edits.parameters, keys)
+    calibrations = _taken(edits.calibrations, keys)
+    if not parameters and not calibrations:
+        return None
+    return replace(edits, parameters=parameters, calibrations=calibrations)
+
+
+def _taken(values: Mapping[KeyT, ValueT], keys: Collection[str]) -> dict[KeyT, ValueT]:
+    return {key: value for key, value in values.items() if key in keys}
+
+
+def _work(
+    files: EditFiles,
+    due: Mapping[BoardIdentity, Settings | None],
+    board: BoardIdentity | None,
+    _progress: ProgressCallback,
+) -> _Result:
+    """Save what is due, then read what is saved for a board."""
+    failure = found = None
+    for each, edits in due.items():
+        try:
+            files.save(each, edits)
+        except SettingsError as error:
+            failure = error
+    try:
+        found = None if board is None else files.load(board)
+    except SettingsError as error:
+        log.warning("saved edits are left out: %s", error)
+    return _Result(board, found, failure)

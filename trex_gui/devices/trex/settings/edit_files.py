@@ -1,0 +1,80 @@
+"""Edits that were not applied, in a file for each board: they outlive the program."""
+
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+from trex_gui.core.files import SettingsError, load, save
+from trex_gui.devices.trex.protocol.device_table import Model
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.history import data_folder
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.writer import write_settings
+
+
+@dataclass(frozen=True, slots=True)
+class BoardIdentity:
+    """What tells boards apart, as for snapshots; two boards may share it."""
+
+    product: Model
+    firmware: str
+    device_number: int | None
+
+    @classmethod
+    def of(cls, stored: Settings) -> "BoardIdentity":
+        firmware = stored.firmware or stored.product.firmware[-1]
+        return cls(stored.product, firmware, stored.parameters.get(ParameterKey.DEVICE_NUMBER))
+
+    def __str__(self) -> str:
+        number = "" if self.device_number is None else f"-{self.device_number}"
+        return f"{self.product.key}-{self.firmware}{number}"
+
+
+@dataclass(frozen=True, slots=True)
+class SavedEdits:
+    """The edits of one board, and when they were saved."""
+
+    settings: Settings
+    saved: datetime
+
+
+class EditFiles:
+    """Settings files in one folder, with nothing but edits; each is replaced as a whole."""
+
+    def __init__(self, folder: Path | None = None) -> None:
+        self.folder = folder or data_folder() / "edits"
+
+    def path(self, board: BoardIdentity) -> Path:
+        return self.folder / f"{board}.txt"
+
+    def save(self, board: BoardIdentity, edits: Settings | None) -> None:
+        """Replace what is saved for a board; `None` removes it.
+
+        Raises:
+            SettingsError: that failed; what was saved is still there.
+        """
+        path = self.path(board)
+        try:
+            if edits is None:
+                path.unlink(missing_ok=True)
+                return
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            why = error.strerror or str(error)
+            raise SettingsError.of(path, f"it cannot be changed: {why}") from error
+        save(path, write_settings(edits, title_lines=["Edits that were not applied"]))
+
+    def load(self, board: BoardIdentity) -> SavedEdits | None:
+        """Return what is saved for a board.
+
+        Raises:
+            SettingsError: it cannot be read, or is damaged.
+        """
+        path = self.path(board)
+        try:
+            saved = datetime.fromtimestamp(path.stat().st_mtime, UTC)
+        except OSError:
+            return None
+        settings, _ = read_settings(load(path), str(path))
+        return SavedEdits(settings, saved)
