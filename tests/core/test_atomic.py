@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from trex_gui.core.files import atomic_file
+from trex_gui.core.files import NotOrdinaryFileError, atomic_file, open_ordinary
 
 
 def test_file_is_replaced_when_completely_written(tmp_path: Path) -> None:
@@ -46,7 +46,39 @@ def test_symlink_is_kept_and_points_to_new_file(tmp_path: Path) -> None:
     assert path.read_bytes() == b"new"
 
 
-def test_special_file_is_not_replaced() -> None:
-    with atomic_file(Path(os.devnull)) as file:
-        file.write(b"gone")
-    assert not Path(os.devnull).is_file()
+def write_to(path: Path) -> None:
+    with atomic_file(path) as file:
+        file.write(b"new")
+
+
+def test_pipe_device_or_folder_is_not_written_to(tmp_path: Path) -> None:
+    others = [Path(os.devnull), tmp_path]
+    if hasattr(os, "mkfifo"):
+        others.append(tmp_path / "pipe")
+        os.mkfifo(others[-1])
+    for other in others:
+        with pytest.raises(NotOrdinaryFileError):
+            write_to(other)
+        assert not other.is_file()
+
+
+def test_draft_of_a_killed_program_is_removed_when_it_is_old(tmp_path: Path) -> None:
+    abandoned, recent = (tmp_path / f".a.csv.0000000{n}.trexdraft" for n in (1, 2))
+    foreign = tmp_path / ".a.csv.tmp"
+    for path in (abandoned, recent, foreign):
+        path.write_bytes(b"half")
+    for path in (abandoned, foreign):
+        os.utime(path, (0, 0))
+    write_to(tmp_path / "b.csv")
+    assert sorted(tmp_path.iterdir()) == sorted([recent, foreign, tmp_path / "b.csv"])
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
+def test_file_replaced_by_a_pipe_is_not_waited_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "a.csv"
+    os.mkfifo(path)
+    monkeypatch.setattr("trex_gui.core.files.check_ordinary", lambda path: None)
+    with pytest.raises(NotOrdinaryFileError, match="not an ordinary file"):
+        open_ordinary(path)

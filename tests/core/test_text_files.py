@@ -101,8 +101,8 @@ def test_missing_file_is_reported(tmp_path: Path) -> None:
 
 
 def test_folder_in_place_of_file_is_reported(tmp_path: Path) -> None:
-    assert sentence(tmp_path) == "is a folder, not a file"
-    assert sentence(tmp_path, "new\n") == "is a folder, not a file"
+    assert sentence(tmp_path) == "it is a folder, not a file"
+    assert sentence(tmp_path, "new\n") == "it is a folder, not a file"
 
 
 def test_missing_folder_is_named(tmp_path: Path) -> None:
@@ -119,8 +119,8 @@ def test_invalid_file_name_is_reported() -> None:
 def test_pipe_is_rejected_without_waiting(tmp_path: Path) -> None:
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
-    assert sentence(pipe) == "is not a regular file"
-    assert sentence(pipe, "new\n") == "is not a regular file"
+    assert sentence(pipe) == "it is not an ordinary file"
+    assert sentence(pipe, "new\n") == "it is not an ordinary file"
 
 
 @forbidding

@@ -43,6 +43,7 @@ def test_window_has_accessible_names_with_and_without_board(
 def test_recording_window_has_accessible_names(window: WindowDriver, tmp_path: Path) -> None:
     write(tmp_path / "minute.trexrec", list(an_hour(60)))
     trex(window.program).workspace.recordings.open_file(tmp_path / "minute.trexrec")
+    window.wait_for_files()
     recording = trex(window.program).workspace.recordings.windows[0]
     window.wait(lambda: recording.playback.is_loaded)
     assert_named(recording)

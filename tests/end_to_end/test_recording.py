@@ -10,8 +10,7 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QThread, QTimer, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtCore import Qt, QThread, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
@@ -70,6 +69,7 @@ def test_recording_opens_without_a_board(connected_window: WindowDriver, tmp_pat
     record(window, path)
     window.disconnect()
     recordings.open_file(path)
+    window.wait_for_files()
     (opened,) = recordings.windows
     player = WidgetDriver(opened, window.qtbot)
     player.wait(lambda: opened.playback.is_loaded)
@@ -90,14 +90,8 @@ def test_recording_opens_without_a_board(connected_window: WindowDriver, tmp_pat
 def test_recording_dropped_onto_window_opens(window: WindowDriver, tmp_path: Path) -> None:
     path = tmp_path / "a.trexrec"
     write(path, list(an_hour(5)))
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(path))])
-    copy = Qt.DropAction.CopyAction
-    left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-    enter = QDragEnterEvent(QPoint(9, 9), copy, data, left, none)
-    QApplication.sendEvent(window.window, enter)
-    assert enter.isAccepted()
-    QApplication.sendEvent(window.window, QDropEvent(QPointF(9, 9), copy, data, left, none))
+    assert window.drop(path)
+    window.wait_for_files()
     (opened,) = trex(window.program).workspace.recordings.windows
     window.wait(lambda: opened.playback.is_loaded)
     opened.close()
@@ -109,6 +103,7 @@ def test_invalid_recording_is_rejected_with_its_file_name(
     path = tmp_path / "none.trexrec"
     path.write_text("nothing of the kind")
     trex(window.program).workspace.recordings.open_file(path)
+    window.wait_for_files()
     assert "none.trexrec: This is not a TReX Studio recording" in window.text("bannerText")
     assert trex(window.program).workspace.recordings.windows == []
 
@@ -246,6 +241,7 @@ def test_motor_keeps_running_while_hour_is_opened(
         window.wait(turns)
         begin = now()
         trex(window.program).workspace.recordings.open_file(tmp_path / "hour.trexrec")
+        window.wait_for_files()
         (opened,) = trex(window.program).workspace.recordings.windows
         # Longer than the silence of a window that stops armed motors.
         window.wait(lambda: now() > begin + 2 * Timeouts().heartbeat)
@@ -269,6 +265,7 @@ def test_shutdown_while_recording_loads_ends_its_thread(
 ) -> None:
     write_an_hour(tmp_path / "hour.trexrec", 10)
     trex(window.program).workspace.recordings.open_file(tmp_path / "hour.trexrec")
+    window.wait_for_files()
     (opened,) = trex(window.program).workspace.recordings.windows
     thread = WidgetDriver(opened, window.qtbot).find_only(QThread)
     window.wait(lambda: opened.playback.share > 0)

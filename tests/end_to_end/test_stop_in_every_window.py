@@ -19,6 +19,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 def open_playback(window: WindowDriver, folder: Path) -> QWidget:
     write(folder / "a.trexrec", list(an_hour(5)))
     trex(window.program).workspace.recordings.open_file(folder / "a.trexrec")
+    window.wait_for_files()
     (playback,) = trex(window.program).workspace.recordings.windows
     return playback
 

@@ -6,14 +6,16 @@ only this page has. All work in virtual and in real time: the `qtbot` that they 
 """
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import TypeVar
 
-from PySide6.QtCore import QObject, QPoint, Qt
-from PySide6.QtGui import QAction
+from PySide6.QtCore import QMimeData, QObject, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSpinBox,
+    QApplication,
     QComboBox,
     QDialog,
     QLabel,
@@ -28,6 +30,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.program import aracna, trex
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.files import background
 from trex_gui.ui.program import Program
 
 ObjectT = TypeVar("ObjectT", bound=QObject)
@@ -91,6 +94,10 @@ class WidgetDriver:
     def wait(self, condition: Callable[[], object], timeout: int = TIMEOUT_MS) -> None:
         """Let time pass until a condition holds; `timeout` in milliseconds."""
         self.qtbot.waitUntil(lambda: bool(condition()), timeout=timeout)
+
+    def wait_for_files(self) -> None:
+        """Wait until the files in use were read or written, and the window knows."""
+        self.wait(lambda: not background)
 
     def wait_for_text(self, name: str, part: str) -> None:
         """Wait until a label contains a text."""
@@ -198,6 +205,17 @@ class WindowDriver(WidgetDriver):
     def disconnect(self) -> None:
         self.trigger("disconnect")
         self.wait(lambda: self.program.device_manager.current.link is ConnectionState.DISCONNECTED)
+
+    def drop(self, *paths: Path) -> bool:
+        """Drag files over the window and release them; return whether it takes them."""
+        data = QMimeData()
+        data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+        how = (Qt.DropAction.CopyAction, data, LEFT, Qt.KeyboardModifier.NoModifier)
+        enter = QDragEnterEvent(QPoint(9, 9), *how)
+        QApplication.sendEvent(self.window, enter)
+        if enter.isAccepted():
+            QApplication.sendEvent(self.window, QDropEvent(QPointF(9, 9), *how))
+        return enter.isAccepted()
 
     # --- Look around --------------------------------------------------------------------
 

@@ -1,11 +1,16 @@
-"""Text files that users edit: findings by line, size limit on reading, atomic writing."""
+"""Files that users choose: only ordinary ones, read within limits and written atomically.
+
+The errors of text files are findings by line.
+"""
 
 import contextlib
 import errno
 import os
+import re
 import secrets
 import shutil
 import stat
+import time
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
@@ -65,45 +70,96 @@ class SettingsError(StudioError):
         return f"{self.name}:{between}" + "\n".join(map(str, self.findings))
 
 
-def open_regular(path: Path) -> BinaryIO:
-    """Open an ordinary file for reading: a pipe would block, a device may react to it.
+def reason_of(error: StudioError) -> str:
+    """Return why a file cannot be used, without its name and a full stop."""
+    text = "; ".join(map(str, error.findings)) if isinstance(error, SettingsError) else str(error)
+    return text.rstrip(". ")
+
+
+class NotOrdinaryFileError(OSError):
+    """A folder, a pipe, a socket or a device in place of a file: using it may block for ever."""
+
+    def __init__(self, path: Path, mode: int) -> None:
+        reason = "it is not an ordinary file"
+        if stat.S_ISDIR(mode):
+            reason = "it is a folder, not a file"
+        super().__init__(errno.EINVAL, reason, str(path))
+        self.reason = reason
+
+
+def check_ordinary(path: Path) -> None:
+    """Raise NotOrdinaryFileError unless `path` is an ordinary file or leads to one.
 
     Raises:
-        OSError: it cannot be opened, or is not an ordinary file.
+        OSError: it cannot be looked at; FileNotFoundError if it is missing.
     """
-    _check_regular(path, path.stat())
-    flags = os.O_RDONLY | getattr(os, "O_BINARY", 0) | getattr(os, "O_NONBLOCK", 0)
-    file = os.fdopen(os.open(path, flags), "rb")
+    _check_mode(path, path.stat().st_mode)
+
+
+def open_ordinary(path: Path) -> BinaryIO:
+    """Open an ordinary file for reading, without waiting for anything else.
+
+    Raises:
+        OSError: it cannot be opened; NotOrdinaryFileError if it is no ordinary file.
+    """
+    check_ordinary(path)  # first: opening a serial port changes its lines
+    file = open(path, "rb", opener=_open_at_once)  # noqa: SIM115 - the caller closes it
     try:
-        _check_regular(path, os.fstat(file.fileno()))  # it may have been replaced meanwhile
-    except OSError:
+        _check_mode(path, os.fstat(file.fileno()).st_mode)  # it may have been replaced
+    except BaseException:
         file.close()
         raise
     return file
 
 
-def _check_regular(path: Path, found: os.stat_result) -> None:
-    if not stat.S_ISREG(found.st_mode):
-        kind = "is a folder, not a file" if stat.S_ISDIR(found.st_mode) else "is no regular file"
-        raise OSError(errno.EINVAL, f"it {kind}", str(path))
+def _check_mode(path: Path, mode: int) -> None:
+    if not stat.S_ISREG(mode):
+        raise NotOrdinaryFileError(path, mode)
+
+
+def _open_at_once(path: str, flags: int) -> int:
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0))
+
+
+_DRAFT = re.compile(r"\..*\.[0-9a-f]{8}\.trexdraft", re.DOTALL)
+
+_ABANDONED_S = 600.0
+"""Seconds without a write after which a draft belongs to a program that was killed."""
+
+
+def _draft_of(target: Path) -> Path:
+    return target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}.trexdraft")
+
+
+def _remove_abandoned(folder: Path) -> None:
+    """Remove drafts that killed programs left in a folder, where that is possible."""
+    oldest = time.time() - _ABANDONED_S
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            if _DRAFT.fullmatch(entry.name):
+                with contextlib.suppress(OSError):
+                    if entry.stat(follow_symlinks=False).st_mtime < oldest:
+                        Path(entry).unlink()
 
 
 @contextlib.contextmanager
 def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
     """Open a file that replaces `path` once everything was written and synced to disk.
 
-    After an exception the old file is still there and nothing is left of the new one. Links and
-    permissions are kept. A pipe or a device is written to directly. The caller may close the file.
+    After an exception the old file is still there and nothing is left of the new one. A program
+    that is killed leaves the old file or the new one, and a hidden draft that is removed by a later
+    write in this folder. Links and permissions are kept. The caller may close the file.
 
     Raises:
+        NotOrdinaryFileError: `path` is a folder, a pipe or a device.
         FileExistsError: with `overwrite` off, the name is taken, also by another program just now.
     """
     target = path.resolve()
-    if overwrite and target.exists() and not target.is_file():
-        with target.open("wb") as file:
-            yield file
-        return
-    draft = target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}.tmp")
+    if overwrite:
+        with contextlib.suppress(FileNotFoundError):
+            check_ordinary(target)
+    _remove_abandoned(target.parent)
+    draft = _draft_of(target)
     try:
         with draft.open("xb") as file:
             yield file
@@ -152,21 +208,19 @@ def _sync_folder(folder: Path) -> None:
 LARGEST_FILE = 256 * 1024  # bytes; a complete settings file has about 3000
 
 
-def load(path: Path, content: str = "settings") -> bytes:
+def load(path: Path, content: str = "settings", largest: int = LARGEST_FILE) -> bytes:
     """Return the bytes of a text file; `content` (plural) says what it holds, for messages."""
-    with _sentences(path, "read"):
-        if not path.is_file():
-            path.stat()  # raises where the file is missing or forbidden
-            raise SettingsError.of(path, _kind_of(path))
-        with open_regular(path) as file:
-            data = file.read(LARGEST_FILE + 1)
-    check_size(data, str(path), content)
+    with _sentences(path, "read"), open_ordinary(path) as file:
+        data = file.read(largest + 1)
+    check_size(data, str(path), content, largest)
     return data
 
 
-def check_size(data: bytes, name: str, content: str = "settings") -> None:
-    if len(data) > LARGEST_FILE:
-        limit = LARGEST_FILE // 1024
+def check_size(
+    data: bytes, name: str, content: str = "settings", largest: int = LARGEST_FILE
+) -> None:
+    if len(data) > largest:
+        limit = largest // 1024
         raise SettingsError.of(name, f"is larger than {limit} KiB; {content} are not that long")
 
 
@@ -182,18 +236,17 @@ def decode(data: bytes, name: str) -> str:
     raise SettingsError.of(name, message, data.count(b"\n", 0, position) + 1)
 
 
-def save(path: Path, text: str) -> None:
-    """Write a text file; after a SettingsError the old one is still there, complete."""
+def save(path: Path, content: str | bytes) -> None:
+    """Write a file, text as UTF-8; after a SettingsError the old one is there, complete."""
     with _sentences(path, "written"):
         target = path.resolve()
-        if target.exists() and not target.is_file():
-            raise SettingsError.of(path, _kind_of(target))
-        if target.exists() and not os.access(target, os.W_OK):
+        if target.is_file() and not os.access(target, os.W_OK):
             raise SettingsError.of(path, "it cannot be written: permission denied")
         if not target.parent.is_dir():
             raise SettingsError.of(path, f"there is no folder {target.parent}")
+        data = content.encode("utf-8") if isinstance(content, str) else content
         with atomic_file(target) as file:
-            file.write(text.encode("utf-8"))
+            file.write(data)
 
 
 def save_new(path: Path, text: str) -> bool:
@@ -212,13 +265,11 @@ def _sentences(path: Path, verb: str) -> Iterator[None]:
         yield
     except FileNotFoundError:
         raise SettingsError.of(path, "there is no such file") from None
+    except NotOrdinaryFileError as error:
+        raise SettingsError.of(path, error.reason) from None
     except PermissionError:
         raise SettingsError.of(path, f"it cannot be {verb}: permission denied") from None
     except OSError as error:
         raise SettingsError.of(path, f"it cannot be {verb}: {error.strerror or error}") from None
     except ValueError as error:  # a name with a NUL in it; text that is not Unicode
         raise SettingsError.of(path, f"it cannot be {verb}: {error}") from None
-
-
-def _kind_of(path: Path) -> str:
-    return "is a folder, not a file" if path.is_dir() else "is not a regular file"

@@ -11,10 +11,13 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import Controller, DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
+from trex_gui.ui.files import wait_for_background
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.workers.threads import wait_for_orphans
+
+_FILES_TIMEOUT_MS = 1000
 
 
 class Program:
@@ -95,6 +98,7 @@ class Program:
         """
         ends = [self.device_manager.shut_down()]
         ends += [workspace.shut_down() for workspace in self.workspaces.values()]
+        ends.append(wait_for_background(_FILES_TIMEOUT_MS))
         return all(ends) and wait_for_orphans()
 
     def close(self) -> bool:

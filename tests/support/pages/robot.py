@@ -2,14 +2,11 @@
 
 import json
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QItemSelectionModel, QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
-    QApplication,
     QLineEdit,
     QListView,
     QListWidget,
@@ -195,14 +192,3 @@ class RobotWindow(WindowDriver):
         editor.setFocus()
         self.wait(editor.hasFocus)
         self.type_into(name, text, enter=False)
-
-    def drop(self, *paths: Path) -> bool:
-        """Drag files over the window and release them; return whether it takes them."""
-        data = QMimeData()
-        data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
-        how = (Qt.DropAction.CopyAction, data, LEFT, Qt.KeyboardModifier.NoModifier)
-        enter = QDragEnterEvent(QPoint(9, 9), *how)
-        QApplication.sendEvent(self.window, enter)
-        if enter.isAccepted():
-            QApplication.sendEvent(self.window, QDropEvent(QPointF(9, 9), *how))
-        return enter.isAccepted()

@@ -520,7 +520,7 @@ def test_unwritable_file_is_reported(panel: TracePanelDriver, qtbot: QtBot, tmp_
     assert "was not written" in str(refused.args)
     with qtbot.waitSignal(panel.notifier.error):
         panel.export.save_picture(tmp_path / "none" / "picture.png")
-    assert "could not be written" in panel.text("currentsNote")
+    assert "there is no folder" in panel.text("currentsNote")
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -529,10 +529,12 @@ def test_picture_has_axes_legend_and_a_light_background(
 ) -> None:
     theme().set_scheme("dark" if scheme == "dark" else "light")
     panel.export.save_picture(tmp_path / "picture.png")
+    panel.wait_for_files()
     image = QImage(str(tmp_path / "picture.png"))
     assert image.width() > 2000
     assert image.pixelColor(3, 3) == QColor(Qt.GlobalColor.white)
     panel.export.save_picture(tmp_path / "picture.svg")
+    panel.wait_for_files()
     svg = (tmp_path / "picture.svg").read_text(encoding="utf-8")
     for text in ("Motor 1", "mean 1.00 A", "peak 3.00 A", "charge", "0:30", "5 A"):
         assert text in svg, text

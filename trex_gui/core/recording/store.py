@@ -16,8 +16,9 @@ from pathlib import Path
 from types import NoneType
 from typing import Any, Generic, cast
 
-from trex_gui.core.files import open_regular
+from trex_gui.core.files import check_ordinary, open_ordinary
 from trex_gui.core.recording.kinds import (
+    LONGEST_TEXT,
     HeaderT,
     Marker,
     RecordingError,
@@ -35,8 +36,13 @@ CHUNK = 1000  # records read at a time
 _TYPES = {"INTEGER": int, "REAL": float, "TEXT": str}
 _MAGIC = b"SQLite format 3\0"
 _HEAD = struct.Struct(">16xH10xI")  # page size and number of pages of a database
-_LONGEST_VALUE = 1 << 20
+_LONGEST_VALUE = 4 * LONGEST_TEXT  # bytes; SQLite fails beyond
+_MOST_HEADER_ROWS = 100
 _MOST_PROBLEMS = 20
+_LATEST_CLOCK = 1e10  # seconds: three hundred years
+_LONGEST_S = 200 * 86400.0
+"""Seconds from the start of a recording that a record may have; before the start, an hour."""
+_EARLIEST_S = -3600.0
 _NOT_A_RECORDING = "This is not a TReX Studio recording."
 _ENDED = "ended_utc_s"
 
@@ -150,13 +156,19 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
 
 
 def _replace(path: Path) -> None:
-    """Make an empty file, or raise OSError; only regular files are replaced."""
-    if path.exists() and not path.is_file():
-        raise OSError(errno.EINVAL, "it is not a regular file")
+    """Make an empty file, or raise OSError; only ordinary files are replaced."""
+    with contextlib.suppress(FileNotFoundError):
+        check_ordinary(path)
     with path.open("wb"):
         pass
+    for companion in _companions(path):
+        companion.unlink(missing_ok=True)
+
+
+def _companions(path: Path) -> Iterator[Path]:
+    """Yield the files that SQLite may make and open beside a database."""
     for suffix in ("-wal", "-shm", "-journal"):
-        path.with_name(path.name + suffix).unlink(missing_ok=True)
+        yield path.with_name(path.name + suffix)
 
 
 def _create_table(kind: SampleKind, start: float) -> str:
@@ -203,12 +215,16 @@ class Recording(Generic[HeaderT, RecordT]):
                 "A CSV file is an export and cannot be opened as a recording. Open the recording "
                 f"({SUFFIX}) that it was exported from."
             )
-        with _reported(path, "It cannot be opened"), open_regular(path) as file:
+        with _reported(path, "It cannot be opened"), open_ordinary(path) as file:
             head = file.read(_HEAD.size)
             size = file.seek(0, os.SEEK_END)
         if len(head) < _HEAD.size or not head.startswith(_MAGIC):
             raise self._error(_NOT_A_RECORDING)
         page_size, pages = _HEAD.unpack(head)
+        with _reported(path, "It cannot be opened"):
+            for companion in _companions(path):
+                with contextlib.suppress(FileNotFoundError):
+                    check_ordinary(companion)
         log = path.with_name(f"{path.name}-wal")  # committed, but not yet synchronised
         if size < page_size * pages and not log.exists():
             self.problems.append("The end of the file is missing.")
@@ -268,7 +284,13 @@ class Recording(Generic[HeaderT, RecordT]):
             raise self._error(
                 f"Its format, {version}, is not known. A later version of TReX Studio may open it."
             )
-        values = dict(execute("SELECT key, value FROM header LIMIT 1000").fetchall())
+        values = dict(
+            execute(
+                "SELECT key, value FROM header"
+                " WHERE length(key || coalesce(value, '')) <= ? LIMIT ?",
+                (LONGEST_TEXT, _MOST_HEADER_ROWS),
+            ).fetchall()
+        )
         if values.get("device") != self.format.device:
             name = str(values.get("device_name") or values.get("device"))[:60]
             raise self._error(
@@ -278,7 +300,10 @@ class Recording(Generic[HeaderT, RecordT]):
             )
         if _ENDED not in values:
             self.problems.append("It was not ended; samples of the last seconds may be missing.")
-        return self.format.read_header(values)
+        header = self.format.read_header(values)
+        if not abs(header.clock) <= _LATEST_CLOCK:  # also NaN
+            raise ValueError("the clock in the header is not in seconds")
+        return header
 
     def _check_tables(self) -> None:
         """Fail where a table or a column is missing, or is not a plain table."""
@@ -291,6 +316,10 @@ class Recording(Generic[HeaderT, RecordT]):
             missing = {"record", "clock_s", "time_s", *kind.exported} - {row[1] for row in info}
             if missing:
                 raise self._error(f"The column {kind.name}.{min(missing)} is missing.")
+            stored = {"record", "clock_s", *(column.name for column in kind.columns)}
+            for _, name, *_, hidden in info:
+                if hidden and name in stored:  # an expression could make any amount of data
+                    raise self._error(f"The column {kind.name}.{name} is computed.")
 
     def _last_record(self) -> int:
         last = 0
@@ -318,11 +347,16 @@ class Recording(Generic[HeaderT, RecordT]):
                     if (types := tuple(map(type, values))) not in valid:
                         _check_types(kind, types)
                         valid.add(types)
+                    self._check_time(values[0])
                     found.append((number, unpack(*values)))
                 except (ValueError, KeyError, TypeError) as error:
                     self._report(f"Record {number} cannot be read: {error}.")
         found.sort(key=itemgetter(0))
         return cast("list[RecordT]", [record for _, record in found])
+
+    def _check_time(self, clock: float) -> None:
+        if not _EARLIEST_S <= clock - self.header.clock <= _LONGEST_S:
+            raise ValueError("its time is not in the recording")
 
     def export_rows(self, first: int, last: int, start: float, end: float) -> list[ExportRow]:
         found: list[tuple[int, ExportRow]] = []

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QLabel, QSizePolicy, QWidget
 
-from trex_gui.core.recording.kinds import RecordingError
-from trex_gui.core.recording.store import SUFFIX
+from trex_gui.core.errors import StudioError
+from trex_gui.core.recording.store import SUFFIX, Recording
+from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.transport import size_text, time_text
 from trex_gui.ui.preferences import Preferences
@@ -102,7 +103,7 @@ class RecordingTexts:
 class RecordingManager(QObject, Generic[WindowT]):
     """Chooses files, starts recordings and owns the windows of open ones.
 
-    A subclass for each device makes the windows.
+    A subclass for each device opens its recordings and makes their windows.
     """
 
     changed = Signal()  # `recorder.recording` or `recorder.can_record`
@@ -129,6 +130,8 @@ class RecordingManager(QObject, Generic[WindowT]):
         recorder.setParent(self)
         self.indicator = RecordIndicator(recorder, window, prefix=prefix)
         self.windows: list[WindowT] = []
+        self._opening: set[Path] = set()
+        self._has_ended = False
 
         recorder.changed.connect(self._on_changed)
         recorder.ended.connect(self._on_ended)
@@ -144,12 +147,16 @@ class RecordingManager(QObject, Generic[WindowT]):
 
         FileDrop(frame, takes).dropped.connect(lambda paths: self.open_file(paths[0]))
 
-    def open_window(self, path: Path) -> WindowT:
-        """Return a new window that loads and shows a recording.
+    def open_recording(self, path: Path) -> Recording[Any, Any]:
+        """Return an open recording; called in a thread of its own.
 
         Raises:
             RecordingError: the file cannot be opened.
         """
+        raise NotImplementedError
+
+    def make_window(self, recording: Recording[Any, Any]) -> WindowT:
+        """Return a new window for a recording that is not loaded yet."""
         raise NotImplementedError
 
     def toggle(self) -> None:
@@ -188,17 +195,30 @@ class RecordingManager(QObject, Generic[WindowT]):
                 window.show()
                 window.activateWindow()
                 return
-        try:
-            window = self.open_window(path)
-        except RecordingError as error:
-            self._notifier.error.emit(str(error))
+        if path not in self._opening:
+            self._opening.add(path)
+            work = partial(self.open_recording, path)
+            in_background(self, work, self._on_opened, partial(self._on_not_opened, path))
+
+    def _on_opened(self, recording: Recording[Any, Any]) -> None:
+        self._opening.discard(recording.path)
+        if self._has_ended:
+            recording.close()
             return
-        self._remember_folder(path)
+        window = self.make_window(recording)
+        self._remember_folder(recording.path)
         self.windows.append(window)
         window.closed.connect(partial(self._forget, window))
         window.show()
+        # The thread that loads slows this one down: not before the window was drawn.
+        new_timer(window, 0, window.player.start_loading, single_shot=True).start()
+
+    def _on_not_opened(self, path: Path, error: StudioError) -> None:
+        self._opening.discard(path)
+        self._notifier.error.emit(str(error))
 
     def close_all(self) -> None:
+        self._has_ended = True
         self.recorder.shut_down()
         for window in tuple(self.windows):
             window.close()

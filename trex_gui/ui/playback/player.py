@@ -20,6 +20,7 @@ from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
+_LONGEST_EVENT = 500  # characters that are shown of an event
 _CLOSE_TIMEOUT_MS = 500  # a window that hangs for twice as long stops armed motors
 
 
@@ -79,7 +80,8 @@ def load_recording(
 
 def _event(marker: Marker) -> Event:
     known = marker.kind in set(EventKind)
-    return Event(marker.time, EventKind(marker.kind) if known else EventKind.NOTE, marker.text)
+    kind = EventKind(marker.kind) if known else EventKind.NOTE
+    return Event(marker.time, kind, marker.text[:_LONGEST_EVENT])
 
 
 def _export(

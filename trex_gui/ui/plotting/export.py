@@ -11,11 +11,14 @@ from pathlib import Path
 from typing import TextIO
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QPoint, QRectF, QSize, Qt, Slot
+from PySide6.QtCore import QBuffer, QCoreApplication, QPoint, QRectF, QSize, Qt, Slot
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPalette, QPen, QRegion
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import save
+from trex_gui.ui.files import in_background, save_picture
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.plotting.marks import charge_text, value_text
@@ -24,6 +27,7 @@ from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import action
 from trex_gui.ui.workers.file_worker import FileSaver, ProgressCallback
@@ -131,10 +135,16 @@ class ExportButton(QToolButton):
             self._notifier.error.emit(self.tr("There is nothing to export yet."))
             return
         scheme = "light" if self._light.isChecked() else theme().scheme
-        if write_picture(self._plot, path, scheme):
-            self._notifier.info.emit(self.tr("The picture was written to {0}.").format(path))
+        picture = draw_picture(self._plot, scheme, as_svg=path.suffix.lower() == ".svg")
+        if isinstance(picture, QImage):
+            work = partial(save_picture, path, picture)
         else:
-            self._notifier.error.emit(self.tr("{0} could not be written.").format(path))
+            work = partial(save, path, picture)
+        text = self.tr("The picture was written to {0}.").format(path)
+        in_background(self, work, lambda _: self._notifier.info.emit(text), self._on_not_written)
+
+    def _on_not_written(self, error: StudioError) -> None:
+        self._notifier.error.emit(error_sentence(error))
 
     def finish(self) -> None:
         """Cancel a table that is being written, without waiting for a disk that hangs."""
@@ -179,27 +189,26 @@ def _rows(columns: Sequence[Floats], progress: ProgressCallback) -> Iterator[lis
         yield from np.column_stack([column[first : first + _CHUNK] for column in columns]).tolist()
 
 
-def write_picture(plot: TracePlot, path: Path, scheme: str) -> bool:
-    """Write what a plot shows as SVG or PNG, as the name ends; return whether that succeeded."""
+def draw_picture(plot: TracePlot, scheme: str, *, as_svg: bool = False) -> QImage | bytes:
+    """Return what a plot shows as an image, or as the content of an SVG file."""
     with theme().painted_as(scheme):
-        if path.suffix.lower() != ".svg":
+        if not as_svg:
             image = QImage(SIZE * _SCALE, QImage.Format.Format_RGB32)
             image.setDevicePixelRatio(_SCALE)
             with QPainter(image) as painter:
                 _paint(painter, plot, _LINE_WIDTH * _SCALE)
-            return image.save(str(path))
+            return image
+        buffer = QBuffer()
         generator = QSvgGenerator()
-        generator.setFileName(str(path))
+        generator.setOutputDevice(buffer)
         generator.setSize(SIZE)
         generator.setViewBox(QRectF(0, 0, SIZE.width(), SIZE.height()))
         generator.setTitle(
             QCoreApplication.translate("Picture", "Curves, time in minutes and seconds")
         )
-        painter = QPainter()
-        if not painter.begin(generator):
-            return False
-        _paint(painter, plot, _LINE_WIDTH)
-        return painter.end()
+        with QPainter(generator) as painter:
+            _paint(painter, plot, _LINE_WIDTH)
+        return bytes(buffer.data().data())
 
 
 def _paint(painter: QPainter, plot: TracePlot, line_width: float) -> None:

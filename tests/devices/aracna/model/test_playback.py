@@ -20,6 +20,7 @@ from tests.devices.aracna.recordings import (
     session,
     write,
 )
+from tests.support.playing import loading
 from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.model.robot_state import RobotState
@@ -33,7 +34,7 @@ LONG_TIMEOUT = 20_000
 
 def loaded(path: Path, qtbot: QtBot, *what: Record) -> RobotPlayback:
     write(path, list(what))
-    playback = RobotPlayback.open(path)
+    playback = loading(RobotPlayback(open_recording(path)))
     assert not playback.is_loaded
     with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
         pass
@@ -174,7 +175,7 @@ def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBo
 def test_invalid_recording_is_rejected(tmp_path: Path) -> None:
     (tmp_path / "a.trexrec").write_bytes(b"something else")
     with pytest.raises(RecordingError):
-        RobotPlayback.open(tmp_path / "a.trexrec")
+        loading(RobotPlayback(open_recording(tmp_path / "a.trexrec")))
 
 
 @pytest.mark.realtime
@@ -184,7 +185,7 @@ def test_close_while_loading_ends_thread(
     hang(monkeypatch)
     path = tmp_path / "long.trexrec"
     write(path, list(session(60)))
-    playback = RobotPlayback.open(path)
+    playback = loading(RobotPlayback(open_recording(path)))
     thread = loader_thread(playback)
     signals: list[str] = []
     playback.loaded.connect(lambda: signals.append("loaded"))

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.devices.aracna.recordings import read_all
+from tests.devices.aracna.recordings import open_recording, read_all
+from tests.support.playing import loading
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.timing import Timeouts
@@ -180,7 +181,7 @@ def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: Q
     session.move(*range(100, 500, 50))
     ending = session.stop()[-1]
     assert ending.time > session.reported[-1].time
-    playback = RobotPlayback.open(session.path)
+    playback = loading(RobotPlayback(open_recording(session.path)))
     with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
         pass
     last = playback.traces.samples(playback.start, playback.end)[0][-1]

@@ -4,7 +4,8 @@ from pathlib import Path
 
 from pytestqt.qtbot import QtBot
 
-from tests.devices.aracna.recordings import HEADER, MOTORS, T0, write
+from tests.devices.aracna.recordings import HEADER, MOTORS, T0, open_recording, write
+from tests.support.playing import loading
 from tests.support.window import WidgetDriver
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
@@ -30,7 +31,7 @@ class RecordingWindowDriver(WidgetDriver):
     """A window that shows the recording in a file."""
 
     def __init__(self, path: Path, qtbot: QtBot) -> None:
-        self.window = RobotPlaybackWindow(RobotPlayback.open(path), Robot())
+        self.window = RobotPlaybackWindow(loading(RobotPlayback(open_recording(path))), Robot())
         super().__init__(self.window, qtbot)
         self.playback = self.window.playback
         qtbot.addWidget(self.window)
@@ -52,7 +53,7 @@ class RecordingWindowDriver(WidgetDriver):
         self.window.close()
 
 
-def open_recording(
+def show_recording(
     path: Path, qtbot: QtBot, records: list[Record], header: Header = HEADER
 ) -> RecordingWindowDriver:
     """Write a recording and show it in a window."""

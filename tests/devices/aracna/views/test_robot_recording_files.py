@@ -13,7 +13,7 @@ from tests.devices.aracna.recordings import HEADER, MOTORS, T0, hang, loader_thr
 from tests.devices.aracna.views.recording_stage import (
     SAMPLE_SESSION,
     RecordingWindowDriver,
-    open_recording,
+    show_recording,
 )
 from trex_gui.devices.aracna.recording import Header
 from trex_gui.devices.aracna.session.messages import Moved
@@ -39,7 +39,7 @@ def test_damaged_recording_reports_problem_and_shows_rest(tmp_path: Path, qtbot:
 
 
 def test_span_is_exported_as_csv(tmp_path: Path, qtbot: QtBot) -> None:
-    window = open_recording(tmp_path / "a.trexrec", qtbot, SAMPLE_SESSION)
+    window = show_recording(tmp_path / "a.trexrec", qtbot, SAMPLE_SESSION)
     with qtbot.waitSignal(window.playback.exported):
         window.window.export(tmp_path / "a.csv")
     text = (tmp_path / "a.csv").read_text(encoding="utf-8")
@@ -89,7 +89,7 @@ def test_recording_with_other_motor_count_is_shown(
     header = Header(HEADER.started, T0, version=0, motors=motors)
     goals = (300,) * motors
     moved = Moved(T0 + 1, goals, goals, 1.0)
-    window = open_recording(tmp_path / "a.trexrec", qtbot, [moved], header)
+    window = show_recording(tmp_path / "a.trexrec", qtbot, [moved], header)
     window.playback.set_position(T0 + 1)
     assert window.text(f"aracnaRecordedPresent{motors - 1}") == "300 = 88.0°"
     names = [label.objectName() for label in window.find_all(QLabel)]
@@ -99,7 +99,7 @@ def test_recording_with_other_motor_count_is_shown(
 
 
 def test_empty_recording_shows_that_it_has_no_events(tmp_path: Path, qtbot: QtBot) -> None:
-    window = open_recording(tmp_path / "a.trexrec", qtbot, [])
+    window = show_recording(tmp_path / "a.trexrec", qtbot, [])
     events = window.find(QListView, "eventList")
     window.wait(lambda: "no events" in events.accessibleDescription())
     assert not window.is_enabled("playButton")

@@ -23,7 +23,7 @@ from tests.devices.aracna.recordings import MOTORS, T0
 from tests.devices.aracna.views.recording_stage import (
     SAMPLE_SESSION,
     RecordingWindowDriver,
-    open_recording,
+    show_recording,
 )
 from tests.support.accessible_names import assert_named
 from trex_gui.core.recording.kinds import Marker
@@ -33,7 +33,7 @@ from trex_gui.ui.plotting.plot import TracePlot
 
 @pytest.fixture
 def window(tmp_path: Path, qtbot: QtBot) -> RecordingWindowDriver:
-    return open_recording(tmp_path / "walk.trexrec", qtbot, SAMPLE_SESSION)
+    return show_recording(tmp_path / "walk.trexrec", qtbot, SAMPLE_SESSION)
 
 
 def test_heading_shows_robot_date_and_duration(window: RecordingWindowDriver) -> None:

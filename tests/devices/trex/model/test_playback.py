@@ -19,6 +19,7 @@ from tests.devices.trex.recording.samples import (
     write,
     write_an_hour,
 )
+from tests.support.playing import loading
 from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.core.recording.store import CHUNK
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
@@ -50,7 +51,7 @@ def minute(tmp_path: Path, qtbot: QtBot) -> Iterator[Playback]:
 
 
 def loaded(path: Path, qtbot: QtBot) -> Playback:
-    playback = Playback.open(path)
+    playback = loading(Playback(open_recording(path)))
     with qtbot.waitSignal(playback.loaded, timeout=20_000):
         pass
     return playback
@@ -63,7 +64,7 @@ def playback_of(path: Path, qtbot: QtBot, *what: Record) -> Playback:
 
 def test_progress_of_reading_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     write(tmp_path / "a.trexrec", list(an_hour(120)))
-    playback = Playback.open(tmp_path / "a.trexrec")
+    playback = loading(Playback(open_recording(tmp_path / "a.trexrec")))
     assert not playback.is_loaded
     shares: list[float] = []
     playback.progressed.connect(lambda: shares.append(playback.share))
@@ -235,7 +236,7 @@ def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
 def test_file_of_another_kind_is_rejected(tmp_path: Path) -> None:
     (tmp_path / "a.trexrec").write_bytes(b"something else")
     with pytest.raises(RecordingError):
-        Playback.open(tmp_path / "a.trexrec")
+        loading(Playback(open_recording(tmp_path / "a.trexrec")))
 
 
 # --- The thread that reads ----------------------------------------------------------------
@@ -285,7 +286,7 @@ def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
     """Open a recording; return whether the window stayed responsive."""
     ticks = Ticks()
     begin = now()
-    playback = Playback.open(hour)
+    playback = loading(Playback(open_recording(hour)))
     opened = now()
     qtbot.waitUntil(lambda: playback.share > 0.2, timeout=120_000)
     looked_through = now()
@@ -322,7 +323,7 @@ def started_workers(monkeypatch: pytest.MonkeyPatch) -> list[FileWorker]:
 def test_close_while_reading_ends_the_thread(
     hour: Path, qtbot: QtBot, started_workers: list[FileWorker]
 ) -> None:
-    playback = Playback.open(hour)
+    playback = loading(Playback(open_recording(hour)))
     (thread,) = started_workers
     qtbot.waitUntil(lambda: playback.share > 0)
     signals: list[str] = []
@@ -377,7 +378,7 @@ def is_cancelled(path: Path, playback: Playback, qtbot: QtBot, how: str) -> bool
     playback.exported.connect(done.append)
     with qtbot.waitSignal(playback.progressed):
         playback.export(path, T0, T0 + 240)
-    had_begun = bool(list(path.parent.glob(".span.csv.*.tmp")))
+    had_begun = bool(list(path.parent.glob(".span.csv.*")))
     getattr(playback, how)()
     qtbot.waitUntil(lambda: not list(path.parent.glob(".span.csv.*")))
     qtbot.waitUntil(lambda: not playback.is_busy)

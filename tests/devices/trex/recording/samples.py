@@ -41,7 +41,7 @@ HEADER = Header(
     program="TReX Studio 0.1.0",
 )
 
-times = st.floats(allow_nan=False, allow_infinity=False)
+times = st.floats(HEADER.clock, HEADER.clock + 1e7)
 bytes_ = st.integers(0, 255)
 seven_bits = st.integers(0, 127)
 texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=40)

@@ -203,7 +203,7 @@ def test_existing_recording_is_replaced_with_its_log(tmp_path: Path) -> None:
 def test_device_files_are_not_replaced(name: str) -> None:
     if not Path(name).exists():
         pytest.skip("this system has no such file")
-    with pytest.raises(RecordingError, match="not a regular file"):
+    with pytest.raises(RecordingError, match="not an ordinary file"):
         RecordingWriter[Header, Record](Path(name), FORMAT, HEADER)
 
 

@@ -269,7 +269,7 @@ def test_snapshots_are_saved_without_hard_links(
 
 def test_leftover_temporary_file_is_not_listed(history: SettingsHistory) -> None:
     path = take(history)
-    path.rename(path.with_name(f".{path.name}.1a2b3c4d.tmp"))
+    path.rename(path.with_name(f".{path.name}.1a2b3c4d.trexdraft"))
     assert history.snapshots() == ()
 
 
@@ -304,7 +304,7 @@ def test_pipe_among_the_snapshots_is_not_opened(history: SettingsHistory) -> Non
     os.mkfifo(history.folder / "20260101T120000Z-trex-1.3.txt")
     os.mkfifo(history.folder / "history.txt")
     (found,) = history.snapshots()
-    assert found.problem == "It cannot be read: it is no regular file."
+    assert found.problem == "It cannot be read: it is not an ordinary file."
     assert "cannot be read" in history.bound().problem
 
 

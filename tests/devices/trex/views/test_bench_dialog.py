@@ -259,8 +259,10 @@ def test_saved_run_can_be_opened(dialog: BenchTestDialog, tmp_path: Path) -> Non
     dialog.bench.add_run(run_of(READINGS))
     path = tmp_path / "test.csv"
     dialog.files.save(dialog.bench.runs[0], path)
+    dialog.wait_for_files()
     assert "Saved as test.csv" in dialog.note
     dialog.files.open(path)
+    dialog.wait_for_files()
     assert len(dialog.bench.runs) == 2
     assert dialog.figure(0, 2) == "+0.00 A"
 
@@ -280,6 +282,7 @@ def test_invalid_file_is_rejected_with_the_reason(
     if content is not None:
         path.write_bytes(content)
     dialog.files.open(path)
+    dialog.wait_for_files()
     assert words in dialog.note
     assert dialog.bench.runs == ()
 
@@ -288,16 +291,19 @@ def test_invalid_file_is_rejected_with_the_reason(
 def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchTestDialog, tmp_path: Path) -> None:
     dialog.bench.add_run(run_of(READINGS))
     dialog.files.save(dialog.bench.runs[0], tmp_path / "test.PNG")
+    dialog.wait_for_files()
     picture = QImage(str(tmp_path / "test.PNG"))
     plot = dialog.plot
     assert picture.size() == plot.size() * plot.devicePixelRatio()
     assert "Saved as test.PNG" in dialog.note
     dialog.files.save(dialog.bench.runs[0], tmp_path / "nowhere" / "test.png")
+    dialog.wait_for_files()
     assert "test.png was not saved" in dialog.note
 
 
 def test_failed_save_is_reported(dialog: BenchTestDialog, tmp_path: Path) -> None:
     dialog.files.save(run_of(READINGS), tmp_path / "nowhere" / "test.csv")
+    dialog.wait_for_files()
     assert "test.csv was not saved" in dialog.note
 
 

@@ -27,6 +27,7 @@ from tests.devices.trex.recording.samples import (
     write,
     write_an_hour,
 )
+from tests.support.playing import loading
 from tests.support.window import WidgetDriver
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.model.device import Device
@@ -79,7 +80,9 @@ class RecordingWindow(WidgetDriver):
 @pytest.fixture
 def window(tmp_path: Path, qtbot: QtBot) -> RecordingWindow:
     write(tmp_path / "minute.trexrec", _minute())
-    window = RecordingWindow.open(Playback.open(tmp_path / "minute.trexrec"), qtbot)
+    window = RecordingWindow.open(
+        loading(Playback(open_recording(tmp_path / "minute.trexrec"))), qtbot
+    )
     window.wait(lambda: window.playback.is_loaded)
     return window
 
@@ -173,6 +176,7 @@ def test_shown_span_is_exported_as_csv_and_pictures(
     monkeypatch.setattr(QFileDialog, "getSaveFileName", choose)
     for kind in ("Png", "Svg"):
         window.find(QAction, f"export{kind}Action").trigger()
+        window.wait_for_files()
         assert f"minute.{kind.lower()}" in window.text("bannerText")
     assert proposed == ["minute.png", "minute.svg"]
     assert not QImage(str(tmp_path / "minute.png")).isNull()
@@ -199,7 +203,7 @@ def half_read(path: Path, qtbot: QtBot) -> RecordingWindow:
     A busy computer may have read all of it by then; so it tries again.
     """
     for _ in range(4):
-        window = RecordingWindow.open(Playback.open(path), qtbot)
+        window = RecordingWindow.open(loading(Playback(open_recording(path))), qtbot)
         assert not window.is_enabled("exportSpanButton")
         assert not window.is_enabled("pictureButton")
         bar = window.find(QProgressBar, "recordingProgress")
@@ -241,7 +245,7 @@ def test_missing_part_of_a_recording_is_reported(tmp_path: Path, qtbot: QtBot) -
     cut = tmp_path / "cut.trexrec"
     write(cut, _minute(), finish=False)
     cut.write_bytes(cut.read_bytes()[:-100])
-    damaged = RecordingWindow.open(Playback.open(cut), qtbot)
+    damaged = RecordingWindow.open(loading(Playback(open_recording(cut))), qtbot)
     damaged.wait_for_text("bannerText", "not complete")
     assert "It was not ended" in damaged.text("bannerText")
     damaged.window.close()

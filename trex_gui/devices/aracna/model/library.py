@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import Finding, SettingsError, open_regular
+from trex_gui.core.files import Finding, SettingsError, open_ordinary
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait
 from trex_gui.devices.aracna.poses.ppr import read_file, write_file
 from trex_gui.devices.aracna.poses.project import (
@@ -67,7 +67,7 @@ class Library(QObject):
         if self.path is None or self._on_disk is None:
             return False
         try:
-            with open_regular(self.path) as file:
+            with open_ordinary(self.path) as file:
                 return file.read(len(self._on_disk) + 1) != self._on_disk
         except OSError:
             return False  # saving creates it again, or reports why it cannot

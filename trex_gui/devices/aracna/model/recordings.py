@@ -126,13 +126,6 @@ class RobotPlayback(RecordingPlayer[Header, Record, RobotState]):
         curves = Curves(motors, _rows, max_rows, _NO_GAP)
         super().__init__(recording, RobotState(motors), curves, parent)
 
-    @classmethod
-    def open(cls, path: Path, parent: QObject | None = None) -> "RobotPlayback":
-        """Open a recording and start loading it; RecordingError if that is impossible."""
-        playback = cls(Recording(path, FORMAT), parent)
-        playback.start_loading()
-        return playback
-
     def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
         return Traces([_trace(motor) for motor in range(self.header.motors)], history, events)
 

@@ -8,11 +8,13 @@ from PySide6.QtCore import QObject, Slot
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.recording.store import Recording
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
+from trex_gui.devices.aracna.recording import FORMAT, Header, Record
 from trex_gui.devices.aracna.views.action_bar import ActionBar
 from trex_gui.devices.aracna.views.demo import RobotPanel
 from trex_gui.devices.aracna.views.help import help_text
@@ -57,12 +59,14 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
         )
         self._robot = robot
 
-    def open_window(self, path: Path) -> "RobotPlaybackWindow":
-        playback = RobotPlayback.open(path)
+    def open_recording(self, path: Path) -> Recording[Header, Record]:
+        return Recording(path, FORMAT)
+
+    def make_window(self, recording: Recording[Header, Record]) -> "RobotPlaybackWindow":
         # The plotting library takes as long to load as all of Qt: not before it is needed.
         from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow  # noqa: PLC0415
 
-        return RobotPlaybackWindow(playback, self._robot)
+        return RobotPlaybackWindow(RobotPlayback(recording), self._robot)
 
 
 class AracnaWorkspace(Workspace):

@@ -18,11 +18,14 @@ import math
 from collections.abc import Callable, Iterable
 from datetime import datetime
 from itertools import takewhile
+from pathlib import Path
 from typing import TypeVar
 
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import load
 from trex_gui.devices.trex.bench.run import End, Profile, Run, Shape
 
-MAX_LENGTH = 10_000_000  # characters; two minutes of readings are half a megabyte
+_LARGEST_FILE = 10_000_000  # bytes; two minutes of readings are half a megabyte
 _TITLE = "# TReX Studio bench test"
 _COLUMNS = ["time_s", "setpoint", "current_a"]
 _SETTING = "stored "
@@ -30,8 +33,22 @@ _SETTING = "stored "
 ValueT = TypeVar("ValueT")
 
 
-class BenchFileError(Exception):
+class BenchFileError(StudioError):
     """A file is not a bench test; the text names the line and the reason."""
+
+
+def load_run(path: Path) -> Run:
+    """Return the test in a file.
+
+    Raises:
+        SettingsError: the file cannot be read, or is too large.
+        BenchFileError: it is something else, or damaged.
+    """
+    data = load(path, "bench tests", _LARGEST_FILE)
+    try:
+        return from_csv(data.decode("utf-8"))
+    except UnicodeDecodeError as error:
+        raise BenchFileError("it is not a text file") from error
 
 
 def to_csv(run: Run) -> str:
@@ -73,8 +90,6 @@ def from_csv(text: str) -> Run:
     Raises:
         BenchFileError: the text is something else, or damaged.
     """
-    if len(text) > MAX_LENGTH:
-        raise BenchFileError("the file is too large")
     lines = text.removeprefix("\ufeff").splitlines()
     if not lines or lines[0].strip() != _TITLE:
         raise BenchFileError(f"line 1: a bench test begins with {_TITLE!r}")

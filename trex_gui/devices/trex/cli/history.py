@@ -8,6 +8,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
+from trex_gui.core.files import load
 from trex_gui.devices.trex.cli.common import link_options
 from trex_gui.devices.trex.cli.files import read_file
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
@@ -78,7 +79,7 @@ def show(which: str, as_json: bool) -> None:
     settings = read_file(str(path))
     if not as_json:
         with refusals():
-            click.echo(path.read_bytes().decode("utf-8-sig"), nl=False)
+            click.echo(load(path).decode("utf-8-sig"), nl=False)
         return
     report = {
         "path": str(path),

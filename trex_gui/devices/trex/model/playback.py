@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject
@@ -15,7 +14,7 @@ from trex_gui.devices.trex.model.telemetry import Series, board_traces
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
-from trex_gui.devices.trex.recording import FORMAT, BoardSnapshot, Header, Record
+from trex_gui.devices.trex.recording import BoardSnapshot, Header, Record
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
@@ -42,17 +41,6 @@ class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
         curves = Curves(len(Series), rows_of, max_rows, MAX_GAP)
         super().__init__(recording, BoardSnapshot(header.mode, header.settings), curves, parent)
         self._limits = limits_in(header.settings)
-
-    @classmethod
-    def open(cls, path: Path, parent: QObject | None = None) -> "Playback":
-        """Open a recording and start loading it.
-
-        Raises:
-            RecordingError: the file cannot be opened.
-        """
-        playback = cls(Recording(path, FORMAT), parent)
-        playback.start_loading()
-        return playback
 
     def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
         return Traces(board_traces(), history, events, self._limits)

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import platformdirs
 
-from trex_gui.core.files import SettingsError, load, open_regular, save, save_new
+from trex_gui.core.files import SettingsError, load, open_ordinary, save, save_new
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
@@ -135,7 +135,7 @@ class SettingsHistory:
     def bound(self) -> Bound:
         path = self.folder / BOUND_FILE
         try:
-            with open_regular(path) as file:
+            with open_ordinary(path) as file:
                 data = file.read(_LARGEST_BOUND_FILE + 1)
         except FileNotFoundError:
             return Bound(None, _no_bound(path, "is missing")) if path.is_symlink() else Bound()
@@ -233,7 +233,7 @@ def _no_bound(path: Path, why: str) -> str:
 def _look_at(path: Path, taken: datetime) -> Snapshot:
     problem = ""
     try:
-        with open_regular(path) as file:
+        with open_ordinary(path) as file:
             lines = _text_of(file.read(_HEAD_BYTES)).split("\n")
         head = [line.rstrip("\r") for line in lines[:_HEAD_LINES]] if lines != [""] else []
     except OSError as error:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.files import open_regular
+from trex_gui.core.files import open_ordinary
 from trex_gui.core.simulator.timeline import EPSILON
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
@@ -58,7 +58,7 @@ class Eeprom:
         """Return the EEPROM in a file, which is created if missing; EepromError if damaged."""
         eeprom = cls(model, path=path)
         try:
-            with open_regular(path) as file:
+            with open_ordinary(path) as file:
                 text = file.read().decode("utf-8")
         except FileNotFoundError:
             eeprom.save()

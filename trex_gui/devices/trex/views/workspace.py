@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.recording.store import Recording
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.controller import TrexController
@@ -17,6 +18,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.recorder import Recorder
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.recording import FORMAT, Header, Record
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
@@ -59,12 +61,14 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         super().__init__(Recorder(device), texts, device.notifier, window, store="recording")
         self._device = device
 
-    def open_window(self, path: Path) -> "PlaybackWindow":
-        playback = Playback.open(path)
+    def open_recording(self, path: Path) -> Recording[Header, Record]:
+        return Recording(path, FORMAT)
+
+    def make_window(self, recording: Recording[Header, Record]) -> "PlaybackWindow":
         # The plotting library takes as long to load as all of Qt: not before it is needed.
         from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
 
-        window = PlaybackWindow(playback, self._device)
+        window = PlaybackWindow(Playback(recording), self._device)
         window.settings_wanted.connect(self.settings_wanted)
         return window
 

@@ -4,7 +4,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QPixmap, QShowEvent
+from PySide6.QtGui import QCloseEvent, QImage, QKeyEvent, QMouseEvent, QShowEvent
 from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from trex_gui.core.timing import FRAME_MS
@@ -216,8 +216,8 @@ class BenchDialog(QDialog):
             self._right.insertWidget(0, self._plot, 1)
         self._on_changed()
 
-    def _picture(self) -> QPixmap:
-        return QPixmap() if self._plot is None else self._plot.grab()
+    def _picture(self) -> QImage:
+        return QImage() if self._plot is None else self._plot.grab().toImage()
 
     # --- State --------------------------------------------------------------------------
 

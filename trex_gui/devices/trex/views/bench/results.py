@@ -1,11 +1,11 @@
 """Results of bench tests: their figures beside those of another test, and their files."""
 
-import io
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QPixmap
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFileDialog,
@@ -15,11 +15,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.files import open_regular
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import reason_of, save
 from trex_gui.devices.trex.bench.figures import BAND, Figures, figures
-from trex_gui.devices.trex.bench.files import MAX_LENGTH, BenchFileError, from_csv, to_csv
+from trex_gui.devices.trex.bench.files import load_run, to_csv
 from trex_gui.devices.trex.bench.run import Run
 from trex_gui.devices.trex.model.bench import Bench
+from trex_gui.ui.files import in_background, save_picture
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.behaviour import name_headers
 from trex_gui.ui.widgets.file_questions import last_folder, remember_folder
@@ -117,7 +119,7 @@ class BenchFiles(QObject):
 
     reported = Signal(str)  # the result, for the user
 
-    def __init__(self, bench: Bench, window: QWidget, picture: Callable[[], QPixmap]) -> None:
+    def __init__(self, bench: Bench, window: QWidget, picture: Callable[[], QImage]) -> None:
         """`picture` returns the plot as it is shown."""
         super().__init__(window)
         self._picture = picture
@@ -143,36 +145,32 @@ class BenchFiles(QObject):
 
     def save(self, run: Run, path: Path) -> None:
         """Write a test, or a picture if the name ends in .png; replaces an older file."""
-        reason = ""
-        try:
-            if path.suffix.lower() != ".png":
-                path.write_text(to_csv(run), encoding="utf-8", newline="")
-            else:
-                path.touch()  # for the reason of a failure, which Qt does not give
-                if not self._picture().save(str(path), "PNG"):
-                    reason = self.tr("The picture could not be written.")
-        except OSError as error:
-            reason = error.strerror or str(error)
-        if reason:
-            self.reported.emit(self.tr("{0} was not saved. {1}").format(path.name, reason))
+        if path.suffix.lower() == ".png":
+            work = partial(save_picture, path, self._picture())
         else:
-            remember_folder(path)
-            self.reported.emit(self.tr("Saved as {0}.").format(path.name))
+            work = partial(save, path, to_csv(run))
+        in_background(self, work, lambda _: self._on_saved(path), partial(self._on_not_saved, path))
+
+    def _on_saved(self, path: Path) -> None:
+        remember_folder(path)
+        self.reported.emit(self.tr("Saved as {0}.").format(path.name))
+
+    def _on_not_saved(self, path: Path, error: StudioError) -> None:
+        text = self.tr("{0} was not saved: {1}.")
+        self.reported.emit(text.format(path.name, reason_of(error)))
 
     def open(self, path: Path) -> None:
         """Read a test and add it to those that were run."""
-        try:
-            with open_regular(path) as data, io.TextIOWrapper(data, "utf-8") as file:
-                run = from_csv(file.read(MAX_LENGTH + 1))
-        except OSError as error:
-            reason = error.strerror or str(error)
-        except UnicodeDecodeError:
-            reason = self.tr("it is not a text file")
-        except BenchFileError as error:
-            reason = str(error)
-        else:
-            remember_folder(path)
-            self._bench.add_run(run)
-            self.reported.emit(self.tr("{0}: {1}.").format(path.name, run.title))
-            return
-        self.reported.emit(self.tr("{0} was not opened: {1}.").format(path.name, reason))
+        work = partial(load_run, path)
+        in_background(
+            self, work, partial(self._on_opened, path), partial(self._on_not_opened, path)
+        )
+
+    def _on_opened(self, path: Path, run: Run) -> None:
+        remember_folder(path)
+        self._bench.add_run(run)
+        self.reported.emit(self.tr("{0}: {1}.").format(path.name, run.title))
+
+    def _on_not_opened(self, path: Path, error: StudioError) -> None:
+        text = self.tr("{0} was not opened: {1}.")
+        self.reported.emit(text.format(path.name, reason_of(error)))

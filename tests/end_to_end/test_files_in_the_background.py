@@ -1,0 +1,92 @@
+"""Files are opened outside the window's thread, and only ordinary ones."""
+
+import os
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.devices.trex.recording.samples import an_hour, write
+from tests.support.program import trex
+from tests.support.window import WindowDriver
+
+pipes = pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
+
+
+@pytest.fixture
+def recording(tmp_path: Path) -> Path:
+    path = tmp_path / "a.trexrec"
+    write(path, list(an_hour(5)))
+    return path
+
+
+@pipes
+@pytest.mark.parametrize("suffix", [".trexrec", ".csv", ".txt", ".yaml", ".ppr"])
+def test_pipe_that_is_dropped_is_rejected(
+    window: WindowDriver, tmp_path: Path, suffix: str
+) -> None:
+    path = tmp_path / f"pipe{suffix}"
+    os.mkfifo(path)
+    window.drop(path)
+    window.wait_for_text("bannerText", "an ordinary file" if suffix != ".csv" else "CSV")
+
+
+@pipes
+@pytest.mark.parametrize("suffix", [".txt", ".ppr"])
+def test_pipe_named_at_the_start_is_rejected(
+    window: WindowDriver, tmp_path: Path, suffix: str
+) -> None:
+    path = tmp_path / f"pipe{suffix}"
+    os.mkfifo(path)
+    window.program.open_named(path, connecting=False)
+    window.wait_for_text("bannerText", "not an ordinary file")
+
+
+@pipes
+def test_pipe_as_the_log_of_a_recording_is_rejected(window: WindowDriver, recording: Path) -> None:
+    os.mkfifo(recording.with_name("a.trexrec-wal"))
+    window.drop(recording)
+    window.wait_for_text("bannerText", "not an ordinary file")
+
+
+def test_recording_is_opened_while_the_window_goes_on(
+    window: WindowDriver, recording: Path
+) -> None:
+    """In virtual time a thread has not begun before the test lets time pass."""
+    recordings = trex(window.program).workspace.recordings
+    recordings.open_file(recording)
+    recordings.open_file(recording)  # a second time: ignored
+    assert recordings.windows == []
+    window.open_page("motorsPage")
+    window.wait_for_files()
+    (opened,) = recordings.windows
+    opened.close()
+
+
+@pytest.mark.parametrize("meanwhile", ["vanishes", "window closes"])
+def test_recording_may_change_its_mind_while_it_is_opened(
+    window: WindowDriver, recording: Path, meanwhile: str
+) -> None:
+    recordings = trex(window.program).workspace.recordings
+    recordings.open_file(recording)
+    end: dict[str, Callable[[], object]] = {
+        "vanishes": recording.unlink,
+        "window closes": window.window.close,
+    }
+    end[meanwhile]()
+    window.wait_for_files()
+    assert recordings.windows == []
+    if meanwhile == "vanishes":
+        window.wait_for_text("bannerText", "No such file")
+
+
+def test_two_recordings_open_at_the_same_time(window: WindowDriver, recording: Path) -> None:
+    other = recording.with_name("b.trexrec")
+    shutil.copy(recording, other)
+    recordings = trex(window.program).workspace.recordings
+    for path in (recording, other):
+        recordings.open_file(path)
+    window.wait_for_files()
+    assert [each.player.path for each in recordings.windows] == [recording, other]
+    recordings.close_all()

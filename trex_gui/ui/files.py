@@ -1,0 +1,82 @@
+"""Reading and writing files beside the window's thread: a disk may be slow or hang."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Generic, TypeVar, cast
+
+from PySide6.QtCore import QBuffer, QObject, Qt, Slot
+from PySide6.QtGui import QImage, QImageWriter
+from shiboken6 import Shiboken
+
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import SettingsError, save
+from trex_gui.ui.runtime import now
+from trex_gui.ui.workers.file_worker import FileWorker
+
+ResultT = TypeVar("ResultT")
+
+background: set[FileWorker] = set()
+"""What `in_background` runs; the process must not exit normally before it has ended."""
+
+
+def wait_for_background(timeout_ms: int) -> bool:
+    """Wait for all work in the background together; return whether it ended in time."""
+    end = now() + timeout_ms / 1000
+    ended = [job.wait(max(0, round((end - now()) * 1000))) for job in tuple(background)]
+    return all(ended)
+
+
+class _Job(FileWorker, Generic[ResultT]):
+    """Work whose result goes to its owner, unless that is destroyed before."""
+
+    def __init__(
+        self,
+        owner: QObject,
+        work: Callable[[], ResultT],
+        then: Callable[[ResultT], object],
+        failed: Callable[[StudioError], object],
+    ) -> None:
+        super().__init__(lambda _progress: work())
+        self._owner = owner
+        self._then = then
+        self._failed = failed
+        self.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
+
+    @Slot()
+    def _on_finished(self) -> None:
+        self.wait()
+        background.discard(self)
+        self.deleteLater()
+        if not Shiboken.isValid(self._owner):
+            return
+        if self.outcome.error is not None:
+            self._failed(self.outcome.error)
+        else:
+            self._then(cast("ResultT", self.outcome.result))
+
+
+def in_background(
+    owner: QObject,
+    work: Callable[[], ResultT],
+    then: Callable[[ResultT], object],
+    failed: Callable[[StudioError], object],
+) -> None:
+    """Run work on files in a thread of its own, then `then` or `failed` in the GUI thread.
+
+    Neither is called once the owner is destroyed. A disk that hangs blocks nothing else.
+    """
+    job = _Job(owner, work, then, failed)
+    background.add(job)
+    job.start(FileWorker.Priority.LowPriority)
+
+
+def save_picture(path: Path, image: QImage) -> None:
+    """Write a picture in the format that its name ends in.
+
+    Raises:
+        SettingsError: it cannot be written; then the old file is still there.
+    """
+    kind, buffer = path.suffix.removeprefix("."), QBuffer()
+    if not QImageWriter(buffer, kind.encode()).write(image):
+        raise SettingsError.of(path, f"pictures cannot be written as {kind or 'this'}")
+    save(path, bytes(buffer.data().data()))
