@@ -249,9 +249,7 @@ class Guardian:
         """Repeat the stop until the board confirms it; return whether it did."""
         self._port.write(stop.packets)
         end = time.monotonic() + _GIVE_UP_S
-        quiet = time.monotonic() + stop.seconds
-        while self._port.receive(stop.seconds) and time.monotonic() < quiet:
-            pass  # the rest of a reply to the program
+        self._read_until_quiet(stop.seconds)  # a reply to the program: the board was deaf
         echo = len(stop.packets + stop.query) if stop.has_echo else 0
         clean = 0
         while clean < _CLEAN_ROUNDS and time.monotonic() < end and not self._is_called_off:
@@ -264,11 +262,19 @@ class Guardian:
         return clean == _CLEAN_ROUNDS
 
     def _read(self, size: int, seconds: float) -> bytes:
+        """Return `size` bytes, fewer if no more come in time, or more if the line goes on."""
         received = b""
         end = time.monotonic() + seconds
         while len(received) < size and (left := end - time.monotonic()) > 0:
             received += self._port.receive(left)
-        return received + self._port.receive(_QUIET_S)
+        return received + self._read_until_quiet(seconds)
+
+    def _read_until_quiet(self, seconds: float) -> bytes:
+        received = b""
+        latest = time.monotonic() + seconds
+        while (data := self._port.receive(_QUIET_S)) and time.monotonic() < latest:
+            received += data
+        return received + data
 
     def _reply(self, word: str) -> None:
         with suppress(OSError, ValueError):  # the program may be gone
