@@ -93,13 +93,15 @@ class SafetySupervisor(QObject):
         """Report an internal error even if there was nothing to stop.
 
         An error that is caused by the report itself comes again at once: it is not reported again,
-        or that would never end. Its stop has been sent.
+        or that would never end. Its stop has been sent; motors that were armed meanwhile are
+        disarmed, and that is reported.
         """
+        manager = self._program.device_manager
         is_again = reason == self._error and now() - self._error_at < _AGAIN_S
         self._error = reason
         self._error_at = now()
-        if not is_again:
-            self._program.device_manager.stop_because(reason, is_news=True)
+        if not is_again or manager.is_armed:
+            manager.stop_because(reason, is_news=True)
 
     @Slot(int)
     def _on_signal(self, _number: int) -> None:

@@ -85,6 +85,24 @@ def test_window_shows_stop_reason_and_can_arm_again(
     drive(window, quick_simulator)
 
 
+def test_same_error_again_disarms_motors_that_were_armed_meanwhile(
+    connected_window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
+) -> None:
+    window = connected_window
+    drive(window, quick_simulator)
+    causes.make_a_mistake()
+    wait_for_banner(window, causes, stopped(MISTAKEN))
+    window.motors.arm()
+    assert window.motors.armed
+    causes.make_a_mistake()  # within a second
+    window.wait(lambda: not window.motors.armed)
+    reports = len(causes.reports)
+    causes.make_a_mistake()
+    window.wait(lambda: len(causes.mistakes) == 3)
+    window.wait(lambda: not window.device.may_move)
+    assert len(causes.reports) <= reports + 1, "the outcome of the stop only"
+
+
 def test_stop_stays_unconfirmed_while_board_does_not_reply(
     connected_window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:

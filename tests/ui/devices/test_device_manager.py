@@ -138,6 +138,40 @@ def test_last_chosen_port_is_connected(
     assert second.done == ["with 9600 8N1", "connect c"]
 
 
+def test_another_kind_is_used_once_the_current_one_is_disconnected(
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
+) -> None:
+    used: list[str] = []
+
+    def note() -> None:
+        used.append(board.current.plugin.key)
+
+    first, second = devices
+    board.connect_to(port("a", "first"))
+    assert not board.switch_to("second", note), "a connected device is not disconnected for it"
+    assert (used, first.link) == ([], ConnectionState.CONNECTED)
+    board.leave()
+    assert board.switch_to("second", note)
+    assert used == []
+    first.become(ConnectionState.DISCONNECTED)
+    assert used == ["second"]
+    assert board.switch_to("first", note)
+    assert board.switch_to("first", note)
+    assert used == ["second", "first", "first"]
+    assert second.link is ConnectionState.DISCONNECTED
+
+
+def test_connection_that_waits_is_not_replaced_by_a_file(
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
+) -> None:
+    first, second = devices
+    board.connect_to(port("a", "first"))
+    board.connect_to(port("b", "second"))
+    assert not board.switch_to("second", lambda: None)
+    first.become(ConnectionState.DISCONNECTED)
+    assert second.done == ["connect b"]
+
+
 def test_stop_reaches_every_device(
     board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:

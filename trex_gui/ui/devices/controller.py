@@ -178,6 +178,11 @@ class DeviceController(QObject, Generic[SettingsT]):
         return False
 
     @property
+    def is_armed(self) -> bool:
+        """Whether setpoints are sent."""
+        return False
+
+    @property
     def may_move(self) -> bool:
         """Whether motors were driven without a confirmed stop since."""
         return False

@@ -53,17 +53,23 @@ class DeviceManager(QObject):
         controller = self._controllers[port.device]
         self._switch_to(controller, lambda: controller.connect_with(port, settings))
 
-    def switch_to(self, device: str) -> bool:
-        """Use another kind of device, without connecting to one.
+    def switch_to(self, device: str, then: Callable[[], object]) -> bool:
+        """Use another kind of device, without connecting to one; then call `then`.
 
-        Return whether it is in use: a connected device is not disconnected for it.
+        A device that is disconnecting is waited for. Return whether `then` was or will be called:
+        a connected device is not disconnected for it.
         """
         controller = self._controllers[device]
-        if controller is not self.current and self.is_idle:
-            self._switch_to(controller, lambda: None)
-        return controller is self.current
+        if controller is self.current:
+            then()
+            return True
+        is_leaving = self.current.link is ConnectionState.DISCONNECTING and self._next is None
+        is_possible = self.is_idle or is_leaving
+        if is_possible:
+            self._switch_to(controller, then)
+        return is_possible
 
-    def _switch_to(self, controller: Controller, then: Callable[[], None]) -> None:
+    def _switch_to(self, controller: Controller, then: Callable[[], object]) -> None:
         self._next = None
         if controller is not self.current:
             self.current.leave()  # an idle one may be waiting for a scan to end
@@ -107,6 +113,10 @@ class DeviceManager(QObject):
         return "\n".join(
             filter(None, (controller.unconfirmed_stop for controller in self._controllers.values()))
         )
+
+    @property
+    def is_armed(self) -> bool:
+        return any(controller.is_armed for controller in self._controllers.values())
 
     @property
     def may_move(self) -> bool:

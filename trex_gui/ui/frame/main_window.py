@@ -198,9 +198,7 @@ class MainWindow(QMainWindow):
         kinds = [(space.key, kind) for space in self._workspaces for kind in space.file_kinds]
         for key, kind in kinds:
             if path.suffix.lower() in kind.suffixes:
-                if self._manager.switch_to(key):
-                    kind.open(path)
-                else:
+                if not self._manager.switch_to(key, partial(kind.open, path)):
                     text = self.tr(
                         "{0} is {1}. It was not opened, because this window is connected to {2}: "
                         "disconnect, then drop the file again."

@@ -13,6 +13,7 @@ from trex_gui.devices.trex.model.demo import DemoBoard
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.framing import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -121,6 +122,10 @@ class TrexController(DeviceController[ConnectionSettings]):
         return self.device.applying
 
     @property
+    def is_armed(self) -> bool:
+        return self.device.motors.armed
+
+    @property
     def may_move(self) -> bool:
         return self.device.may_move
 
@@ -172,7 +177,6 @@ class AutomaticStop(QObject):
         self._device = device
         self._report = report
         self._newest = 0
-        self._awaited = ""  # the reason of a stop that nothing is known of yet
         self._unconfirmed = ""  # the reason of a stop that may still be confirmed
         device.link_changed.connect(self._on_link_changed)
         device.motors.arming_changed.connect(self._on_arming_changed)
@@ -187,7 +191,7 @@ class AutomaticStop(QObject):
         self._newest += 1
         if self._device.link is ConnectionState.DISCONNECTED:
             return self._out_of_reach(reason) if self._device.may_move else ""
-        number, self._awaited = self._newest, reason
+        number = self._newest
         self._device.driving.stop(
             lambda error: self._on_stopped(number, reason, error), reason=f"{reason}."
         )
@@ -196,9 +200,12 @@ class AutomaticStop(QObject):
     def _on_stopped(self, number: int, reason: str, error: StudioError | None) -> None:
         if number != self._newest:
             return
-        self._awaited = ""
         if error is None:
             self._report(self._confirmed(reason))
+            return
+        if isinstance(error, TrexError) and error.code is ErrorCode.CLOSED:
+            is_closed = self.tr("{0}. The line is closed.").format(reason)
+            self._report(self._out_of_reach(reason) if self._device.may_move else is_closed)
             return
         if self._device.may_move:
             self._unconfirmed = reason
@@ -209,14 +216,10 @@ class AutomaticStop(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        """Report a late confirmation, or that the line was closed before the outcome came."""
+        """Report a late confirmation."""
         link, may_move = self._device.link, self._device.may_move
         if link is ConnectionState.DISCONNECTED:
-            reason, self._awaited, self._unconfirmed = self._awaited, "", ""
-            if reason and may_move:
-                self._report(self._out_of_reach(reason))
-            elif reason:
-                self._report(self.tr("{0}. The line is closed.").format(reason))
+            self._unconfirmed = ""
         elif self._unconfirmed and link is ConnectionState.CONNECTED and not may_move:
             reason, self._unconfirmed = self._unconfirmed, ""
             self._report(self._confirmed(reason))

@@ -1,6 +1,6 @@
 """Setpoints and stops on their way to the line, and their confirmation."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
@@ -23,6 +23,7 @@ from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.ui.devices.connection import ConnectionState
@@ -66,7 +67,8 @@ class DriveController(QObject):
         self._is_identified = False  # `_board` was read since the line was opened or quiet
         self._lost: list[Connected] = []  # boards that were driven before another one answered
         self._is_loss_reported = True
-        self._after_stop: list[AfterStop] = []
+        self._after_stop: list[AfterStop] = []  # for the next stop
+        self._unanswered: list[AfterStop] = []  # for stops without an outcome yet
         self._heartbeat = new_timer(self, round(HEARTBEAT_INTERVAL * 1000), self._on_heartbeat_due)
         self._unsent = new_timer(self, 0, self._on_stop_not_sent, single_shot=True)
 
@@ -97,10 +99,7 @@ class DriveController(QObject):
             self._motors.set_available(allowed)
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
-        """Stop everything and disarm; `then` is called once with the confirmation or its error.
-
-        If the connection ends before that, `then` is not called.
-        """
+        """Stop everything and disarm; `then` is called once with the confirmation or its error."""
         self._after_stop.append(then)
         self._motors.stop(reason)
 
@@ -128,20 +127,25 @@ class DriveController(QObject):
     @Slot()
     def _on_stop_requested(self) -> None:
         waiting, self._after_stop = self._after_stop, []
+        self._unanswered += waiting
 
         def report(outcome: Outcome) -> None:
             self._unsent.stop()
             self._on_stopped(outcome)
-            for then in waiting:
-                then(outcome.error)
+            self._answer(waiting, outcome.error)
 
         lockout = self._motors.locked_for
         if not self._connection.request(lambda number: Stop(number, lockout), report):
-            for then in waiting:
-                then(NoReply(self.tr("No board is connected.")))
+            self._answer(waiting, NoReply(self.tr("No board is connected.")))
         elif self.may_move and self._connection.settings is not None:
             self._unsent.setInterval(round(1000 * self._connection.settings.timeouts.guardian))
             self._unsent.start()
+
+    def _answer(self, waiting: Sequence[AfterStop], error: StudioError | None) -> None:
+        for then in waiting:
+            if then in self._unanswered:
+                self._unanswered.remove(then)
+                then(error)
 
     @Slot()
     def _on_stop_not_sent(self) -> None:
@@ -252,7 +256,10 @@ class DriveController(QObject):
             self.may_move = last.may_move or (self.may_move and not self._is_identified)
             if last.may_move and self._lost_with is None:
                 self._lost_with = self._connection.settings
+            self._unsent.stop()
         self._motors.set_available(False)
+        unanswered, error = [*self._unanswered], None if last is None else last.error
+        self._answer(unanswered, error or TrexError(ErrorCode.CLOSED))
 
     @Slot()
     def _report_lost(self) -> None:

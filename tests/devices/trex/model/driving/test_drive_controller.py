@@ -93,6 +93,15 @@ def test_stop_from_another_thread_drops_later_setpoints(
     qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 40, timeout=20_000)
 
 
+def test_stop_without_an_outcome_is_answered_when_the_line_ends(driven: Device) -> None:
+    answers: list[StudioError | None] = []
+    driven.driving.stop(answers.append)
+    assert driven.shut_down()
+    assert [str(answer) for answer in answers] == [
+        "The connection was closed before this was done."
+    ]
+
+
 def test_restarted_board_disarms_the_motors(
     driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
