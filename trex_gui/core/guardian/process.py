@@ -24,7 +24,6 @@ import threading
 import time
 from collections.abc import Generator
 from contextlib import suppress
-from dataclasses import dataclass
 from io import FileIO
 from typing import Protocol
 
@@ -157,26 +156,15 @@ def open_port(kind: str, number: int) -> Port:
     return FilePort(number)
 
 
-@dataclass(frozen=True)
 class Stop:
-    packets: bytes
-    query: bytes
-    reply_size: int
-    error_mask: int
-    has_echo: bool
-    seconds: float
+    """What `watch` says; see `StopSequence`."""
 
-    @classmethod
-    def parse(cls, fields: list[str]) -> "Stop":
+    def __init__(self, fields: list[str]) -> None:
         packets, query, size, mask, echo, seconds = fields
-        return cls(
-            bytes.fromhex(packets),
-            bytes.fromhex(query),
-            int(size),
-            int(mask),
-            echo == "1",
-            float(seconds),
-        )
+        self.packets, self.query = bytes.fromhex(packets), bytes.fromhex(query)
+        self.reply_size, self.error_mask = int(size), int(mask)
+        self.has_echo = echo == "1"
+        self.seconds = float(seconds)
 
 
 class Guardian:
@@ -224,7 +212,7 @@ class Guardian:
                 case None if stop is not None:
                     return stop, "The program did not respond"
                 case ["watch", *fields]:
-                    stop = Stop.parse(fields)
+                    stop = Stop(fields)
                 case ["idle"]:
                     stop = None
                 case ["stop"] if stop is not None:
