@@ -7,11 +7,12 @@ follows only if nothing was found before:
    listen for these 0.3 s anyway;
 2. the likely probes of each kind, in the given order, the most common kind first: most boards
    respond within two seconds, and no kind waits for the long scan of another;
-3. the other probes of each kind, in the same order: half a minute, for few boards.
+3. the other probes of each kind, in the same order: half a minute, for few boards;
+4. the likely probes again, of a kind whose only reply may have been lost.
 
-A kind that the port is known to have goes first in 2 and in 3. The probes of a kind move no device
-of any other, in whatever order: tests/devices/aracna/session/test_searching_for_both.py checks all
-of them.
+A kind that the port is known to have goes first in 2 to 4. The probes of a kind move no device of
+any other, in whatever order: tests/devices/aracna/session/test_scan_for_both_devices.py checks
+all of them.
 """
 
 import contextlib

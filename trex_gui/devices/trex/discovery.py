@@ -23,7 +23,7 @@ from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import agreed
+from trex_gui.devices.trex.client.reading import agreed, read_signature
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, crc7
@@ -78,6 +78,7 @@ class ReplyKind(Enum):
     STRANGE = auto()
     SEVERAL = auto()
     BOARD = auto()
+    BOARD_WITHOUT_CRC = auto()  # it ignores the checksum of the probe
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,17 +105,30 @@ def send_probe(wire: Transport, attempt: Attempt, extra: float = 0.0) -> ProbeRe
     reply = received.removeprefix(attempt.data)
     if not reply:
         return ProbeReply(ReplyKind.NOTHING, echo=echo)
+    if _is_signature(reply):
+        kind = ReplyKind.BOARD_WITHOUT_CRC if attempt.polynomials else ReplyKind.BOARD
+    elif attempt.polynomials and _is_signature(reply[:-1]):
+        kind = ReplyKind.BOARD
+    else:
+        kind = ReplyKind.SEVERAL if reply.startswith(_NAME) else ReplyKind.STRANGE
+    return ProbeReply(kind, reply, echo)
+
+
+def _is_signature(data: bytes) -> bool:
     try:
-        GetSignature().parse(reply[:-1] if attempt.polynomials else reply)
+        GetSignature().parse(data)
     except BadReply:
-        several = reply.startswith(_NAME)
-        return ProbeReply(ReplyKind.SEVERAL if several else ReplyKind.STRANGE, reply, echo)
-    return ProbeReply(ReplyKind.BOARD, reply, echo)
+        return False
+    return True
 
 
 # --- The scan of a line -----------------------------------------------------------------
 
 _LIKELY = (19200, 115200, 9600, 38400, 57600)
+
+_LAST_PROBES = 5
+"""How often the default settings are probed after everything else, the other likely ones once: a
+line may have swallowed a reply, or several. On a silent line that takes two seconds more."""
 
 _NUMBERS = 128
 
@@ -192,11 +206,13 @@ class TrexProber:
         self._skipped: list[LineSettings] = []  # not supported by the port
         self._is_fixed = False  # the rate is set at the other end, so only one probe was possible
         plan = list(attempts(full=full))
-        self._plans = (plan[: len(_LIKELY)], plan[len(_LIKELY) :])
+        likely = plan[: len(_LIKELY)]
+        again = likely + likely[:1] * (_LAST_PROBES - 1)
+        self._plans = (likely, plan[len(_LIKELY) :], again)
 
     @property
     def parts(self) -> tuple[int, ...]:
-        """The likely rates, then everything else."""
+        """The likely rates, then everything else, then the likely ones again."""
         return tuple(len(plan) for plan in self._plans)
 
     @property
@@ -239,13 +255,20 @@ class TrexProber:
             return
         reply = send_probe(wire, attempt, self._settings.timeouts.extra)
         self._echo = self._echo or reply.echo
-        found = self._confirm(wire, attempt) if reply.kind is ReplyKind.BOARD else None
+        if reply.kind is ReplyKind.BOARD_WITHOUT_CRC:
+            # Its reply to the probe without a checksum was lost.
+            attempt = Attempt(replace(attempt.line, detection=Detection.NONE))
+        is_board = reply.kind in {ReplyKind.BOARD, ReplyKind.BOARD_WITHOUT_CRC}
+        found = self._confirm(wire, attempt) if is_board else None
         if found is not None:
             self.found.append(found)
         elif reply.kind is ReplyKind.SEVERAL:
             self._several = attempt.line
-        elif reply.kind in {ReplyKind.STRANGE, ReplyKind.BOARD}:
+        elif reply.kind is not ReplyKind.NOTHING and not self._has_noted(attempt.line):
             self._strange.append((attempt.line, reply.data))
+
+    def _has_noted(self, line: LineSettings) -> bool:
+        return any(noted == line for noted, _ in self._strange)
 
     def _confirm(self, wire: Transport, attempt: Attempt) -> FoundBoard | None:
         """Read more from a board that responded; its line settings are known now."""
@@ -253,7 +276,7 @@ class TrexProber:
             settings = self._settings_at(attempt.line, polynomial, None)
             client = TrexClient(wire, settings, echo=self._echo)
             try:
-                signature = agreed(client.request, GetSignature(), has_crc=client.has_crc)
+                signature = read_signature(client.request, has_crc=client.has_crc)
                 number, stored = (
                     agreed(
                         client.request,

@@ -95,9 +95,9 @@ def test_progress_names_probed_device() -> None:
     stage.do("power off")
     steps: list[ScanProgress] = []
     scan_port(VIRTUAL, PROBERS, progress=steps.append, open_wire=lambda _settings: stage.transport)
-    assert [step.kind for step in steps] == ["TReX"] * 5 + ["Aracna"] * 5 + ["TReX"] * 83
-    assert [step.done for step in steps] == list(range(93))
-    assert {step.total for step in steps} == {93}
+    assert [step.kind for step in steps] == ["TReX"] * 5 + ["Aracna"] * 5 + ["TReX"] * 92
+    assert [step.done for step in steps] == list(range(102))
+    assert {step.total for step in steps} == {102}
 
 
 # --- Messages if nothing was found ------------------------------------------------------------

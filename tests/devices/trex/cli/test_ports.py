@@ -92,3 +92,25 @@ def test_find_rejects_missing_port(trexcmd: RunCommand) -> None:
     result = trexcmd("find", "--port", "/dev/ttyNOTHERE")
     assert result.exit_code == 1
     assert "There is no port" in result.stderr
+
+
+# --- A line that swallows bytes ---------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("status",),
+        ("get", "serial_timeout"),
+        ("set", "serial_timeout", "5"),
+        ("get-settings", "-"),
+        ("find",),
+    ],
+    ids=lambda words: words[0],
+)
+def test_command_succeeds_on_line_that_swallows_bytes(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, words: tuple[str, ...]
+) -> None:
+    quick_simulator.do("line drop 40")
+    result = trexcmd(*words)
+    assert result.exit_code == 0, result.stderr

@@ -38,6 +38,9 @@ BOARDS = [
 ONE_STOP_BIT = [settings for settings in BOARDS if settings.stop_bits == 1]
 """What a board hears of lone bytes does not hang on how long it may rest behind them."""
 
+LIKELY_AGAIN = 9
+"""Probes that end the search: the five likely ones, and the default four times more."""
+
 
 class Wire(VirtualTransport):
     """A simulated wire whose host can change its settings."""
@@ -350,8 +353,9 @@ def test_flush_byte_precedes_each_probe() -> None:
     wire.line.faults.mute = True
     search(wire)
     assert bytes(wire.sent).startswith(FLUSH_BYTE + b"\x81" + FLUSH_BYTE + b"\x81")
-    assert wire.sent.count(FLUSH_BYTE) == len(BOARDS) + 1  # one before the port is closed
-    assert wire.tuned[0:-1:2] == [FLUSH_LINE] * (len(BOARDS) + 1)
+    probes = len(BOARDS) + LIKELY_AGAIN
+    assert wire.sent.count(FLUSH_BYTE) == probes + 1  # one before the port is closed
+    assert wire.tuned[0:-1:2] == [FLUSH_LINE] * (probes + 1)
 
 
 def test_search_leaves_port_at_default_line_settings() -> None:
@@ -359,6 +363,34 @@ def test_search_leaves_port_at_default_line_settings() -> None:
     wire.line.faults.mute = True
     search(wire)
     assert wire.tuned[-1] == SerialFormat()
+
+
+# --- A line that swallows bytes ---------------------------------------------------------
+
+
+@pytest.mark.parametrize("fault", ["to_drop", "to_drop_sent"])
+@pytest.mark.parametrize("count", [1, 7, 40])
+def test_board_is_found_on_line_that_swallows_bytes(fault: str, count: int) -> None:
+    wire = wire_of(a_board(9))
+    setattr(wire.line.faults, fault, count)
+    found = only(search(wire))
+    assert found.settings.line == LineSettings()
+    assert found.device_number == 9
+
+
+@pytest.mark.parametrize("baud", [115200, 9600])
+def test_likely_rate_is_probed_again_at_the_end(baud: int) -> None:
+    wire = wire_of(a_board(settings=LineSettings(baud).to_wire()))
+    wire.line.faults.to_drop = 14  # the replies to the probes with and without a checksum
+    assert only(search(wire)).settings.line.baud == baud
+
+
+def test_second_look_at_silent_line_takes_a_tenth_of_the_search() -> None:
+    wire = wire_of(a_board())
+    wire.line.faults.mute = True
+    began: list[float] = []
+    search(wire, progress=lambda _: began.append(wire.clock()))
+    assert began[-1] - began[len(BOARDS)] < 0.1 * (began[len(BOARDS)] - began[0])
 
 
 # --- What it tells ----------------------------------------------------------------------
@@ -369,7 +401,7 @@ def test_progress_names_next_probe() -> None:
     wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
     search(wire, progress=steps.append)
     assert [(step.done, step.line.baud) for step in steps] == [(0, 19200), (1, 115200), (2, 9600)]
-    assert {step.total for step in steps} == {88}
+    assert {step.total for step in steps} == {len(BOARDS) + LIKELY_AGAIN}
 
 
 def test_search_can_be_cancelled() -> None:

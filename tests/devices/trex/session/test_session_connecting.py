@@ -3,6 +3,7 @@
 import pytest
 
 from tests.devices.trex.session.helpers import among, moving, outcomes, run_for, staged
+from tests.support.matrix import sampled
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.core.session import Closed, Progress
@@ -144,7 +145,7 @@ def test_missing_board_is_reported_quickly(stage: Stage) -> None:
     stage.board.power_off()
     stage.transport.latency = 0.06
     end(stage)
-    assert stage.line.now < 0.5
+    assert stage.line.now < 1.0
 
 
 def test_device_number_is_named_as_possible_cause(stage: Stage) -> None:
@@ -193,6 +194,33 @@ def test_unknown_device_is_reported(stage: Stage) -> None:
     assert isinstance(error, BadReply)
     for words in ("not as a TReX does", "baud rate", "another device"):
         assert words in str(error)
+
+
+# --- A line that swallows bytes ---------------------------------------------------------
+
+
+@pytest.mark.parametrize("echo", [False, True])
+@pytest.mark.parametrize("count", [1, 7, 20, 40])
+def test_session_connects_on_line_that_swallows_bytes(
+    board: Board, count: int, *, echo: bool
+) -> None:
+    stage = Stage(board, echo=echo)
+    stage.line.faults.to_drop = count
+    run_for(stage, 5.0)
+    report = connected(stage)
+    assert report.echo is echo
+    assert report.state.parameters == board.memory.stored()
+    assert report.state.unread == {}
+
+
+@pytest.mark.parametrize("moment", sampled([number / 200 for number in range(30)], every=3))
+def test_bytes_swallowed_while_reading_cost_no_connection(stage: Stage, moment: float) -> None:
+    stage.script.at(moment, lambda: setattr(stage.line.faults, "to_drop", 40))
+    run_for(stage, 5.0)
+    report = connected(stage)
+    assert report.state.parameters == stage.board.memory.stored()
+    assert report.state.unread == {}
+    assert stage.line.faults.to_drop == 0
 
 
 def test_power_loss_while_reading_is_reported(stage: Stage) -> None:

@@ -14,7 +14,7 @@ from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient, diagnose
-from trex_gui.devices.trex.client.reading import agreed
+from trex_gui.devices.trex.client.reading import agreed, read_signature
 from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -186,7 +186,12 @@ def _begun(transport: Transport, settings: ConnectionSettings) -> Iterator[TrexC
 def identify(client: TrexClient) -> Signature:
     """Return which board replies; NoReply and BadReply say what to check."""
     try:
-        return agreed(client.request, GetSignature(), has_crc=client.has_crc)
+        try:
+            return read_signature(client.request, has_crc=client.has_crc)
+        except BadReply:
+            # A line that was just opened may have swallowed the echo that was waited for.
+            client.detect_echo()
+            return read_signature(client.request, has_crc=client.has_crc)
     except (NoReply, BadReply) as error:
         raise diagnose(client.settings, echo=client.echo, error=error) from error
 

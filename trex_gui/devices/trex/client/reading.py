@@ -37,6 +37,10 @@ Progress = Callable[[int, int, str], None]
 
 ATTEMPTS = 3  # how often a transaction is tried on a line that corrupts bytes
 
+CONNECTING_ATTEMPTS = 7
+"""How often the first one is tried: a line that was just opened may swallow some replies. On a
+silent local line the last four take half a second."""
+
 _DISAGREEMENTS = 3
 """How often a reading may differ from the one before it; then the value counts as unknown."""
 
@@ -99,14 +103,16 @@ def _differ(one: Mapping[KeyT, object], other: Mapping[KeyT, object]) -> bool:
     return any(one[key] != other[key] for key in one.keys() & other.keys())
 
 
-def query(request: Requester, command: Command[ReplyT_co]) -> ReplyT_co:
-    """Run a transaction that changes nothing, up to three times on a line that corrupts bytes.
+def query(
+    request: Requester, command: Command[ReplyT_co], *, attempts: int = ATTEMPTS
+) -> ReplyT_co:
+    """Run a transaction that changes nothing, several times on a line that corrupts bytes.
 
     Raises:
-        NoReply, BadReply: three times in a row.
+        NoReply, BadReply: each time.
         PortUnavailable: the line is gone.
     """
-    for _ in range(ATTEMPTS - 1):
+    for _ in range(attempts - 1):
         try:
             return request(command)
         except (NoReply, BadReply):
@@ -144,6 +150,12 @@ def agreed(
     raise TrexBadReplyError(ErrorCode.READINGS_DIFFER, packet.hex(" ").upper())
 
 
+def read_signature(request: Requester, *, has_crc: bool = False) -> Signature:
+    """Return which board responds; NoReply, BadReply and PortUnavailable as for `agreed`."""
+    signature = query(request, GetSignature(), attempts=CONNECTING_ATTEMPTS)
+    return agreed(request, GetSignature(), has_crc=has_crc, earlier=signature)
+
+
 def read_everything(
     request: Requester,
     progress: Progress = lambda _done, _total, _what: None,
@@ -153,7 +165,7 @@ def read_everything(
     """Read signature, mode, every parameter and the calibrations that the mode shows.
 
     Without a CRC everything is read in two passes: what corrupts bytes often lasts for more than
-    one transaction.
+    one transaction. A board that falls silent meanwhile is read once more.
 
     Raises:
         NoReply, BadReply: the board does not answer, or is no TReX, or a value was not `agreed`.
@@ -162,18 +174,28 @@ def read_everything(
     readings: dict[Command[Any], Any] = {}
 
     def read(command: Command[ReplyT_co]) -> ReplyT_co:
-        readings[command] = reply = query(request, command)
+        attempts = ATTEMPTS if readings else CONNECTING_ATTEMPTS
+        readings[command] = reply = query(request, command, attempts=attempts)
         return reply
 
     def read_again(command: Command[ReplyT_co]) -> ReplyT_co:
         earlier: ReplyT_co | None = readings.get(command)
         return agreed(request, command, earlier=earlier)
 
-    progress(0, 1, "signature")
-    passes: list[Requester] = [read] if has_crc else [read, read_again]
-    for number, requester in enumerate(passes):
-        state = _read_pass(requester, progress, number, len(passes))
-    return state
+    def read_passes() -> DeviceState:
+        progress(0, 1, "signature")
+        passes: list[Requester] = [read] if has_crc else [read, read_again]
+        for number, requester in enumerate(passes):
+            state = _read_pass(requester, progress, number, len(passes))
+        return state
+
+    try:
+        return read_passes()
+    except NoReply:
+        if not readings:
+            raise
+        readings.clear()
+        return read_passes()
 
 
 def _read_pass(read: Requester, progress: Progress, number: int, passes: int) -> DeviceState:

@@ -145,13 +145,19 @@ class TrexSession:
         self._driver = MotorDriver(
             self._motors, client, self._status, self._batcher.extend, self._is_closing
         )
-        echo = False
         try:
-            echo = client.detect_echo(self._stop_early)
-            self._stop_if_moving()
-            self._read_everything(ReadReason.OPENED)
+            try:
+                self._begin(client)
+            except BadReply:
+                # A line that was just opened may have swallowed the echo that was waited for.
+                self._begin(client)
         except (NoReply, BadReply) as error:
-            raise diagnose(self._settings, echo=echo, error=error) from error
+            raise diagnose(self._settings, echo=client.echo, error=error) from error
+
+    def _begin(self, client: TrexClient) -> None:
+        client.detect_echo(self._stop_early)
+        self._stop_if_moving()
+        self._read_everything(ReadReason.OPENED)
 
     def _stop_sequence(self) -> StopSequence | None:
         moving = self._client is not None and (self._motors.may_move or self._motors.is_armed)
