@@ -1,0 +1,119 @@
+"""What a session tells its guardian, and what it leaves to it."""
+
+from dataclasses import replace
+
+import pytest
+
+from tests.devices.trex.session.helpers import among, commands, outcomes, run_for, seen_at, staged
+from tests.support.guardian import VirtualGuardian
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.session import Closed
+from trex_gui.devices.trex.driving.requests import Arm, SetMotor, Stop
+from trex_gui.devices.trex.protocol.commands import STOP, DriveMotor, GetStatus
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.line_settings import Detection
+from trex_gui.devices.trex.session.messages import (
+    Connected,
+    GuardianChanged,
+    NotResponding,
+    RunCommand,
+    Write,
+)
+
+SETPOINT = SetMotor(1, Drive.at(60))
+
+
+def test_guardian_is_ready_before_the_board_counts_as_connected() -> None:
+    stage, settings = staged()
+    reports = run_for(stage, 0.5, settings)
+    kinds = [type(report) for report in reports]
+    assert reports[kinds.index(GuardianChanged)] == GuardianChanged(is_ready=True)
+    assert kinds.index(GuardianChanged) < kinds.index(Connected)
+
+
+@pytest.mark.parametrize("cause", [Arm(), SETPOINT, RunCommand(1, DriveMotor(1, Drive.at(60)))])
+def test_guardian_watches_from_before_a_motor_may_move(cause: Arm | SetMotor | RunCommand) -> None:
+    stage, settings = staged()
+    before = seen_at(stage, 0.5, lambda: list(stage.transport.guardian.watched))
+    stage.script.at(0.5, cause)
+    after = seen_at(stage, 0.6, lambda: list(stage.transport.guardian.watched))
+    run_for(stage, 0.7, settings)
+    assert before == [[]]
+    assert after[0]
+    assert None not in after[0]
+
+
+@pytest.mark.parametrize("detection", [Detection.NONE, Detection.CRC7])
+@pytest.mark.parametrize("model", ["trex", "trexjr"])
+def test_guardian_knows_the_stop_in_force(model: str, detection: Detection) -> None:
+    stage, settings = staged(detection=detection, model=model)
+    stage.script.at(0.5, Arm())
+    run_for(stage, 0.7, settings)
+    sequence = stage.transport.guardian.watched[0]
+    assert sequence is not None
+    framing = settings.framing
+    assert sequence.packets == b"".join(map(framing.encode, STOP))
+    assert commands(sequence.packets, framing.polynomial) == [*STOP]
+    assert sequence.query == framing.encode(GetStatus())
+    assert sequence.reply_size == (2 if detection is Detection.CRC7 else 1)
+    stage.line.send(sequence.packets + sequence.query)
+    assert len(stage.line.read(9, sequence.seconds)) == sequence.reply_size
+
+
+def test_confirmed_stop_ends_the_watch() -> None:
+    stage, settings = staged()
+    stage.script.at(0.5, SETPOINT).at(1.0, Stop(1))
+    at_rest = seen_at(stage, 1.5, lambda: stage.transport.guardian.watched[-1])
+    reports = run_for(stage, 2.0, settings)
+    assert outcomes(reports)[1].error is None
+    assert at_rest == [None]
+
+
+def test_guardian_watches_while_the_board_is_silent_and_motors_may_move() -> None:
+    stage, settings = staged()
+    stage.script.at(0.5, SETPOINT)
+    stage.script.at(1.0, lambda: setattr(stage.line.faults, "mute", True))
+    count = seen_at(stage, 2.5, lambda: len(stage.transport.guardian.watched))
+    later = seen_at(stage, 3.5, lambda: len(stage.transport.guardian.watched))
+    reports = run_for(stage, 4.0, settings)
+    assert among(reports, NotResponding)
+    assert later[0] >= count[0] + 5
+
+
+@pytest.mark.parametrize("confirms", [True, False])
+def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
+    confirms: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[float] = []
+
+    def stop(_guardian: VirtualGuardian, seconds: float) -> bool:
+        asked.append(seconds)
+        return confirms
+
+    monkeypatch.setattr(VirtualGuardian, "stop", stop)
+    stage, settings = staged()
+    stage.script.at(0.5, SETPOINT)
+    stage.script.at(1.0, lambda: setattr(stage.transport, "fail", PortUnavailable("gone")))
+    reports = run_for(stage, 2.0, settings)
+    (closed,) = among(reports, Closed)
+    assert isinstance(closed.error, PortUnavailable)
+    assert len(asked) == 1
+    assert closed.may_move != confirms
+
+
+def test_guardian_is_not_asked_if_no_motor_was_driven(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(VirtualGuardian, "stop", lambda *_: pytest.fail("nothing to stop"))
+    stage, settings = staged()
+    stage.script.at(1.0, lambda: setattr(stage.transport, "fail", PortUnavailable("gone")))
+    assert not among(run_for(stage, 2.0, settings), Closed)[0].may_move
+
+
+def test_stop_follows_a_changed_device_number() -> None:
+    stage, settings = staged()
+    stage.board.eeprom.write("device_number", 7)
+    stage.board.power_cycle()
+    settings = replace(settings, device_number=7)
+    stage.script.at(0.5, SETPOINT).at(1.0, Write(1, (("device_number", 9),)))
+    run_for(stage, 3.0, settings)
+    told = {one.packets[1] for one in stage.transport.guardian.watched if one is not None}
+    assert told == {7, 9}
