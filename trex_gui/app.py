@@ -9,9 +9,6 @@ from pathlib import Path
 
 from trex_gui import __version__, composition
 
-UNCONFIRMED_STOP = 1
-"""Exit code if motors may still turn: they were driven and no stop was confirmed."""
-
 _LOAD_PLOTS_MS = 100
 """Milliseconds in which the window is painted for the first time."""
 
@@ -82,7 +79,7 @@ def main(argv: list[str] | None = None) -> int:
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
     from trex_gui.core.timing import Timeouts  # noqa: PLC0415
-    from trex_gui.supervisor import SafetySupervisor  # noqa: PLC0415
+    from trex_gui.supervisor import UNCONFIRMED_STOP, SafetySupervisor  # noqa: PLC0415
     from trex_gui.ui.theme.theme import theme  # noqa: PLC0415
     from trex_gui.ui.translations import install_translations  # noqa: PLC0415
     from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
@@ -126,11 +123,7 @@ def main(argv: list[str] | None = None) -> int:
     for window in app.topLevelWidgets():
         window.hide()
     have_ended = program.shut_down()
-    if unconfirmed_stop := program.device_manager.unconfirmed_stop:
-        # The window may be gone.
-        if sys.stderr is not None:  # a program with a window has none on Windows
-            sys.stderr.write(f"{unconfirmed_stop}\n")
-            sys.stderr.flush()
+    if watching.report_unconfirmed_stop():
         code = code or UNCONFIRMED_STOP
     if not have_ended:
         # A thread hangs in a port or a disk. Qt would abort on destroying it.

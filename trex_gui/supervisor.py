@@ -1,7 +1,9 @@
 """Stops every device on signals, internal errors, suspend and a locked screen."""
 
+import atexit
 import logging
 import math
+import os
 import sys
 import threading
 import time
@@ -18,6 +20,12 @@ if TYPE_CHECKING:
     from trex_gui.system.login_session import SleepDelay
 
 log = logging.getLogger(__name__)
+
+UNCONFIRMED_STOP = 1
+"""Exit code if motors may still turn: they were driven and no stop was confirmed."""
+
+INTERNAL_ERROR = 1
+"""Exit code if the interpreter ends while the event loop runs."""
 
 _AGAIN_S = 1.0
 """Seconds within which the same internal error is caused by reporting the first."""
@@ -50,6 +58,7 @@ class SafetySupervisor(QObject):
         self._sleep_delay: SleepDelay | None = None
         self._session = self._session_events()
 
+        atexit.register(self._on_exit)
         self._stopper.stopped.connect(self._on_stopped)
         self._error_stopper.stopped.connect(self._on_error)
         self._signals.caught.connect(self._on_signal)
@@ -79,10 +88,33 @@ class SafetySupervisor(QObject):
 
     def close(self) -> None:
         """End after the line was closed."""
+        atexit.unregister(self._on_exit)
         if self._sleep_delay is not None:
             self._sleep_delay.give()
         self._exceptions.close()
         self._signals.close()
+
+    def report_unconfirmed_stop(self) -> bool:
+        """Write to the console, once the line is closed, if no stop was confirmed.
+
+        The window may be gone. Return whether that is so.
+        """
+        text = self._program.device_manager.unconfirmed_stop
+        if text and sys.stderr is not None:  # a program with a window has none on Windows
+            sys.stderr.write(f"{text}\n")
+            sys.stderr.flush()
+        return bool(text)
+
+    def _on_exit(self) -> None:
+        """Stop the motors and end: `sys.exit` was called in a slot or an event handler.
+
+        PySide ends the interpreter at once, whose exit code is not known here. Going on would
+        destroy the thread of the line while it runs, and Qt would abort with the motors turning.
+        """
+        log.error("the interpreter ends while the window is open")
+        self._program.shut_down()
+        self.report_unconfirmed_stop()
+        os._exit(INTERNAL_ERROR)
 
     @Slot(str)
     def _on_stopped(self, reason: str) -> None:

@@ -11,8 +11,8 @@ from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatorProcess
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.app import UNCONFIRMED_STOP
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.supervisor import UNCONFIRMED_STOP
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import UnconfirmedStopWarning
 from trex_gui.ui.runtime import runtime

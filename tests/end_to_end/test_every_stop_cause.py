@@ -21,8 +21,11 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.driven_window import AUXILIARY, SPEEDS
 from tests.support.logind import Logind, message_bus
+from tests.support.matrix import sampled
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
+from trex_gui.core.signals import ENDING
+from trex_gui.supervisor import INTERNAL_ERROR
 
 pytestmark = [
     pytest.mark.realtime,
@@ -121,6 +124,10 @@ class DrivingProcess:
         self.provoke(cause)
         self._hear("hanging")
 
+    def errors(self) -> str:
+        """Return what it wrote to the console, once it has ended."""
+        return self.process.communicate(timeout=LONG_TIMEOUT)[1]
+
     def end(self) -> None:
         if self.process.poll() is None:
             self.process.kill()
@@ -178,6 +185,10 @@ def test_motors_stop_at_every_fault_the_program_survives(
     for cause in (
         "mistake_in_a_slot",
         "mistake_in_a_thread",
+        "exit_in_a_thread",
+        "interrupt_in_a_slot",
+        "mistake_in_an_event_filter",
+        "mistake_while_painting",
         "mistake_nobody_can_catch",
         "sleep_unnoticed",
         "lose_the_gamepad",
@@ -190,7 +201,14 @@ def test_motors_stop_at_every_fault_the_program_survives(
     _, errors = window.process.communicate(timeout=LONG_TIMEOUT)
     assert window.process.returncode == 0
     mistakes = re.findall("(.*): on purpose", errors)
-    assert mistakes == ["ZeroDivisionError", "IndexError", "RecursionError"]
+    assert mistakes == [
+        "ZeroDivisionError",
+        "IndexError",
+        "KeyboardInterrupt",
+        "LookupError",
+        "ArithmeticError",
+        "RecursionError",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -224,14 +242,29 @@ def test_motors_stop_while_window_hangs(
 # --- From outside -----------------------------------------------------------------------
 
 
-def test_sigterm_stops_motors_and_exits_with_0(
+@pytest.mark.parametrize("name", ["SIGTERM", *sampled(ENDING[5:], every=4)])
+def test_ending_signal_stops_motors_and_exits_with_0(
+    name: str, start: StartWindow, quick_simulator: SimulatedDevice
+) -> None:
+    if not hasattr(signal, name):
+        pytest.skip("this system has no such signal")
+    window = start()
+    window.drive()
+    window.process.send_signal(getattr(signal, name))
+    assert window.process.wait(LONG_TIMEOUT) == 0
+    assert is_stopped(quick_simulator)
+    assert "guardian" not in window.errors()
+
+
+def test_terminal_in_background_does_not_suspend_window(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.drive()
-    window.process.send_signal(signal.SIGTERM)
-    wait_until_stopped(quick_simulator, "SIGTERM")
-    assert window.process.wait(LONG_TIMEOUT) == 0
+    for number in (signal.SIGTTIN, signal.SIGTTOU):
+        window.process.send_signal(number)
+        window.wait_for_reply()
+    assert is_driven(quick_simulator)
 
 
 def test_suspending_stops_motors_and_resuming_starts_none(
@@ -275,6 +308,19 @@ def test_second_ctrl_c_ends_hung_window(
             window.process.wait(0.5)
     assert window.process.returncode == 128 + signal.SIGINT
     assert is_stopped(quick_simulator)
+
+
+@pytest.mark.parametrize("cause", ["exit_in_a_slot", "exit_in_a_signal_handler"])
+def test_exit_in_event_handler_stops_motors_and_exits_with_1(
+    cause: str, start: StartWindow, quick_simulator: SimulatedDevice
+) -> None:
+    """PySide ends the interpreter at once, and Qt aborts while the line still runs."""
+    window = start()
+    window.drive()
+    window.provoke(cause)
+    assert window.process.wait(LONG_TIMEOUT) == INTERNAL_ERROR
+    assert is_stopped(quick_simulator)
+    assert "guardian" not in window.errors()
 
 
 _DEATHS = [

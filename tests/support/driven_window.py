@@ -8,6 +8,7 @@ hangs prints `hanging` before.
 """
 
 import os
+import signal
 import sys
 import threading
 import time
@@ -15,8 +16,9 @@ from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSocketNotifier, QTimer, qFatal
-from PySide6.QtGui import QAction
+from PySide6.QtCore import QEvent, QObject, QSocketNotifier, QTimer, qFatal
+from PySide6.QtGui import QAction, QPaintEvent
+from PySide6.QtWidgets import QWidget
 
 from tests.support.patient import PATIENT
 from tests.support.program import trex
@@ -34,8 +36,24 @@ AUXILIARY = 50
 HANGING = 30.0  # seconds
 
 
-def raise_error(kind: type[Exception]) -> None:
+def raise_error(kind: type[BaseException]) -> None:
     raise kind("on purpose")
+
+
+class Failing(QObject):
+    """An event filter that fails once."""
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        watched.removeEventFilter(self)
+        raise LookupError("on purpose")
+
+
+class FailingWidget(QWidget):
+    """A widget that fails to paint itself, once."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        self.hide()
+        raise ArithmeticError("on purpose")
 
 
 class Driver(QObject):
@@ -93,6 +111,26 @@ class Driver(QObject):
 
     def mistake_in_a_thread(self) -> None:
         threading.Thread(target=raise_error, args=(IndexError,)).start()
+
+    def exit_in_a_thread(self) -> None:
+        threading.Thread(target=raise_error, args=(SystemExit,)).start()
+
+    def interrupt_in_a_slot(self) -> None:
+        QTimer.singleShot(0, partial(raise_error, KeyboardInterrupt))
+
+    def mistake_in_an_event_filter(self) -> None:
+        self._program.window.installEventFilter(Failing(self._program.window))
+        self._program.window.update()
+
+    def mistake_while_painting(self) -> None:
+        FailingWidget(self._program.window).show()
+
+    def exit_in_a_slot(self) -> None:
+        QTimer.singleShot(0, partial(sys.exit, 3))
+
+    def exit_in_a_signal_handler(self) -> None:
+        signal.signal(signal.SIGWINCH, lambda *_: sys.exit(3))
+        os.kill(os.getpid(), signal.SIGWINCH)
 
     def mistake_nobody_can_catch(self) -> None:
         class Dying:

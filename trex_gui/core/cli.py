@@ -11,10 +11,7 @@ from typing import TYPE_CHECKING, Any, Self
 import click
 
 from trex_gui.core.errors import StudioError
-
-_ENDING = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGBREAK")
-_SUSPENDING = ("SIGTSTP",)
-"""Signals that end or suspend a program; not every system has each of them."""
+from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_signals
 
 
 class CommandFailed(click.ClickException):
@@ -80,7 +77,8 @@ class Interruption:
 
     It is only noted, so that no transaction breaks off in the middle. Unless the work is too
     `precious` for that, a second request ends the program as usual. What is precious is not
-    suspended either: Ctrl-Z ends it. What was to be ignored from the beginning (`nohup`) is.
+    suspended either: Ctrl-Z ends it, and it goes on while it uses a terminal in the background.
+    What was to be ignored from the beginning (`nohup`) is.
     """
 
     def __init__(self, *, precious: bool = False) -> None:
@@ -92,10 +90,10 @@ class Interruption:
         return self._prompted
 
     def __enter__(self) -> Self:
-        for name in (*_ENDING, *(_SUSPENDING if self._precious else ())):
-            number = getattr(signal, name, None)
-            if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
-                self._before[number] = signal.signal(number, self._note)
+        for number in handled_signals((*ENDING, *((SUSPENDING,) if self._precious else ()))):
+            self._before[number] = signal.signal(number, self._note)
+        for number in handled_signals(FROM_TERMINAL if self._precious else ()):
+            self._before[number] = signal.signal(number, signal.SIG_IGN)
         return self
 
     def __exit__(self, *_: object) -> None:

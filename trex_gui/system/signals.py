@@ -19,13 +19,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_signals
+
 log = logging.getLogger(__name__)
-
-_NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGBREAK")
-"""Signals that end a program; not every system has each of them."""
-
-_SUSPENDING = "SIGTSTP"
-"""Ctrl-Z: the program is suspended, and motors must not turn meanwhile."""
 
 _GRACE_S = 7.0
 """Seconds that the window has to end by itself. Closing a line while settings are written may take
@@ -57,7 +53,8 @@ class SignalWatch(QObject):
     A window that does not end within `grace` seconds is ended with exit code 128 + number, as a
     shell reports it; one that ends by itself has exit code 0. Ctrl-C while it is ending calls
     `act` once more and ends the process at once. Before Ctrl-Z suspends the process, `rest` is
-    called and has a moment to take effect.
+    called and has a moment to take effect. A terminal that it uses in the background does not
+    suspend it.
 
     `act` and `rest` are called in a separate thread, before anything else. They must not block.
     A signal that is ignored from the beginning (`nohup`) stays ignored.
@@ -85,17 +82,14 @@ class SignalWatch(QObject):
         self._grace = grace
         self._end = end
         self._closed = threading.Event()
-        self._numbers = [
-            number
-            for name in (*_NAMES, _SUSPENDING)
-            if (number := getattr(signal, name, None)) is not None
-            and signal.getsignal(number) is not signal.SIG_IGN
-        ]
+        self._numbers = handled_signals((*ENDING, SUSPENDING))
         self._hurrying = {int(one) for one in self._numbers if one.name in _HURRYING}
         self._ours, self._signals = socket.socketpair()
         self._signals.setblocking(False)
         self._fd_before = signal.set_wakeup_fd(self._signals.fileno(), warn_on_full_buffer=False)
         self._before = {number: signal.signal(number, _nothing) for number in self._numbers}
+        for number in handled_signals(FROM_TERMINAL):
+            self._before[number] = signal.signal(number, signal.SIG_IGN)
         self._thread = threading.Thread(target=self._watch, name="signal watch", daemon=True)
         self._thread.start()
 
@@ -114,7 +108,7 @@ class SignalWatch(QObject):
         with contextlib.suppress(OSError):
             while data := self._ours.recv(16):
                 for number in data:
-                    if number == getattr(signal, _SUSPENDING, None):
+                    if number == getattr(signal, SUSPENDING, None):
                         self._suspend()
                     elif number in self._numbers:
                         self._leave(number)

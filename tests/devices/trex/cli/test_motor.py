@@ -54,7 +54,7 @@ def test_motor_runs_until_interrupted(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
-@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGQUIT", "SIGTSTP"])
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGQUIT", "SIGTSTP", "SIGUSR1"])
 def test_every_terminating_signal_stops_motor(
     name: str, start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
@@ -78,6 +78,18 @@ def test_signal_to_process_stops_motor(
     assert (process.returncode, "Stopped." in errors) == (0, True)
     assert "Traceback" not in errors
     assert braked(quick_simulator)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+def test_terminal_in_background_does_not_suspend_motor_command(
+    start: StartCommand, quick_simulator: SimulatedDevice
+) -> None:
+    command = run_motor_1(start, quick_simulator)
+    for number in (signal.SIGTTIN, signal.SIGTTOU):
+        assert signal.getsignal(number) is signal.SIG_IGN
+    command.terminate()
+    command.communicate()
+    assert signal.getsignal(signal.SIGTTIN) is signal.SIG_DFL
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
