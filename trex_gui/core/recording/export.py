@@ -13,6 +13,7 @@ from trex_gui.core.recording.kinds import RecordingError, SampleKind, Value
 from trex_gui.core.recording.store import CHUNK, ExportRow, Recording
 
 MCAP_SUFFIX = ".mcap"
+_MCAP_TIMES = (0, 2**64 // 10**9 - 1)  # seconds since 1970
 _JSON_TYPES = {"INTEGER": "integer", "REAL": "number", "TEXT": "string"}
 
 ProgressCallback = Callable[[float], None]
@@ -110,11 +111,13 @@ def _write_mcap(
         schema = writer.register_schema(name, "jsonschema", json.dumps(_schema(kind)).encode())
         channels.append(writer.register_channel(f"/{device}/{kind.name}", "json", schema))
     started = round(recording.header.started.timestamp() * 1e9)
+    # A damaged file may have any time.
+    earliest, latest = (end - recording.header.started.timestamp() for end in _MCAP_TIMES)
     for rows in _rows(recording, span, progress):
         for time, index, values in rows:
             names = recording.kinds[index].exported
             data = json.dumps(dict(zip(names, values, strict=True))).encode()
-            at = started + round(time * 1e9)
+            at = started + round(min(max(time, earliest), latest) * 1e9)
             writer.add_message(channels[index], at, data, at)
     writer.finish()  # type: ignore[no-untyped-call] # the library leaves it without
 

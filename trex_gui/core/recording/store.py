@@ -10,7 +10,8 @@ import errno
 import os
 import sqlite3
 import struct
-from collections.abc import Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from operator import itemgetter
 from pathlib import Path
 from types import NoneType
@@ -45,6 +46,9 @@ _LONGEST_S = 200 * 86400.0
 _EARLIEST_S = -3600.0
 _NOT_A_RECORDING = "This is not a TReX Studio recording."
 _ENDED = "ended_utc_s"
+
+_Content = tuple[str, bool]
+"""SQL type of a column, and whether it may be NULL."""
 
 ExportRow = tuple[float, int, tuple[Value, ...]]
 """Time from the start (s), index of the kind, values of its exported columns."""
@@ -235,9 +239,7 @@ class Recording(Generic[HeaderT, RecordT]):
                 self.kinds = tuple(fmt.kinds(self.header))
                 self._check_tables()
                 self.count = self._last_record()
-                self._valid_types: dict[str, set[tuple[type, ...]]] = {
-                    kind.name: set() for kind in self.kinds
-                }
+                self._valid_types = defaultdict[tuple[str, ...], set[tuple[type, ...]]](set)
         except BaseException:
             self._database.close()
             raise
@@ -320,12 +322,15 @@ class Recording(Generic[HeaderT, RecordT]):
             for _, name, *_, hidden in info:
                 if hidden and name in stored:  # an expression could make any amount of data
                     raise self._error(f"The column {kind.name}.{name} is computed.")
+            if [row[1:3] for row in info if row[5]] != [("record", "INTEGER")]:  # else slow to find
+                raise self._error(f"The column {kind.name}.record is not the key of its table.")
 
     def _last_record(self) -> int:
         last = 0
         for kind in self.kinds:
             query = f"SELECT max(record) FROM {kind.name}"
-            with contextlib.suppress(sqlite3.DatabaseError):  # damaged: reported when it is read
+            # Damaged: reported when it is read.
+            with contextlib.suppress(sqlite3.DatabaseError, TypeError):
                 last = max(last, self._database.execute(query).fetchone()[0] or 0)
         return min(last, _size(self._database))  # a record takes more than a byte
 
@@ -340,33 +345,48 @@ class Recording(Generic[HeaderT, RecordT]):
         """Return records by number, in order; damaged ones are left out and reported."""
         found: list[tuple[int, Timestamped]] = []
         for kind in self.kinds:
-            names = ", ".join(("record", "clock_s", *(column.name for column in kind.columns)))
-            unpack, valid = kind.unpack, self._valid_types[kind.name]
-            for number, *values in self._select(kind, names, first, last):
+            stored = {column.name: (column.type, column.optional) for column in kind.columns}
+            for number, *values in self._valid_rows(kind, stored, first, last):
                 try:
-                    if (types := tuple(map(type, values))) not in valid:
-                        _check_types(kind, types)
-                        valid.add(types)
-                    self._check_time(values[0])
-                    found.append((number, unpack(*values)))
+                    found.append((number, kind.unpack(*values)))
                 except (ValueError, KeyError, TypeError) as error:
-                    self._report(f"Record {number} cannot be read: {error}.")
+                    self._report_damaged(number, error)
         found.sort(key=itemgetter(0))
         return cast("list[RecordT]", [record for _, record in found])
-
-    def _check_time(self, clock: float) -> None:
-        if not _EARLIEST_S <= clock - self.header.clock <= _LONGEST_S:
-            raise ValueError("its time is not in the recording")
 
     def export_rows(self, first: int, last: int, start: float, end: float) -> list[ExportRow]:
         found: list[tuple[int, ExportRow]] = []
         for index, kind in enumerate(self.kinds):
-            names = ", ".join(("record", "clock_s", "time_s", *kind.exported))
-            for number, clock, time, *values in self._select(kind, names, first, last):
+            columns = {"time_s": ("REAL", False)}
+            for column in kind.columns:
+                columns[column.name] = (column.type, column.optional)
+                if column.physical is not None:
+                    columns[column.physical.name] = ("REAL", column.optional)
+            for number, clock, time, *values in self._valid_rows(kind, columns, first, last):
                 if start <= clock <= end:
                     found.append((number, (time, index, tuple(values))))
         found.sort(key=itemgetter(0))
         return [row for _, row in found]
+
+    def _valid_rows(
+        self, kind: SampleKind, columns: Mapping[str, _Content], first: int, last: int
+    ) -> Iterator[tuple[Any, ...]]:
+        """Yield number, clock and these columns of each record; damaged ones are reported.
+
+        SQLite stores any type in any column.
+        """
+        names = ("record", "clock_s", *columns)
+        valid = self._valid_types[kind.name, *names]
+        for row in self._select(kind, ", ".join(names), first, last):
+            if (types := tuple(map(type, row))) not in valid:
+                if problem := _wrong_type(columns, types):
+                    self._report_damaged(row[0], problem)
+                    continue
+                valid.add(types)
+            if _EARLIEST_S <= row[1] - self.header.clock <= _LONGEST_S:
+                yield row
+            else:
+                self._report_damaged(row[0], "its time is not in the recording")
 
     def _select(self, kind: SampleKind, names: str, first: int, last: int) -> list[tuple[Any, ...]]:
         query = f"SELECT {names} FROM {kind.name} WHERE record BETWEEN ? AND ? ORDER BY record"
@@ -380,18 +400,23 @@ class Recording(Generic[HeaderT, RecordT]):
             )
             return []
 
+    def _report_damaged(self, number: object, reason: object) -> None:
+        self._report(f"Record {number} cannot be read: {reason}.")
+
     def _report(self, problem: str) -> None:
         if problem not in self.problems and len(self.problems) < _MOST_PROBLEMS:
             self.problems.append(problem)
 
 
-def _check_types(kind: SampleKind, types: Sequence[type]) -> None:
-    clock, *values = types
+def _wrong_type(columns: Mapping[str, _Content], types: Sequence[type]) -> str:
+    """Say which value of a record has another type than its column; empty if none has."""
+    _number, clock, *values = types
     if clock is not float:
-        raise ValueError("its time is not a number")
-    for column, found in zip(kind.columns, values, strict=True):
-        if found is not _TYPES[column.type] and not (column.optional and found is NoneType):
-            raise ValueError(f"{column.name} is not {column.type}")
+        return "its time is not a number"
+    for (name, (type_name, is_optional)), found in zip(columns.items(), values, strict=True):
+        if found is not _TYPES[type_name] and not (is_optional and found is NoneType):
+            return f"{name} is not {type_name}"
+    return ""
 
 
 def _size(database: sqlite3.Connection) -> int:
