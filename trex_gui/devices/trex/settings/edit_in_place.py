@@ -29,10 +29,7 @@ from trex_gui.devices.trex.settings.yaml_subset import LINE_END, compose
 BYTE_ORDER_MARK = "\ufeff"
 _SMALLEST_GAP = 2  # spaces that the writer leaves between a value and its comment
 
-_LINE = re.compile(r"([^#]*?)(\s*)(#.*?)?(\s*)", re.DOTALL)
-"""Code, gap, comment, end. No `#` of a valid settings file is part of a key or a value."""
-
-_COMMA_AFTER = re.compile(r"(?:\s|#[^\r\n]*)*,")
+_COMMA_AFTER = re.compile(r"(?:\s|#[^\r\n]*[\r\n])*,")
 
 
 def amend(text: str, settings: Settings, name: str = "settings") -> str:
@@ -94,6 +91,7 @@ class _Document:
             last = start + len(body[start:end].rstrip())
             self.entries[str(key.value)] = _Entry(first, last, value)
         self._line_starts = [0, *(found.end() for found in LINE_END.finditer(body))]
+        self._line_ends = [*self._line_starts[1:], len(body)]
         # By line: first and last column, and the text that replaces what is between.
         self._edits: dict[int, list[tuple[int, int, str]]] = defaultdict(list)
         self._comments: dict[int, str] = {}
@@ -180,10 +178,15 @@ class _Document:
         return range(self._line_at(entry.start), self._line_at(entry.end - 1) + 1)
 
     def _parts(self, number: int) -> tuple[str, str, str, str]:
-        line = self.body[slice(*[*self._line_starts, len(self.body)][number : number + 2])]
-        found = _LINE.fullmatch(line)
-        code, gap, comment, end = found.groups("") if found else (line, "", "", "")
-        return code, gap, comment, end
+        """Return code, gap, comment and end of a line.
+
+        No `#` of a valid settings file is part of a key or a value.
+        """
+        line = self.body[self._line_starts[number] : self._line_ends[number]]
+        before, sign, text = line.partition("#")
+        code, comment = before.rstrip(), (sign + text).rstrip()
+        gap = before[len(code) :]
+        return code, gap, comment, line[len(before) + len(comment) :]
 
 
 def _end_of(node: Node) -> int:
