@@ -15,7 +15,7 @@ SHORTEST_PULSE = 500.0
 LONGEST_PULSE = 2500.0  # pulses outside these widths, in µs, are errors (User's Guide 4.c)
 SUPPLY = 5.0  # reference voltage of the analog inputs
 _RECEIVER_PERIOD = 20_000.0  # µs between pulses of a standard receiver (50 Hz)
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
+_NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)"
 _SIGNAL = re.compile(
     rf"({_NUMBER})\s*(us|µs|v|mv|)"
     rf"(?:\s*noise\s*({_NUMBER})\s*(us|µs|v|mv|))?(?:\s*lost\s*({_NUMBER}))?",

@@ -1,6 +1,7 @@
 """Options of `trex-sim` for TReX boards, and the demonstration."""
 
 import math
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -110,7 +111,7 @@ def _eeprom(path: Path | None, device: DeviceOption, model: str, count: int) -> 
     """Return the memory of a board; a number stored in a file overrides the option."""
     if path is not None and count > 1:
         path = path.with_name(f"{path.stem}-{device.number}{path.suffix}")
-    is_new = path is None or not path.exists()
+    is_new = path is None or not os.path.exists(path)  # noqa: PTH110 - raises nothing
     eeprom = Eeprom(model) if path is None else Eeprom.open(path, model)
     stored = eeprom[ParameterKey.DEVICE_NUMBER]
     if device.number is None or device.number == stored:
