@@ -2,8 +2,6 @@
 
 from collections.abc import Iterable
 
-from hypothesis import strategies as st
-
 from trex_gui.core.transport.traffic import (
     Decoder,
     TrafficDirection,
@@ -43,15 +41,3 @@ def reports(decoder: Decoder, pieces: list[TrafficEvent]) -> list[tuple[str, boo
     """Return what the rows mean, and which are faults."""
     words = [decoder.decoded(row) for row in rows_of(decoder, pieces)]
     return [(one.text, one.is_fault) for one in words]
-
-
-STRANGE_TALK = st.lists(st.tuples(st.binary(max_size=12), st.binary(max_size=24)), max_size=8)
-"""Bytes that no device sends."""
-
-
-def assert_sayable(decoder: Decoder, pieces: list[TrafficEvent]) -> None:
-    """Fail where a row has no words, or bytes that cannot be shown."""
-    for row in rows_of(decoder, pieces):
-        assert decoder.decoded(row).text
-        assert decoder.shown(row.sent).isprintable()
-        assert decoder.shown(row.received).isprintable()

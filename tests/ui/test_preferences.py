@@ -13,14 +13,6 @@ from PySide6.QtCore import QByteArray, QSettings
 from trex_gui.ui.preferences import Preferences
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pipes with a path")
-
-KEYS = (
-    "all", "window/geometry", "window/state", "window/scheme", "trex/page", "aracna/page",
-    "ports/typed", "ports/last", "ports/kinds", "line/settings", "line/device_number",
-    "line/polynomial", "motors/ceiling", "motors/brake", "motors/lockout",
-    "motors/return_to_zero", "gamepad/last", "gamepad/stops_unfocused", "aracna/limits",
-    "transcript/polling", "parameters/both_motors", "demo/visible", "export/light_background",
-)  # fmt: skip
 VALUES = (
     "99999999999999999999", "-1", "1, 2, 3", "@Invalid()", "@Size(1 2)", "nan", "1e999",
     "@ByteArray(abc)", "@Rect(1 2 3 4)", "\\x0", "9" * 5000, "true, false",
@@ -62,17 +54,6 @@ def test_unusable_value_counts_as_missing_and_is_logged(
         assert store.real("key", 3.0, 0.0, 7.0) == 3.0
     is_missing = value == "@Invalid()"
     assert ("the setting key is left out" in caplog.text) is not is_missing
-
-
-@pytest.mark.parametrize("value", VALUES)
-def test_window_opens_with_any_value(value: str, request: pytest.FixtureRequest) -> None:
-    groups: dict[str, list[str]] = {}
-    for key in KEYS:
-        group, _, name = key.rpartition("/")
-        groups.setdefault(group or "General", []).append(f"{name}={value}\n")
-    store_file().write_text("".join(f"[{group}]\n{''.join(groups[group])}" for group in groups))
-    program = request.getfixturevalue("program")
-    assert program.window.isVisible()
 
 
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=50)

@@ -5,9 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.talk import (
-    STRANGE_TALK,
     Said,
-    assert_sayable,
     pieces_of,
     reports,
     rows_of,
@@ -135,11 +133,6 @@ def test_polls_are_distinguished_from_user_requests() -> None:
     requested = [b"\x81", b"\x9f\x07", b"\xc2\x00", b"\xaf\x07\x0f\x55\x2a", b"\x80\x07\x42\x00"]
     assert all(map(TrexDecoder().is_routine, polled))
     assert not any(map(TrexDecoder().is_routine, requested))
-
-
-@given(STRANGE_TALK, st.integers(1, 24))
-def test_arbitrary_bytes_can_be_decoded(talk: list[Said], cut: int) -> None:
-    assert_sayable(TrexDecoder(), pieces_of(talk, cut))
 
 
 @pytest.mark.parametrize("sent", [b"\x84", b"\x85", b"\x8d"])

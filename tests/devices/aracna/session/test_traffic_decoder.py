@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.support.talk import STRANGE_TALK, Said, assert_sayable, pieces_of, reports
+from tests.support.talk import Said, pieces_of, reports
 from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 
@@ -61,11 +61,6 @@ def test_only_version_query_is_routine() -> None:
     decoder = AracnaDecoder()
     assert decoder.is_routine(b".q\n")
     assert not any(map(decoder.is_routine, [b".c1,2\n", b".v1,2\n", b"\n", b".l1\n"]))
-
-
-@given(STRANGE_TALK, st.integers(1, 24))
-def test_any_bytes_can_be_decoded_as_text(talk: list[Said], cut: int) -> None:
-    assert_sayable(AracnaDecoder(), pieces_of(talk, cut))
 
 
 def test_late_reply_is_shown_with_its_command() -> None:

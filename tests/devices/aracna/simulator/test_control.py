@@ -1,8 +1,6 @@
 """The control lines: what they answer, what they do, what they refuse."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from tests.support.aracna import AracnaStage
 from trex_gui.core.simulator.control_lines import GOODBYE
@@ -179,30 +177,3 @@ def test_show_names_each_firmware_state() -> None:
     control(line, "power off")
     seen.append(state(line)["state"])
     assert seen == ["booting", "idle", "speeds", "hung", "off"]
-
-
-@given(
-    text=st.text(max_size=40)
-    | st.lists(
-        st.sampled_from(
-            [
-                "servo",
-                "line",
-                "power",
-                "reset",
-                "show",
-                "3",
-                "load",
-                "lose",
-                "drop",
-                "on",
-                "off",
-                "nan",
-            ]
-        )
-    ).map(" ".join)
-)
-def test_no_control_line_raises(text: str) -> None:
-    answer = control(AracnaLine(), text)
-    assert answer.startswith(("ok", "error "))
-    assert "\n" not in answer

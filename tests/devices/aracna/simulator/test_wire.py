@@ -3,11 +3,8 @@
 from itertools import pairwise
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from tests.support.aracna import BOOT, AracnaStage
-from tests.support.matrix import examples
 from trex_gui.core.transport.settings import Parity, SerialFormat
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 
@@ -168,37 +165,6 @@ def test_robot_requires_motors_and_one_position_for_each() -> None:
         AracnaLine(motors=0)
     with pytest.raises(ValueError, match="8 motors and 2 positions"):
         AracnaLine(positions=[1, 2])
-
-
-PIECES = st.one_of(
-    st.binary(max_size=70),
-    st.text(".cvql0123456789,- \r\n", max_size=70).map(str.encode),
-    st.sampled_from([GOALS, GOALS[:20], b".v" + GOALS[2:], b".q\n", b".c\n", b".l1\n"]),
-)
-
-
-@examples(150)
-@given(
-    pieces=st.lists(st.tuples(PIECES, st.floats(0, 1.5)), max_size=8),
-    paced=st.booleans(),
-    keeps_last=st.booleans(),
-)
-def test_board_answers_after_any_input_and_reset(
-    pieces: list[tuple[bytes, float]], paced: bool, keeps_last: bool
-) -> None:
-    stage = AracnaStage(booted=False, paced=paced, keeps_last=keeps_last)
-    for data, pause in pieces:
-        stage.line.send(data)
-        stage.line.advance(pause)
-    stage.line.drop_unsent()
-    stage.do("reset")
-    stage.line.advance(BOOT)
-    stage.line.receive()
-    assert stage.ask(b".q\n", 0.1) == VERSION
-    for servo in stage.line.servos:
-        assert 0 <= servo.goal <= 1023
-        assert 0 <= servo.speed <= 1023
-        assert -1 < servo.position < 1024
 
 
 # --- An answer that is cut ----------------------------------------------------------------

@@ -180,14 +180,6 @@ def test_parser_events_contain_exactly_the_bytes_fed(raw: bytes, polynomial: int
 
 
 @modest
-@given(raw=st.binary(max_size=60), polynomial=polynomials)
-def test_packet_parser_never_raises(raw: bytes, polynomial: int | None) -> None:
-    parser = PacketParser(polynomial)
-    events = parser.feed(raw) + parser.flush()
-    assert b"".join(event.raw for event in events) == raw
-
-
-@modest
 @given(raw=noise(), polynomial=polynomials, places=cuts)
 def test_noise_cut_anywhere_gives_the_same_events(
     raw: bytes, polynomial: int | None, places: list[int]
@@ -301,14 +293,3 @@ def test_reply_parser_never_raises_after_correct_echo(
     result = ReplyParser(command, framing, echo=True).feed(raw)
     if not isinstance(result, NeedData):
         assert result.raw == raw
-
-
-@modest
-@given(answer=answers())
-def test_corrupted_payload_never_raises(
-    answer: tuple[Command[Any], bytes],
-) -> None:
-    command, payload = answer
-    inverted = bytes(byte ^ 0xFF for byte in payload)
-    result = ReplyParser(command).feed(inverted)
-    assert isinstance(result, Reply | Malformed | NeedData)

@@ -259,16 +259,6 @@ def test_flipped_bytes_raise_only_recording_errors(
         assert problems or len(found) >= len(what) - 400
 
 
-@settings(deadline=None)  # files on a disk that is shared with other tests
-@given(data=st.binary(max_size=400))
-def test_other_file_is_rejected_with_its_name(folder: Path, data: bytes) -> None:
-    path = folder / "other.trexrec"
-    for start in (b"", b"SQLite format 3\0"):
-        path.write_bytes(start + data)
-        with pytest.raises(RecordingError, match=r"other\.trexrec: "):
-            open_recording(path)
-
-
 def database(path: Path, *statements: str) -> None:
     with contextlib.closing(sqlite3.connect(path)) as changed:
         for statement in statements:

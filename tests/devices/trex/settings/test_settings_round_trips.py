@@ -14,12 +14,6 @@ from trex_gui.devices.trex.settings.writer import write_settings
 modest = examples(40)
 WHOLE = write_settings(factory(), title_lines=["bench, µ"])
 
-PUNCTUATION = ["\n", "  ", ": ", "- ", "{", "}", "[", "]", ",", "? ", "|", ">", "'", '"', "\\", "#"]
-ODD = ["&a ", "*a", "!!x ", "%", "---\n", "...", "<<", "=", "@", "\\x4", "\\U00", "0x"]
-LETTERS = ["\t", "\r", "\x85", "\u2028", "\ufeff", "\ud800", "\0", "9", "1.2", "on", "TReX"]
-KEYS = ["product", "firmware", "serial_timeout", "rc_channel_1", "minimum", "neutral", "maximum"]
-yaml_words = st.sampled_from([*PUNCTUATION, *ODD, *LETTERS, *KEYS])
-
 
 def outcome(text: str | bytes) -> tuple[Settings | None, list[Finding]]:
     """Read a file; return the settings, if there are any, and the errors."""
@@ -29,11 +23,6 @@ def outcome(text: str | bytes) -> tuple[Settings | None, list[Finding]]:
         errors = [found for found in refusal.findings if found.severity is Severity.ERROR]
         return None, errors if str(refusal).encode("utf-8") else []
     return read, [found for found in findings if found.severity is Severity.ERROR]
-
-
-def assert_read_or_refused(text: str | bytes) -> None:
-    read, errors = outcome(text)
-    assert (read is None) == bool(errors)
 
 
 @modest
@@ -48,33 +37,6 @@ def test_written_settings_read_back_equal(given_settings: Settings) -> None:
 @given(given_settings=any_settings(), titles=st.lists(st.text(max_size=50), max_size=3))
 def test_titles_do_not_change_settings(given_settings: Settings, titles: list[str]) -> None:
     assert read_settings(write_settings(given_settings, title_lines=titles))[0] == given_settings
-
-
-@modest
-@given(data=st.binary(max_size=200))
-def test_any_bytes_are_read_or_rejected(data: bytes) -> None:
-    assert_read_or_refused(data)
-    assert_read_or_refused(b"product: TReX\n" + data)
-
-
-@modest
-@given(text=st.text(st.characters(codec=None), max_size=200))
-def test_any_text_is_read_or_rejected(text: str) -> None:
-    assert_read_or_refused(text)
-    assert_read_or_refused("product: TReX Jr\n" + text)
-
-
-@examples(300)
-@given(words=st.lists(yaml_words, max_size=25))
-def test_any_yaml_fragments_are_read_or_rejected(words: list[str]) -> None:
-    assert_read_or_refused("".join(words))
-    assert_read_or_refused("product: TReX\n" + "".join(words))
-
-
-@modest
-@given(position=st.integers(0, len(WHOLE)), word=yaml_words | st.text(max_size=3))
-def test_valid_file_with_insertion_is_read_or_rejected(position: int, word: str) -> None:
-    assert_read_or_refused(WHOLE[:position] + word + WHOLE[position:])
 
 
 @modest

@@ -2,8 +2,6 @@ import json
 from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.core.simulator.sampling import ReceiveError
@@ -342,19 +340,3 @@ def test_wrong_words_are_answered_with_the_usage(line: TrexLine) -> None:
 
 def test_quit_command_replies_goodbye(line: TrexLine) -> None:
     assert control(line, " Quit ") == GOODBYE == "ok bye"
-
-
-COMMANDS = ["channel", "jumper", "power", "load", "current", "fault", "line", "show", "@7", "@9"]
-COMMANDS += ["battery", "eeprom", "factory", "error", "framing", "overrun", "lost", "device_number"]
-DETAILS = ["1", "5", "-1", "1e9", "on", "off", "cycle", "auto", "mode", "mix", "rc", "mute", "drop"]
-MORE = ["garbage", "noise", "unplug", "plug", "00", "ff", "0.5", "1500us", "2.5V", "silent"]
-words = st.sampled_from(COMMANDS + DETAILS + MORE)
-
-
-@given(text=st.text(max_size=40) | st.lists(words, max_size=5).map(" ".join))
-def test_control_answers_any_text_with_ok_or_error(text: str) -> None:
-    line = TrexLine([Board()])
-    answer = control(line, text)
-    assert answer.startswith(("ok", "error "))
-    assert "\n" not in answer
-    line.advance(0.05)

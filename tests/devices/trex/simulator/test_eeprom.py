@@ -4,8 +4,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -163,16 +161,6 @@ def test_calibration_fields_are_written_separately(field: str) -> None:
     eeprom.write_calibration(InputSource.RC, 2, STICK)
     eeprom.write_calibration_value(InputSource.RC, 2, field, 9)
     assert eeprom.calibration(InputSource.RC, 2) == replace(STICK, **{field: 9})
-
-
-@given(data=st.binary(max_size=60))
-def test_arbitrary_file_raises_only_eeprom_error(
-    tmp_path_factory: pytest.TempPathFactory, data: bytes
-) -> None:
-    path = tmp_path_factory.mktemp("eeprom") / "file"
-    path.write_bytes(data)
-    with pytest.raises(EepromError):
-        Eeprom.open(path)
 
 
 def test_unusable_path_raises_eeprom_error(tmp_path: Path) -> None:

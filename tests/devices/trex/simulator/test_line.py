@@ -340,21 +340,3 @@ class TestFaults:
         line.unplug()
         line.advance(0.6)
         assert line.boards[0].aux.speed == 0
-
-
-@given(data=st.binary(max_size=60), echo=st.booleans(), noise=st.sampled_from([0.0, 0.2]))
-def test_line_recovers_after_arbitrary_bytes(data: bytes, echo: bool, noise: float) -> None:
-    line = TrexLine([a_board(7), a_board(9)], echo=echo)
-    line.faults.noise = noise
-    line.send(data)
-    line.advance(0.5)
-    line.faults.noise = 0.0
-    for board, number in zip(line.boards, (7, 9), strict=True):  # junk may have changed it
-        board.memory.active["device_number"] = number
-    line.receive()
-    line.send(b"\xff")
-    line.advance(0.1)
-    line.receive()
-    line.send(bytes.fromhex("80 07 01"))
-    expected = bytes.fromhex("80 07 01") * echo + SIGNATURE_BYTES
-    assert line.read(len(expected), 1) == expected

@@ -1,16 +1,13 @@
 """Motor commands, packets that break the rules, and junk."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
-from tests.devices.trex.simulator.ports import NO_REPLY, a_board, ask, errors
+from tests.devices.trex.simulator.ports import NO_REPLY, ask, errors
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.control import report
-from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
-from trex_gui.devices.trex.simulator.uart import SEND_BUFFER, SerialPort
+from trex_gui.devices.trex.simulator.uart import SerialPort
 
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
 
@@ -135,30 +132,3 @@ class TestFormat:
         port.feed(0x7F)
         assert port.board.aux.speed == 0
         assert errors(port) == UartError.FORMAT
-
-
-class TestJunk:
-    @given(junk=st.binary(max_size=200), settings=st.sampled_from([0x05, 0x25]))
-    def test_packet_after_arbitrary_bytes_is_answered(self, junk: bytes, settings: int) -> None:
-        port = SerialPort(a_board(settings=settings))
-        ask(port, junk.hex())
-        port.feed(0xFF)
-        good = "81" if settings == 0x05 else "81 48"
-        answer = bytes.fromhex(ask(port, good))
-        assert answer[:7] == b"TReX1.2"
-
-    @given(junk=st.binary(max_size=300), mode=st.sampled_from(["serial", "rc", "analog"]))
-    def test_arbitrary_bytes_leave_valid_board_state(self, junk: bytes, mode: str) -> None:
-        board = Board(mode=mode)
-        port = SerialPort(board)
-        for byte in junk:
-            port.feed(byte)
-            board.advance(port.pause or 0.0005)
-            if port.pause:
-                port.resume()
-            assert len(port.outgoing) <= SEND_BUFFER
-            port.outgoing.clear()
-        shown = report(board)
-        assert all(0 <= motor["speed"] <= 127 for motor in shown["motors"])
-        if mode != "serial":
-            assert shown["parameters"] == report(Board())["parameters"]

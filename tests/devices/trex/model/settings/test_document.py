@@ -5,14 +5,13 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, given
-from hypothesis import strategies as st
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.settings.samples import any_settings, factory
 from tests.support.bad_files import BAD_FILES, BadFile
 from tests.support.matrix import examples
-from trex_gui.core.files import SettingsError, load
+from trex_gui.core.files import SettingsError
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -206,25 +205,6 @@ def test_edit_of_a_sample_changes_one_line(path: Path) -> None:
     before = document.text
     document.draft.parameters.edit("device_number", 9)
     assert len(changed_lines(before, document.text)) == 2
-
-
-@examples(60, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(data=st.binary(max_size=200) | st.text(max_size=200).map(str.encode))
-def test_arbitrary_bytes_do_not_crash_the_document(
-    qapp: QApplication, tmp_path: Path, data: bytes
-) -> None:
-    path = tmp_path / "any.txt"
-    path.write_bytes(data)
-    try:
-        document = SettingsDocument.open(path)
-    except SettingsError:
-        return
-    assert document.readable or document.findings
-    document.check()
-    document.set_text(document.text + "x")
-    document.check()
-    document.save(tmp_path / "copy.txt")
-    assert load(tmp_path / "copy.txt").decode() == document.text
 
 
 @examples(40, suppress_health_check=[HealthCheck.function_scoped_fixture])

@@ -1,0 +1,277 @@
+"""Fuzzing without coverage: the inputs that failed once, then mutations of valid inputs.
+
+An input is a string of bytes. `corpus/<target>` has the inputs that failed once; they are always
+tried. A seed gives the same random inputs for each target, however fast the computer is.
+"""
+
+import contextlib
+import gc
+import logging
+import re
+import signal
+import sys
+import tempfile
+import threading
+import time
+import traceback
+import tracemalloc
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import count
+from pathlib import Path
+from random import Random
+from types import TracebackType
+
+CORPUS = Path(__file__).parent / "corpus"
+LONGEST = 64 * 1024  # bytes of a random input
+LONGEST_CASE = 20.0  # seconds of processor time; most inputs take some milliseconds
+GROWTH_EVERY = 500  # inputs between two looks at the memory
+
+_NUMBER = re.compile(rb"-?[0-9]+")
+_NUMBERS = (
+    *(b"0", b"-1", b"1", b"7", b"127", b"128", b"255", b"256", b"65535", b"2147483648", b"1e9"),
+    *(b"-9223372036854775809", b"18446744073709551616", b"9" * 400, b"9" * 5000, b"1e400"),
+    *(b"nan", b"-inf", b"0.1", b"0x7f", b"1_0", "٣".encode(), "²".encode(), b""),
+)
+
+
+Make = Callable[[Random], bytes]
+
+
+@dataclass(frozen=True)
+class Target:
+    """Something that reads input from outside.
+
+    Attributes:
+        make: makes an input; the same from the same random numbers.
+        check: passes an input to the program; raises whatever the program does not document. May
+            write to the folder that it is given, which is empty.
+        examples: number of random inputs that the gate tries.
+        growth: bytes that an input may leave behind.
+    """
+
+    name: str
+    make: Make
+    check: Callable[[bytes, Path], object]
+    examples: int = 50
+    growth: int = 2000
+
+    def kept(self) -> list[Path]:
+        return sorted((CORPUS / self.name).glob("*"))
+
+    def random_input(self, seed: int, number: int) -> bytes:
+        return self.make(Random(f"{seed} {self.name} {number}"))
+
+
+@dataclass(frozen=True)
+class Finding:
+    """An input that the program did not take as documented; `origin` says how to repeat it."""
+
+    target: Target
+    data: bytes
+    origin: str
+    error: str
+
+    def __str__(self) -> str:
+        shown = f"{self.data[:400]!r}{' …' if len(self.data) > 400 else ''}"
+        return f"{self.target.name}, {self.origin}:\n{shown}\n{self.error}"
+
+    def keep(self) -> Path:
+        """Store the input in the corpus; its name is that of the error."""
+        last = self.error.rstrip().rpartition("\n")[2]
+        kind = re.split(r"\W", last.partition(":")[0].rpartition(".")[2])[0] or "error"
+        folder = CORPUS / self.target.name
+        folder.mkdir(parents=True, exist_ok=True)
+        path = next(
+            path for number in count(1) if not (path := folder / f"{kind}-{number}").exists()
+        )
+        path.write_bytes(self.data)
+        return path
+
+
+def attempt(target: Target, data: bytes, origin: str) -> Finding | None:
+    """Try an input; also what the program catches as an internal error is a finding."""
+    errors: list[str] = []
+    catcher = _Catcher(errors)
+    hook, sys.excepthook = sys.excepthook, catcher.take
+    logging.getLogger().addHandler(catcher)
+    try:
+        with _watchdog(), tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
+            target.check(data, Path(folder).resolve())
+    except (Exception, Hang):  # noqa: BLE001 - any is a finding
+        errors.append(traceback.format_exc())
+    finally:
+        sys.excepthook = hook
+        logging.getLogger().removeHandler(catcher)
+    return Finding(target, data, origin, errors[-1]) if errors else None
+
+
+class _Catcher(logging.Handler):
+    """Takes the errors that a thread, a slot or a session of the program did not expect."""
+
+    def __init__(self, errors: list[str]) -> None:
+        super().__init__(logging.ERROR)
+        self._errors = errors
+
+    def emit(self, record: logging.LogRecord) -> None:
+        if record.exc_info is not None:
+            self._errors.append(logging.Formatter().format(record))
+
+    def take(
+        self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        self._errors.append("".join(traceback.format_exception(kind, error, trace)))
+
+
+class Hang(BaseException):
+    """An input takes `LONGEST_CASE` seconds of processor time; no `except Exception` hides it."""
+
+
+@contextlib.contextmanager
+def _watchdog() -> Iterator[None]:
+    """Raise `Hang` where the system can; a busy computer makes no difference."""
+    if (
+        not hasattr(signal, "setitimer")
+        or threading.current_thread() is not threading.main_thread()
+    ):
+        yield
+        return
+
+    def expire(*_: object) -> None:
+        raise Hang
+
+    before = signal.signal(signal.SIGPROF, expire)
+    signal.setitimer(signal.ITIMER_PROF, LONGEST_CASE)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+
+
+def run(
+    seconds: float,
+    seed: int,
+    targets: Sequence[Target],
+    report: Callable[[Finding], object] = print,
+    clock: Callable[[], float] = time.monotonic,
+) -> list[Finding]:
+    """Try the inputs that are kept, then random ones for so long; report and return findings.
+
+    Each target gets the same share of the time. `number` in a finding counts its inputs.
+    """
+    found: list[Finding] = []
+
+    def note(finding: Finding | None) -> None:
+        if finding is not None:
+            found.append(finding)
+            report(finding)
+
+    for target in targets:
+        for path in target.kept():
+            note(attempt(target, path.read_bytes(), path.name))
+    used = dict.fromkeys(targets, 0.0)
+    tried = dict.fromkeys(targets, 0)
+    end = clock() + seconds
+    while (began := clock()) < end:
+        target = min(targets, key=used.__getitem__)
+        number = tried[target]
+        origin = f"seed {seed}, number {number}"
+        note(attempt(target, target.random_input(seed, number), origin))
+        if number % GROWTH_EVERY == 1 and (grown := growth(target, seed, number)) > target.growth:
+            error = f"Growth: {grown} bytes for each input"
+            note(Finding(target, b"", origin, error))
+        used[target] += clock() - began
+        tried[target] += 1
+    return found
+
+
+def growth(target: Target, seed: int, number: int, inputs: int = 10) -> int:
+    """Return by how many bytes the memory grows with each input, after the caches are filled."""
+    tracemalloc.start()
+    try:
+        sizes = []
+        for _ in range(3):
+            for at in range(inputs):
+                attempt(target, target.random_input(seed, number + at), "")
+            gc.collect()
+            sizes.append(tracemalloc.get_traced_memory()[0])
+    finally:
+        tracemalloc.stop()
+    return (sizes[2] - sizes[1]) // inputs
+
+
+# --- Mutations --------------------------------------------------------------------------
+
+
+def mutations(samples: Callable[[], Sequence[bytes]], words: Sequence[bytes] = ()) -> Make:
+    """Return what mutates valid inputs; `words` are pieces that have a meaning in them."""
+    known = cache(samples)
+
+    def make(random: Random) -> bytes:
+        if random.random() < 0.05:
+            return random.randbytes(random.randrange(300))
+        data = random.choice(known())
+        for _ in range(random.choice((1, 1, 1, 2, 2, 3, 5, 8))):
+            data = _mutated_once(random, data, known(), words)[:LONGEST]
+        return data
+
+    return make
+
+
+def _mutated_once(
+    random: Random, data: bytes, samples: Sequence[bytes], words: Sequence[bytes]
+) -> bytes:
+    if b"\n" in data and random.random() < 0.4:
+        return b"\n".join(_with_other_line(random, data.split(b"\n"), samples, words))
+    start = random.randrange(len(data) + 1)
+    end = min(len(data), start + random.choice((1, 1, 2, 4, 8, 40, 400)))
+    before, piece, after = data[:start], data[start:end], data[end:]
+    match random.randrange(9):
+        case 0:
+            piece = bytes(byte ^ 1 << random.randrange(8) for byte in piece[:1]) + piece[1:]
+        case 1:
+            piece = random.randbytes(len(piece))
+        case 2:
+            piece = b""
+        case 3:
+            piece = random.randbytes(random.choice((1, 1, 2, 4, 8))) + piece
+        case 4:
+            piece *= random.choice((2, 2, 3, 10, 1000))
+        case 5:
+            piece = _excerpt(random, random.choice(samples))
+        case 6 if numbers := list(_NUMBER.finditer(data[:4000])):
+            number = random.choice(numbers)
+            before, piece, after = (
+                data[: number.start()],
+                random.choice(_NUMBERS),
+                data[number.end() :],
+            )
+        case 7 if random.random() < 0.2:
+            after = b""
+        case _ if words:
+            piece = random.choice(words) + random.choice((piece, b""))
+    return before + piece + after
+
+
+def _with_other_line(
+    random: Random, lines: list[bytes], samples: Sequence[bytes], words: Sequence[bytes]
+) -> list[bytes]:
+    at, other = random.randrange(len(lines)), random.randrange(len(lines))
+    match random.randrange(5):
+        case 0:
+            return [*lines[:at], *lines[at + 1 :]]
+        case 1:
+            lines[at], lines[other] = lines[other], lines[at]
+        case 2:
+            lines.insert(at, lines[other])
+        case 3:
+            lines.insert(at, random.choice(random.choice(samples).split(b"\n")))
+        case _ if words:
+            lines[at] = random.choice(words)
+    return lines
+
+
+def _excerpt(random: Random, data: bytes) -> bytes:
+    return data[random.randrange(len(data) + 1) :][:400]

@@ -1,0 +1,339 @@
+"""Command lines, and the configuration that the window starts with."""
+
+import contextlib
+import io
+import os
+import signal
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from random import Random
+from unittest.mock import patch
+
+import click
+from click.testing import CliRunner, Result
+from PySide6.QtCore import QByteArray, QCoreApplication, QSettings
+
+from tests.fuzz.fuzzing import Make, Target, mutations
+from tests.support.virtual_command import VirtualCommand
+from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
+from tests.support.virtual_time import VirtualRuntime, deliver
+from trex_gui import app
+from trex_gui.cli import simulator
+from trex_gui.cli.program import main
+from trex_gui.composition import build
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.resource_files import resource
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.core.transport.settings import PortSettings
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.ui.program import Program
+from trex_gui.ui.runtime import use_runtime
+from trex_gui.ui.theme.theme import theme
+
+EXIT_CODES = {0, 1, 2}
+URL, ROBOT_URL = "virtual:board", "virtual:robot"
+
+
+class Computer(VirtualRuntime):
+    """A computer in virtual time that has no real ports."""
+
+    def open_transport(self, settings: PortSettings) -> Transport:
+        if settings.url not in self.ports:
+            raise PortUnavailable(f"There is no port {settings.url}.")
+        return super().open_transport(settings)
+
+
+@contextlib.contextmanager
+def _computer(folder: Path) -> Iterator[Computer]:
+    """Work in a folder, with simulated devices at `URL` and `ROBOT_URL`."""
+    computer = Computer()
+    computer.make_process = lambda parent: VirtualProcess(computer, parent)
+    before = use_runtime(computer)
+    devices = [
+        VirtualSimulator(computer, URL, "--unpaced"),
+        VirtualSimulator(computer, ROBOT_URL, "--aracna", "--unpaced"),
+    ]
+    with contextlib.chdir(folder), patch.dict(os.environ, TREX_STUDIO_DATA=str(folder / "data")):
+        try:
+            yield computer
+        finally:
+            for device in devices:
+                device.end()
+            use_runtime(before)
+    assert computer.is_idle, "a thread lives on"
+
+
+# --- Arguments --------------------------------------------------------------------------
+
+
+def _words(data: bytes) -> list[str]:
+    """One argument a line; none leads out of the working folder."""
+    text = data.decode("utf-8", "surrogateescape").replace("\0", "").replace("/", "_")
+    return text.split("\n")[:20]
+
+
+def _check_result(result: Result, words: Sequence[str]) -> None:
+    assert result.exit_code in EXIT_CODES, f"{words} ended with {result.exit_code}"
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    assert "Traceback" not in result.stderr
+    assert result.exit_code == 0 or result.stderr.strip(), f"{words} failed and did not say why"
+
+
+def check_trexcmd(data: bytes, folder: Path) -> None:
+    words = _words(data)
+    _prepare(folder)
+    environment: dict[str, str | None] = {"TREX_PORT": URL}
+    with _computer(folder) as computer:
+        command = VirtualCommand(computer, words, environment, stdin="product: TReX\n")
+        for _ in range(4):
+            if computer.run_until(lambda: command.returncode is not None, 20):
+                break
+            command.send_signal(signal.SIGINT)
+        command.wait(60)
+    _check_result(command.result, words)
+
+
+def _prepare(folder: Path) -> None:
+    settings = (resource("samples") / "trex_factory_defaults.txt").read_bytes()
+    snapshots = folder / "data" / "snapshots"
+    snapshots.mkdir(parents=True)
+    for path in (folder / "settings.txt", snapshots / "20260102T030405Z-trex-1.2.txt"):
+        path.write_bytes(settings)
+    (folder / "poses.ppr").write_bytes(resource("aracna/sample.ppr").read_bytes())
+
+
+def check_trex_sim(data: bytes, folder: Path) -> None:
+    """Everything until the device is served."""
+    words = _words(data)
+    with (
+        contextlib.chdir(folder),
+        patch.object(simulator, "Server"),
+        patch.object(simulator, "_endpoint"),
+    ):
+        assert isinstance(simulator.main, click.Command)
+        result = CliRunner().invoke(simulator.main, words)
+    _check_result(result, words)
+
+
+def check_trex_gui(data: bytes, folder: Path) -> None:
+    """The arguments, and what the window makes of those that are valid."""
+    words = _words(data)
+    said, code = io.StringIO(), None
+    try:
+        with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
+            arguments = app._arguments(words)
+    except SystemExit as error:
+        code = error.code
+    if code is not None:
+        assert code in EXIT_CODES
+        assert said.getvalue().strip()
+        return
+    with _window(folder) as (program, computer):
+        if arguments.port:
+            program.connect_to_port(arguments.port, arguments.device)
+        if arguments.settings is not None:
+            program.open_named(arguments.settings, connecting=bool(arguments.port))
+        computer.advance(3.0)
+
+
+VALUES = (
+    *("1", "-1", "7", "50", "aux", "rc", "settings.txt", "out.txt", "-", "--", "any.ppr", "81"),
+    *("86 1F", "FF" * 300, "1e9", "nan", "inf", "0x7f", "", " ", "\udcff", "\u00bd"),
+    *("\u0663", "9" * 5000),
+    *("%s", "{0}", "\r", "\x1b[31m", "[::1]:x", "..", "~", "7:trexjr", "127.0.0.1:0", "HOST:99999"),
+    *("1500us", "2.5V", "0.5", URL, ROBOT_URL, "virtual:none"),
+    *(spec.key for spec in parameters_of("trex", "1.2")),
+)
+
+
+def _vectors(*programs: click.Command) -> Make:
+    """Return what makes arguments that mostly fit one of these commands."""
+
+    def make(random: Random) -> bytes:
+        words, command = [], random.choice(programs)
+        while isinstance(command, click.Group):
+            context = click.Context(command)
+            words.append(random.choice(command.list_commands(context)))
+            subcommand = command.get_command(context, words[-1])
+            assert subcommand is not None
+            command = subcommand
+        parts = [_argument(random, parameter) for parameter in command.params]
+        random.shuffle(parts)
+        words += [word for part in parts for word in part]
+        if random.random() < 0.1:
+            words.insert(random.randrange(len(words) + 1), random.choice(VALUES))
+        return "\n".join(words).encode("utf-8", "surrogateescape")
+
+    return make
+
+
+FITTING = {
+    "port": (URL, URL, ROBOT_URL),
+    "baud": ("19200",),
+    "polynomial": ("89",),
+    "extra_timeout": ("0.1",),
+    "seconds": ("0.2",),
+    "name": ("serial_timeout", "device_number", "uart_settings", "0x7f", "centre"),
+    "value": ("5", "0.5 s", "19200 baud"),
+    "file": ("settings.txt", "poses.ppr", "out.txt", "-"),
+    "first": ("settings.txt", "1"),
+    "second": ("settings.txt", "1"),
+    "out": ("out.txt", "-"),
+    "packet": ("81", "861F", "8081", "AF 07 05 55 2A"),
+    "values": ("300",),
+    "speed": ("50", "-20", "0"),
+    "channel": ("1",),
+    "devices": ("7", "9:trexjr"),
+    "tcp": ("127.0.0.1:0",),
+    "rfc2217": ("[::1]:0",),
+}
+"""Values of parameters, by name; those without are numbers."""
+
+
+def _argument(random: Random, parameter: click.Parameter) -> list[str]:
+    if not parameter.required and random.random() < 0.8:
+        return []
+    if random.random() < 0.1:
+        return [random.choice(VALUES)]
+    choices: Sequence[str] = FITTING.get(parameter.name or "", ("1", "2", "3"))
+    if isinstance(parameter.type, click.Choice):
+        choices = [str(choice) for choice in parameter.type.choices]
+    values = [random.choice(VALUES if random.random() < 0.05 else choices)]
+    if isinstance(parameter, click.Option):
+        return [random.choice(parameter.opts), *([] if parameter.is_flag else values)]
+    return values
+
+
+def _trex_gui_samples() -> Sequence[bytes]:
+    return [
+        command.replace(" ", "\n").encode()
+        for command in (
+            "--port virtual:none --device aracna --timeout 0.5",
+            f"--port {URL} --settings any.txt",
+            "--settings any.ppr",
+            "--demo --tour pictures",
+        )
+    ]
+
+
+# --- Configuration ----------------------------------------------------------------------
+
+
+@contextlib.contextmanager
+def _window(folder: Path) -> Iterator[tuple[Program, Computer]]:
+    """The window of a program whose configuration is in a folder."""
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
+    with _computer(folder) as computer:
+        program = build()
+        try:
+            program.window.show()
+            computer.advance(0.5)
+            yield program, computer
+        finally:
+            program.window.close()
+            computer.advance(2.0)
+            program.window.deleteLater()
+            program.shut_down()
+            deliver()
+            theme().set_scheme("system")
+
+
+VALID: dict[str, object] = {
+    "window/geometry": QByteArray(b"\x01\xd9\xd0\xcb"),
+    "window/state": QByteArray(b"\0\0\0\xff"),
+    "window/scheme": "dark",
+    "trex/page": 2,
+    "aracna/page": 1,
+    "ports/typed": f"{URL}\nsocket://host:1",
+    "ports/last": URL,
+    "ports/kinds": f"aracna {URL}",
+    "line/settings": 5,
+    "line/device_number": 7,
+    "line/polynomial": 0x89,
+    "motors/ceiling": 100,
+    "motors/brake": 50,
+    "motors/lockout": 1.5,
+    "motors/return_to_zero": True,
+    "gamepad/last": "0300",
+    "gamepad/stops_unfocused": True,
+    "aracna/limits": " ".join(["0-1023"] * 8),
+    "aracna/folder": "/tmp",
+    "transcript/polling": True,
+    "aracna/transcript/polling": False,
+    "parameters/both_motors": True,
+    "demo/visible": True,
+    "export/light_background": False,
+    "settings/folder": "/tmp",
+    "recording/folder": "/tmp",
+    "editor/geometry": QByteArray(b"\x01"),
+    "history/geometry": QByteArray(b"\x01"),
+}
+"""Every key that the program reads, with a value of its kind."""
+
+UNUSABLE = (
+    *("99999999999999999999", "-1", "1, 2, 3", "@Invalid()", "@Size(1 2)", "nan", "1e999", "@", ""),
+    *("true, false", "@ByteArray(abc)", "@Rect(1 2 3 4)", "\\x0", "9" * 5000, "@DateTime(\\0\\0)"),
+    *("@Variant(\\0\\0\\0\\x4\\0)", "@Variant(\\0\\0\\0\\x7f\\0\\0\\0\\xePyObject\\0)"),
+    *("\\xd800", "trex \x1b", "a\\nb"),
+)
+
+
+def _configuration(values: dict[str, str]) -> bytes:
+    groups: dict[str, list[str]] = {}
+    for key, value in values.items():
+        group, _, name = key.rpartition("/")
+        groups.setdefault(group or "General", []).append(f"{name}={value}\n")
+    return "".join(f"[{group}]\n{''.join(lines)}" for group, lines in groups.items()).encode()
+
+
+def _configurations() -> Sequence[bytes]:
+    """Every key with every unusable value, and one in which all are usable."""
+    rotated = [
+        {key: UNUSABLE[(at + turn) % len(UNUSABLE)] for at, key in enumerate(VALID)}
+        for turn in range(len(UNUSABLE))
+    ]
+    return list(map(_configuration, rotated))
+
+
+def check_configuration(data: bytes, folder: Path) -> None:
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
+    path = Path(
+        QSettings(
+            QCoreApplication.organizationName(), QCoreApplication.applicationName()
+        ).fileName()
+    )
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(data)
+    with _window(folder) as (program, _):
+        assert program.window.isVisible()
+        for workspace in program.workspaces.values():
+            for page in range(workspace.pages.count()):
+                workspace.pages.setCurrentIndex(page)
+        assert program.window.size().width() < 100_000
+
+
+GUI_WORDS = (b"--port", b"--device", b"--settings", b"--timeout", b"--demo", b"--tour", b"--x")
+INI = (*(value.encode() for value in UNUSABLE), b'"', b"[", b"]", b"=", b"%", b"\\x")
+assert isinstance(simulator.main, click.Command)
+
+RUN, WINDOW = 10_000, 200_000  # bytes that the harness keeps of a run; a program ends after one
+
+PROGRAM_TARGETS = (
+    Target("trexcmd", _vectors(main), check_trexcmd, examples=25, growth=RUN),
+    Target("trex_sim", _vectors(simulator.main), check_trex_sim, examples=30, growth=RUN),
+    Target(
+        "trex_gui",
+        mutations(_trex_gui_samples, [*GUI_WORDS, *map(os.fsencode, VALUES)]),
+        check_trex_gui,
+        examples=10,
+        growth=WINDOW,
+    ),
+    Target(
+        "configuration",
+        mutations(_configurations, INI),
+        check_configuration,
+        examples=2,
+        growth=WINDOW,
+    ),
+)

@@ -1,0 +1,192 @@
+"""No input ends in an error that is not documented, hangs, or makes memory grow."""
+
+import gc
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from itertools import count
+from pathlib import Path
+from random import Random
+from types import BuiltinFunctionType, FunctionType, ModuleType
+from typing import Any
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.fuzz.fuzzing import Target, attempt, run
+from tests.fuzz.targets import TARGETS
+from tests.fuzz.wire import PACKETS, REPLIES
+from tests.support.matrix import LONG_FACTOR
+from tests.support.virtual import VirtualTransport
+from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent, TransactionAssembler
+from trex_gui.devices.aracna.protocol.replies import Reader
+from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
+from trex_gui.devices.aracna.simulator.line import AracnaLine
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.protocol.commands import GetRawChannels, GetSignature
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.framing import PacketParser
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import TrexLine
+
+KEPT = [
+    pytest.param(target, path, id=f"{target.name}-{path.name}")
+    for target in TARGETS
+    for path in target.kept()
+]
+
+
+@pytest.fixture
+def seed(request: pytest.FixtureRequest) -> int:
+    """The seed of random inputs: another one in the long tests, the same in the gate."""
+    if not request.config.getoption("--all"):
+        return 0
+    return Random().getrandbits(32)
+
+
+@pytest.mark.parametrize(("target", "path"), KEPT)
+def test_input_that_failed_once_is_taken(qtbot: QtBot, target: Target, path: Path) -> None:
+    if finding := attempt(target, path.read_bytes(), path.name):
+        pytest.fail(str(finding))
+
+
+@pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)
+def test_random_input_is_taken_as_documented(
+    qtbot: QtBot, request: pytest.FixtureRequest, target: Target, seed: int
+) -> None:
+    factor = LONG_FACTOR if request.config.getoption("--all") else 1
+    for number in range(target.examples * factor):
+        origin = f"seed {seed}, number {number}"
+        if finding := attempt(target, target.random_input(seed, number), origin):
+            pytest.fail(str(finding))
+
+
+# --- What finds faults ------------------------------------------------------------------
+
+
+def test_same_seed_makes_same_inputs() -> None:
+    for target in TARGETS:
+        first, again = ([target.random_input(7, number) for number in range(5)] for _ in range(2))
+        assert first == again
+        assert first != [target.random_input(8, number) for number in range(5)]
+
+
+def test_faults_of_each_kind_are_found_and_repeated(tmp_path: Path) -> None:
+    kept: list[bytes] = []
+
+    def check(data: bytes, folder: Path) -> None:
+        kept.append(data)  # grows
+        if data[:1] == b"\x07":
+            raise KeyError("seven")
+
+    target = Target("nothing", lambda random: random.randbytes(3000), check)
+    found = run(2000, 1, [target], lambda finding: None, map(float, count()).__next__)
+    errors = {finding.error.strip().splitlines()[-1].partition(":")[0] for finding in found}
+    assert errors == {"KeyError", "Growth"}
+    first = next(finding for finding in found if finding.data)
+    number = int(first.origin.rpartition(" ")[2])
+    assert target.random_input(1, number) == first.data
+    assert attempt(target, first.data, "again") is not None
+
+
+# --- Objects that live as long as the program -------------------------------------------
+
+Feed = Callable[[bytes], object]
+
+
+def _board_line() -> tuple[object, Feed]:
+    line = TrexLine([Board(seed=0)])
+
+    def feed(data: bytes) -> None:
+        line.send(data)
+        line.inject(data[:20])
+        line.advance(0.3)
+        line.receive()
+
+    return line, feed
+
+
+def _robot_line() -> tuple[object, Feed]:
+    line = AracnaLine()
+
+    def feed(data: bytes) -> None:
+        line.send(data)
+        line.advance(0.3)
+        line.receive()
+
+    return line, feed
+
+
+def _client() -> tuple[object, Feed]:
+    client = TrexClient(VirtualTransport(TrexLine([Board(seed=0)])), ConnectionSettings("virtual"))
+
+    def feed(data: bytes) -> None:
+        client.transport.line.inject(data[:30])  # type: ignore[attr-defined]  # a virtual one
+        with suppress(NoReply, BadReply):
+            client.request(GetSignature() if data[:1] < b"\x80" else GetRawChannels(0x1F))
+        client.transport.wait(0.1)
+        client.transport.sent.clear()  # type: ignore[attr-defined]  # of the harness
+
+    return client, feed
+
+
+def _assembler(decoder: Any) -> tuple[object, Feed]:
+    assembler, times = TransactionAssembler(decoder), count()
+
+    def feed(data: bytes) -> None:
+        direction = TrafficDirection.SENT if data[:1] < b"\x60" else TrafficDirection.RECEIVED
+        rows = assembler.feed([TrafficEvent(float(next(times)), direction, data[:100] or b"\0")])
+        for row in rows:
+            decoder.decoded(row)
+
+    return assembler, feed
+
+
+def _reader(reader: Any) -> tuple[object, Feed]:
+    return reader, reader.feed
+
+
+LONG_LIVED: dict[str, Callable[[], tuple[object, Feed]]] = {
+    "board": _board_line,
+    "robot": _robot_line,
+    "client": _client,
+    "rows of a board": lambda: _assembler(TrexDecoder()),
+    "rows of a robot": lambda: _assembler(AracnaDecoder()),
+    "lines of a robot": lambda: _reader(Reader()),
+    "packets": lambda: _reader(PacketParser(0x89)),
+}
+
+
+def _reachable(root: object) -> Iterator[object]:
+    """Yield every object that belongs to this one; classes, functions and modules do not."""
+    seen: set[int] = set()
+    waiting = [root]
+    while waiting:
+        found = waiting.pop()
+        if id(found) not in seen and not isinstance(
+            found, type | FunctionType | BuiltinFunctionType | ModuleType
+        ):
+            seen.add(id(found))
+            yield found
+            waiting += gc.get_referents(found)
+
+
+def _weight(root: object) -> int:
+    return sum(map(sys.getsizeof, _reachable(root)))
+
+
+@pytest.mark.parametrize("name", LONG_LIVED)
+def test_memory_of_long_lived_object_does_not_grow(name: str) -> None:
+    subject, feed = LONG_LIVED[name]()
+    random = Random(name)
+
+    def feed_many(inputs: int) -> int:
+        for _ in range(inputs):
+            pieces = random.choices([*PACKETS, *REPLIES, b"\n", random.randbytes(5)], k=6)
+            feed(b"".join(pieces))
+        return _weight(subject)
+
+    before = feed_many(50)
+    assert feed_many(200) < before + 5000

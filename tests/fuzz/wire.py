@@ -1,0 +1,437 @@
+"""What comes over a line: replies to the program, requests to a simulated device, control lines."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, Protocol
+
+from tests.devices.aracna.session.scripted_session import ScriptedSession
+from tests.fuzz.fuzzing import Make, Target, mutations
+from tests.support.aracna import AracnaStage
+from tests.support.virtual import Stage, VirtualTransport
+from trex_gui.composition import PLUGINS
+from trex_gui.core.discovery.scan import scan_port
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.session import Closed, Outcome
+from trex_gui.core.transport.settings import PortSettings
+from trex_gui.core.transport.traffic import (
+    Decoder,
+    TrafficDirection,
+    TrafficEvent,
+    TransactionAssembler,
+)
+from trex_gui.devices.aracna.session import messages as robot
+from trex_gui.devices.aracna.session.errors import ErrorCode as RobotErrorCode
+from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
+from trex_gui.devices.aracna.simulator.control import control as control_robot
+from trex_gui.devices.aracna.simulator.line import HOLDS, AracnaLine
+from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, SetAuxiliary, SetMotor, Stop
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.commands import GetSignature, SetParameter
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.session import messages as board
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
+from trex_gui.devices.trex.simulator.control import control as control_board
+from trex_gui.devices.trex.simulator.control import report
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.memory import Eeprom
+from trex_gui.devices.trex.simulator.uart import SEND_BUFFER
+
+MOST_READS = 30_000
+"""Reads after which a session or a scan hangs; an undisturbed one of some seconds needs a tenth."""
+
+
+class Wire(Protocol):
+    """A transport with its line."""
+
+    line: Any
+
+    def clock(self) -> float: ...
+
+
+class Disturbance:
+    """What a damaged line makes of the replies, as bytes say: one for each read.
+
+    Once they are used up, the line is sound again.
+    """
+
+    def __init__(self, data: bytes) -> None:
+        self._data = data
+        self._at = 0
+        self._held = b""
+        self.reads = 0
+
+    def take(self, size: int) -> bytes:
+        taken = self._data[self._at : self._at + size]
+        self._at += size
+        return taken
+
+    def __call__(self, wire: Wire, received: bytes, size: int) -> bytes:
+        self.reads += 1
+        assert self.reads < MOST_READS, f"it still reads at {wire.clock():.3f} s"
+        received = self._held + received
+        (kind,) = self.take(1) or b"\0"
+        number = kind % 16
+        match kind // 16:
+            case 6:
+                received = b""
+            case 7:
+                received = received[:number]
+            case 8:
+                received = self.take(max(number, len(received)))
+            case 9:
+                received = self.take(number) + received
+            case 10:
+                received += self.take(number)
+            case 11:
+                received = bytes(byte ^ 1 << number % 8 for byte in received)
+            case 12:
+                wire.line.advance(number / 10)
+            case 13:
+                wire.line.inject(self.take(number))
+            case 14:
+                received *= 2
+            case 15 if number == 15:
+                raise PortUnavailable("The line is gone.")
+            case 15 if number == 14:
+                _first_board(wire).power_off()
+            case 15 if number == 13:
+                _first_board(wire).power_on()
+        self._held = received[size:]
+        return received[:size]
+
+
+def _first_board(wire: Wire) -> Any:
+    station = wire.line.stations[0]
+    return getattr(station, "board", station)
+
+
+def _disturb(transport: Any, disturbance: Disturbance) -> None:
+    read = transport.read
+    transport.read = lambda size, seconds: disturbance(transport, read(size, seconds), size)
+
+
+# --- Replies to the program -------------------------------------------------------------
+
+BOARD_REQUESTS: Sequence[tuple[float, board.Request]] = (
+    (0.8, board.Write(1, (("serial_timeout", 5), ("motor_mode", 0)))),
+    (1.2, Arm()),
+    (1.3, SetMotor(1, Drive.at(60))),
+    (1.3, SetAuxiliary(30)),
+    (1.4, Heartbeat()),
+    (1.6, board.RunCommand(2, GetSignature())),
+    (1.8, Stop(3)),
+    (2.2, board.Write(4, (), ((CalibrationKey.of(InputSource.RC, 1), Calibration(1, 2, 3, 1)),))),
+    (2.6, board.Write(5, (("uart_settings", 0x05),))),
+    (2.8, board.RunCommand(6, SetParameter(0, 8))),
+    (3.0, board.Reload(7)),
+)
+
+
+def check_board_replies(data: bytes, folder: Path) -> None:
+    """The first byte says how the line is set; the others disturb a session."""
+    how = data[0] if data else 0
+    line = LineSettings(19200, Detection.CRC7 if how & 1 else Detection.NONE)
+    eeprom = Eeprom()
+    eeprom.write("uart_settings", line.to_wire())
+    stage = Stage(Board(eeprom=eeprom), echo=bool(how & 2))
+    disturbance = Disturbance(data[1:])
+    if how & 8:  # else from the beginning
+        stage.script.at(0.5, lambda: _disturb(stage.transport, disturbance))
+    else:
+        _disturb(stage.transport, disturbance)
+    for time, request in BOARD_REQUESTS:
+        stage.script.at(time, request)
+    reports = stage.run(ConnectionSettings("virtual", line, 7 if how & 4 else None))
+    late = [request for _, request in stage.script._steps]
+    taken = [one for _, one in BOARD_REQUESTS if one not in late]
+    _check_session(reports, taken, ErrorCode.INTERNAL)
+    assert stage.transport.closed
+    assert stage.line.now < 60
+
+
+def _check_session(reports: Sequence[Any], taken: Sequence[Any], internal: object) -> None:
+    """A session ends without a fault of its own; every request that it took has one outcome."""
+    ids = [request.id for request in taken if hasattr(request, "id")]
+    last = reports[-1]
+    assert isinstance(last, Closed)
+    assert getattr(last.error, "code", None) is not internal, str(last.error)
+    assert sorted(one.id for one in reports if isinstance(one, Outcome)) == ids
+    for one in reports:
+        str(getattr(one, "error", "")).encode()
+
+
+ROBOT_REQUESTS: Sequence[tuple[float, robot.Request]] = (
+    (0.5, robot.SetSpeeds(1, (300,) * 8)),
+    (0.6, robot.Move(2, (500,) * 8, (200,) * 8)),
+    (1.5, robot.Drag((510,) * 8)),
+    (1.8, robot.Play(3, (robot.Step((520,) * 8, 0.3), robot.Step((500,) * 8, 0.3)), 2)),
+    (2.5, robot.EndPlay()),
+    (3.0, robot.Halt()),
+)
+
+
+def check_robot_replies(data: bytes, folder: Path) -> None:
+    session = ScriptedSession()
+    _disturb(session.stage.transport, Disturbance(data))
+    for time, request in ROBOT_REQUESTS:
+        session.at(time, request)
+    reports = session.until(6.0).run()
+    late = [request for _, request in session._actions]
+    taken = [one for _, one in ROBOT_REQUESTS if one not in late]
+    _check_session(reports, taken, RobotErrorCode.INTERNAL)
+    assert session.stage.transport.closed
+    assert session.line.now < session.begun + 120
+
+
+def check_scan(data: bytes, folder: Path) -> None:
+    """A scan for every kind of device on a line that answers with anything."""
+    transport: Any = VirtualTransport(TrexLine([Board()]))
+    if data[:1] > b"\x80":
+        transport = AracnaStage().transport
+    _disturb(transport, Disturbance(data[1:]))
+    probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
+    result = scan_port(PortSettings("virtual"), probers, open_wire=lambda _: transport)
+    assert not result.is_fault, result.lines
+    assert result.device or result.lines
+    assert transport.closed
+
+
+REPLIES: Sequence[bytes] = (
+    *(b"TReX1.2", b"TReXJr1.3", b"r", b"\0", b"\x0f", b"\xff", b"\x60" * 8, b"\xff\xfe"),
+    *(b".q1,8\r\n", b".h\r\n", b".c512,", b".v300,300,300,300,300,300,300,300\r\n", b"-1"),
+    *(b"\xd8", b"\xf0", b"\xb1"),
+)
+
+
+# --- Rows of the traffic log ------------------------------------------------------------
+
+
+def check_traffic(data: bytes, folder: Path) -> None:
+    for decoder in (TrexDecoder(), AracnaDecoder()):
+        _check_rows(decoder, data)
+
+
+def _check_rows(decoder: Decoder, data: bytes) -> None:
+    """The bytes in pieces: a byte says whose the next piece is, and how long."""
+    assembler = TransactionAssembler(decoder)
+    line = LineSettings(19200, Detection.CRC7 if data[:1] > b"\x80" else Detection.NONE)
+    settings = ConnectionSettings("virtual", line)
+    events = [TrafficEvent(0.0, TrafficDirection.LINE, text="Opened.", settings=settings)]
+    assembler.echo = data[:1] > b"\xc0"
+    at = 1
+    while at < len(data):
+        length = data[at] % 32 + 1
+        direction = TrafficDirection.SENT if data[at] & 0x40 else TrafficDirection.RECEIVED
+        piece = data[at + 1 : at + 1 + length]
+        if piece:
+            events.append(TrafficEvent(at / 100, direction, piece))
+        at += 1 + length
+    rows = {row.number: row for event in events for row in assembler.feed([event])}
+    for row in rows.values():
+        assert decoder.decoded(row).text
+        assert decoder.shown(row.sent).isprintable()
+        assert decoder.shown(row.received).isprintable()
+    for direction in (TrafficDirection.SENT, TrafficDirection.RECEIVED):
+        told = b"".join(event.data for event in events if event.direction is direction)
+        shown = b"".join(
+            row.sent if direction is TrafficDirection.SENT else row.received
+            for row in rows.values()
+        )
+        assert shown == told
+
+
+def _traffic_samples() -> Sequence[bytes]:
+    pairs = [
+        (b"\x81", b"TReX1.2"),
+        (b"\x9f\x07", b"\x0f"),
+        (b".q\n", b".q1,8\r\n"),
+        (b".c512\n", b".c5"),
+    ]
+    talk = b"".join(
+        bytes([0x40 + len(sent) - 1]) + sent + bytes([len(received) - 1]) + received
+        for sent, received in pairs
+    )
+    return [b"\0" + talk, b"\x81" + talk, b"\xff" + talk]
+
+
+# --- Requests to simulated devices ------------------------------------------------------
+
+
+def check_board_requests(data: bytes, folder: Path) -> None:
+    """The first bytes say which boards hear the others; in the end they answer as before."""
+    how, mode = (*data[:2], 0, 0)[:2]
+    boards = [Board(mode=("serial", "serial", "rc", "analog")[mode % 4], seed=0)]
+    if how & 1:
+        eeprom = Eeprom()
+        eeprom.write("device_number", 9)
+        boards.append(Board(eeprom=eeprom))
+    line = TrexLine(boards, echo=bool(how & 2), paced=bool(how & 4))
+    line.faults.noise = 0.1 if how & 8 else 0.0
+    for at in range(2, len(data), 40):
+        line.send(data[at : at + 40])
+        line.advance(0.05)
+        _check_sizes(line)
+        line.receive()
+    line.advance(1.0)
+    line.faults.noise = 0.0
+    for each in boards:
+        shown = report(each)
+        assert all(0 <= motor["speed"] <= 127 for motor in shown["motors"])
+        if mode % 4 > 1 and each is boards[0]:  # not in serial mode
+            assert shown["parameters"] == report(Board())["parameters"]
+        each.memory.active["device_number"] = 7 if each is boards[0] else 9
+    line.advance(each.memory.busy_for + 0.1)
+    line.receive()
+    line.send(b"\xff\xff")
+    line.advance(0.1)
+    line.receive()
+    for each, number in zip(boards, (7, 9), strict=False):
+        uart = each.memory.line_settings
+        framing = Framing(number, each.memory.crc_polynomial)
+        packet = framing.encode(GetSignature())
+        line.host = uart
+        line.send(packet)
+        line.advance(0.3)
+        assert b"TReX1.2" in line.receive(), (number, uart)
+        line.host = None
+
+
+def _check_sizes(line: Any) -> None:
+    assert len(line._received) < LONGEST_REPLIES
+    assert len(line._frames) < 100
+    for station in line.stations:
+        assert len(station.port.outgoing) <= SEND_BUFFER
+
+
+LONGEST_REPLIES = 10_000
+
+
+def check_robot_requests(data: bytes, folder: Path) -> None:
+    """Blocks of input with pauses; after a reset the robot answers."""
+    how = data[0] if data else 0
+    stage = AracnaStage(booted=bool(how & 1), paced=bool(how & 2), keeps_last=bool(how & 4))
+    for at in range(1, len(data), 70):
+        stage.line.send(data[at : at + 70])
+        stage.line.advance(data[at] / 200)
+        assert len(stage.line.station.held) <= HOLDS
+        assert len(stage.line._received) < LONGEST_REPLIES
+    stage.line.drop_unsent()
+    stage.do("reset")
+    stage.line.advance(1.1)
+    stage.line.receive()
+    assert stage.ask(b".q\n", 0.1) == b".q1,8\r\n"
+    for servo in stage.line.servos:
+        assert 0 <= servo.goal <= 1023
+        assert 0 <= servo.speed <= 1023
+        assert -1 < servo.position < 1024
+
+
+PACKETS = tuple(
+    bytes.fromhex(packet)
+    for packet in (
+        *("81", "82", "83", "84", "85", "86 1F", "87 1F", "8D", "8E", "8F", "9F 07", "FF", "81 48"),
+        *("AF 07 05 55 2A", "AF 7F 7F 55 2A", "AF 7E 25 55 2A", "AF 7C 01 55 2A", "C1 7F"),
+        *("A0 01 02 03 04 05 06 07 08 55 2A", "D0 7F 7F", "E0 7F 7F", "F0 7F"),
+        *("80 07 01", "80 09 01", "80 07 2F 00 08 55 2A"),
+    )
+)
+LINES: Sequence[bytes] = (
+    *(b".c512,512,512,512,512,512,512,512\n", b".v1,1,1,1,1,1,1,1\n", b".q\n", b".l1\n"),
+    *(b".c\n", b"\r", b",", b"-1", b".c999999999,1,1,1,1,1,1,1\n"),
+)
+
+
+# --- Control lines ----------------------------------------------------------------------
+
+
+def check_control(data: bytes, folder: Path) -> None:
+    """Any lines on standard input, to one board, to two, and to a robot."""
+    numbered = Eeprom()
+    numbered.write("device_number", 9)
+    stages: Sequence[tuple[Any, Callable[[Any, str], str]]] = (
+        (TrexLine([Board(seed=0)]), control_board),
+        (TrexLine([Board(seed=0), Board(eeprom=numbered)]), control_board),
+        (AracnaLine(), control_robot),
+    )
+    for line, control in stages:
+        for text in data.decode("utf-8", "replace").split("\n")[:50]:
+            answer = control(line, text)
+            assert answer.startswith(("ok", "error ")), answer
+            assert "\n" not in answer
+            line.advance(0.02)
+
+
+CONTROL_LINES = (
+    *("channel 1 1500us", "channel 2 2.5V noise 2us", "channel 5 invalid", "factory", "reset"),
+    *("channel 3 silent lost 0.5", "jumper mode rc", "jumper mix on", "jumper so-ground on"),
+    *("power off", "power on", "power cycle", "load 1 5", "current 2 3.5", "current 1 auto"),
+    *("fault 1 on", "battery 11.5 0.1", "eeprom device_number 8", "line mute on", "show"),
+    *("line drop 5 sent", "line garbage FF80", "line noise 0.1", "line unplug", "line plug"),
+    *("line error framing 3", "line cut 4", "@9 show", "quit", "servo 3 dead", "servo power off"),
+    *("servo 2 load 0.5", "servo 1 lose position 3"),
+)
+WORDS = tuple(
+    f" {word} ".encode()
+    for word in (
+        *("on", "off", "cycle", "auto", "rc", "nan", "inf", "1e999", "-1", "0x10"),
+        *("\u0663", "\u00b2"),
+        *("@7", "@9", "@", "99999999999999999999", "us", "V", "9us", "1500us"),
+    )
+)
+
+
+# ----------------------------------------------------------------------------------------
+
+
+def _mutated(*samples: bytes, words: Sequence[bytes] = REPLIES) -> Make:
+    return mutations(lambda: samples, words)
+
+
+CALM = b"\0" * 40
+ALL = b"".join(PACKETS)
+
+WIRE_TARGETS = (
+    Target(
+        "board_replies",
+        _mutated(CALM, b"\x01" + b"\0\x6f" * 30, b"\x06" + b"\0\0\0\x83TReX" * 10),
+        check_board_replies,
+        examples=10,
+    ),
+    Target(
+        "robot_replies",
+        _mutated(CALM, b"\0\x6f" * 30, b"\0\0\0\x97.q1,8\r\n" * 4),
+        check_robot_replies,
+        examples=15,
+    ),
+    Target(
+        "scan",
+        _mutated(CALM, b"\0" + b"\x60" * 80, b"\xff" + b"\x83TReX1.2" * 9),
+        check_scan,
+        examples=8,
+    ),
+    Target("traffic", mutations(_traffic_samples, (*REPLIES, *PACKETS)), check_traffic),
+    Target(
+        "board_requests",
+        _mutated(b"\0\0" + ALL, b"\x07\0" + ALL, words=PACKETS),
+        check_board_requests,
+        examples=30,
+    ),
+    Target(
+        "robot_requests",
+        _mutated(b"\x07" + b"".join(LINES), b"\0" + b".q\n" * 9, words=LINES),
+        check_robot_requests,
+        examples=20,
+    ),
+    Target(
+        "control",
+        _mutated(b"\n".join(map(str.encode, CONTROL_LINES)), words=WORDS),
+        check_control,
+        examples=30,
+    ),
+)
