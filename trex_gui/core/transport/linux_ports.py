@@ -31,9 +31,14 @@ def holder_of(url: str) -> str | None:
 
 
 def is_locked_elsewhere(url: str) -> bool:
-    """Whether another program has locked a port; true if that is unknown."""
+    """Whether another program has locked a port; true if that is unknown.
+
+    The lock of a program that has died is held by its guardian, which is about to end.
+    """
     with contextlib.suppress(OSError):
-        return _locking(Path(url)) not in {None, os.getpid()}
+        number = _locking(Path(url))
+        is_ours = number in {None, os.getpid()}
+        return not is_ours and (_PROCESSES / str(number)).exists()
     return True
 
 

@@ -246,7 +246,8 @@ def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
 def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -> None:
     """Open a port; wait a moment for another line of this program that is about to close it.
 
-    That one may still be confirming its last stop. There is no waiting for other programs.
+    That one may still be confirming its last stop, and so may the guardian of a program that died.
+    There is no waiting for other programs.
     """
     deadline = clock() + _HANDING_OVER
     while True:
