@@ -5,6 +5,7 @@ Ref: TReX 1.0 command documentation, 0x82, 0x84, 0x85, 0x86, 0x95.
 
 from collections.abc import Iterable
 from enum import Enum, IntFlag
+from functools import cache
 
 from trex_gui.core.errors import BadRequest
 
@@ -166,6 +167,7 @@ class Mode(Enum):
         return InputSource.RC if rc else InputSource.ANALOG
 
 
+@cache
 def channels_in(mask: int) -> tuple[int, ...]:
     """Return the channel numbers (1-5) whose bits are set; bit n is channel n+1."""
     return tuple(channel for channel in CHANNELS if mask >> (channel - 1) & 1)

@@ -308,6 +308,9 @@ class ParameterSet:
 
     def __getitem__(self, key: str) -> ParameterSpec:
         """Return the parameter with this key; BadRequest with a guess if there is none."""
+        for spec in self.specs:
+            if key == spec.key:  # most are; sessions ask hundreds of times a second
+                return spec
         wanted = key.strip().lower().replace("-", "_").replace(" ", "_")
         for spec in self.specs:
             if wanted in {spec.key, spec.name.lower().replace("-", "_").replace(" ", "_")}:

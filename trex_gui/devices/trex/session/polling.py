@@ -11,7 +11,7 @@ one query and the first byte of the next one.
 import math
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
-from enum import Enum, auto
+from enum import IntEnum, auto
 from typing import Any
 
 from trex_gui.core.timing import FRAME
@@ -39,7 +39,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import Batch
 
 
-class Topic(Enum):
+class Topic(IntEnum):
     CURRENTS = auto()
     RAW = auto()
     REMAPPED = auto()

@@ -399,7 +399,9 @@ class TrexSession:
 
     def _poll(self, topic: Topic) -> None:
         try:
-            sample = poll(self._request, topic, self._now, self._status)
+            # Stops and setpoints have just been served; only a status may take two transactions.
+            request = self._request if topic is Topic.STATUS else self._line.request
+            sample = poll(request, topic, self._now, self._status)
             self._liveness.note_answer()
             if topic is Topic.STATUS:
                 self._note_status(sample if isinstance(sample, LatchedStatus) else None)
