@@ -97,6 +97,7 @@ class ErrorCode(Enum):
     OTHER_SOURCE = QT_TRANSLATE_NOOP(
         "TrexErrors", "{0} is for {1} inputs, but the board reads {2} now"
     )
+    OTHER_BOARD = QT_TRANSLATE_NOOP("TrexErrors", "Another board answers now: {0}.")
     WRITE_CANCELLED = QT_TRANSLATE_NOOP(
         "TrexErrors", "The writing was cancelled before this was tried."
     )

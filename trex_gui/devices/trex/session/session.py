@@ -9,7 +9,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence
 from trex_gui.core.session import (
     SHORTEST_WAIT,
@@ -24,7 +24,7 @@ from trex_gui.core.session import (
 from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.client.client import TrexClient, diagnose
+from trex_gui.devices.trex.client.client import Requester, TrexClient, diagnose
 from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, StatusReader
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
@@ -42,6 +42,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.errors import (
     ErrorCode,
     Rejected,
+    TrexBadReplyError,
     TrexError,
     TrexNoReplyError,
     TrexRequestError,
@@ -193,7 +194,7 @@ class TrexSession:
             if was_driven or self._motors.stops:
                 self._driver.stop_on_close()
             if was_driven and not self._motors.may_move:
-                self._stopped_another = self._is_another_board(client)
+                self._stopped_another = self._is_another_board(client.request)
             client.drain()
         except StudioError:
             log.info("the line was closed without a confirmed stop", exc_info=True)
@@ -207,16 +208,16 @@ class TrexSession:
             log.exception("the last samples could not be reported")
         client.close()
 
-    def _is_another_board(self, client: TrexClient) -> bool:
+    def _is_another_board(self, request: Requester) -> bool:
         """Whether the board that answers now cannot be the one that was read.
 
         It asks twice: damaged bytes can be those of another model.
         """
         try:
             return self._signature is not None and all(
-                query(client.request, GetSignature()) != self._signature for _ in range(2)
+                query(request, GetSignature()) != self._signature for _ in range(2)
             )
-        except (NoReply, BadReply):
+        except (NoReply, BadReply, PortUnavailable):
             return False
 
     # --- The loop -----------------------------------------------------------------------
@@ -324,9 +325,10 @@ class TrexSession:
     def _write(self, job: Write) -> Written:
         """Write until it is done or `Close` comes, which leaves no value half written.
 
-        Motors that may be moving are stopped before that.
+        Motors that may be moving are stopped before that. If another board answers, before or
+        behind it, nothing counts as written.
         """
-        stop_is_due = True
+        before, stop_is_due = self._state, True
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
             nonlocal stop_is_due
@@ -336,6 +338,7 @@ class TrexSession:
             self._serve_motors()
             return self._line.request(command)
 
+        self._require_same_board(request)
         results = write_all(
             request,
             self._state.specs,
@@ -346,7 +349,21 @@ class TrexSession:
             cancelled=self._is_closing,
             stored=self._note_stored,
         )
-        return Written(results, self._state, self._line.settings)
+        written = Written(results, self._state, self._line.settings)
+        self._state = before
+        self._require_same_board(request)
+        self._state = written.state
+        return written
+
+    def _require_same_board(self, request: Requester) -> None:
+        """Read another board that answers instead of the one that was read.
+
+        Raises:
+            BadReply: there is one.
+        """
+        if self._is_another_board(request):
+            self._read_everything(ReadReason.RETURNED)
+            raise TrexBadReplyError(ErrorCode.OTHER_BOARD, str(self._state.signature))
 
     def _note_stored(self, result: WriteResult) -> None:
         self._state = after_writing(self._state, (result,))

@@ -1,5 +1,6 @@
 """Edits that were not applied outlive the program, for the board that they belong to."""
 
+import itertools
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
@@ -190,6 +192,35 @@ def test_edits_of_a_replaced_board_are_offered_when_it_is_back(
     one.settle()
     one.connect(other.url)
     assert one.offered == {"serial_timeout": 9}
+
+
+@pytest.mark.parametrize("packets", range(16))
+def test_no_edit_is_lost_if_another_model_answers_during_apply(
+    run: Start,
+    quick_simulator: VirtualSimulator,
+    start_simulator: StartSimulator,
+    packets: int,
+) -> None:
+    other = start_simulator("--unpaced", "--model", "trexjr")
+    assert isinstance(other, VirtualSimulator)
+    one = run(quick_simulator.url)
+    wanted = {"serial_timeout": 15, "motor1_acceleration": 3, "motor2_acceleration": 4}
+    one.edit(**wanted)
+    sent = itertools.count()
+
+    def exchange(_data: bytes) -> None:
+        if next(sent) == packets:
+            quick_simulator.on_write = lambda _data: None
+            quick_simulator.move_cable_to(other)
+
+    one.device.apply()
+    quick_simulator.on_write = exchange
+    one.wait(lambda: not one.device.applying)
+    one.settle()
+    stored = quick_simulator.show()["parameters"]
+    one.connect(quick_simulator.url)
+    missing = {key: wire for key, wire in wanted.items() if stored[key] != wire}
+    assert one.offered == missing
 
 
 def test_board_with_another_number_gets_no_offer(
