@@ -11,7 +11,6 @@ from trex_gui.core.session import Outcome
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, Raw
 from trex_gui.devices.trex.driving.requests import (
-    HEARTBEAT_INTERVAL,
     Arm,
     Heartbeat,
     SetMotor,
@@ -41,6 +40,10 @@ def set_timeout(stage: Stage, tenths: int) -> None:
     stage.board.memory.load()
 
 
+INTERVAL = 0.25
+"""Seconds between two heartbeats here: rarer than the window's, and often enough."""
+
+
 @pytest.mark.parametrize(
     ("baud", "detection"), sampled(itertools.product(baud_rates(), Detection), every=5)
 )
@@ -50,7 +53,7 @@ def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection)
     start = opening(baud)
     stage.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
     for number in range(20):
-        stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
+        stage.script.at(start + number * INTERVAL, Heartbeat())
     speeds = seen_at(stage, start + 5.0, lambda: stage.board.motors[0].speed)
     reports = run_for(stage, start + 5.1, settings)
     assert speeds == [90]
@@ -68,7 +71,7 @@ def test_slow_line_omits_long_polls_while_armed() -> None:
     start = opening(1200)
     stage.script.at(start, Arm())
     for number in range(20):
-        stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
+        stage.script.at(start + number * INTERVAL, Heartbeat())
     stage.script.at(start + 5.0, Stop(1))
     reports = run_for(stage, start + 8.0, settings)
     seen = [one.time for one in samples(reports, Raw)]
@@ -89,7 +92,7 @@ def test_timeout_written_while_connected_applies_at_once() -> None:
     stage.script.at(start, Write(1, (("serial_timeout", 1),)))
     stage.script.at(start + 1.0, Arm())
     for number in range(16):
-        stage.script.at(start + 1.0 + number * HEARTBEAT_INTERVAL, Heartbeat())
+        stage.script.at(start + 1.0 + number * INTERVAL, Heartbeat())
     reports = run_for(stage, start + 4.0, settings)
     assert among(reports, Outcome)[0].error is None
     assert [one for one in samples(reports, Raw) if one.time > start + 1.2] == []
@@ -109,11 +112,11 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
         stage.line.faults.to_drop = 1
 
     for number in range(80):
-        stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
+        stage.script.at(start + number * INTERVAL, Heartbeat())
         if number >= 4:
             # Somewhere else in the round of questions each time: each of them is hit.
-            stage.script.at(start + (number + 0.013 * number) * HEARTBEAT_INTERVAL, lose_an_answer)
-    reports = run_for(stage, start + 81 * HEARTBEAT_INTERVAL, settings)
+            stage.script.at(start + (number + 0.013 * number) * INTERVAL, lose_an_answer)
+    reports = run_for(stage, start + 81 * INTERVAL, settings)
     fired = [
         one
         for one in samples(reports, LatchedStatus)
