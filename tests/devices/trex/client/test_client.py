@@ -226,6 +226,17 @@ def test_motor_command_does_not_wait_for_late_reply(stage: Stage) -> None:
     assert stage.line.now == begun
 
 
+def test_reply_through_a_port_that_takes_long_to_write_is_in_time(stage: Stage) -> None:
+    write = stage.transport.write
+
+    def write_slowly(data: bytes) -> None:
+        stage.line.advance(0.2)
+        write(data)
+
+    stage.transport.write = write_slowly  # type: ignore[method-assign]
+    assert stage.client().request(GetMode()) is Mode.SERIAL_RC
+
+
 def test_incomplete_reply_is_reported_with_its_bytes(stage: Stage) -> None:
     stage.line.faults.to_drop = 3
     with pytest.raises(NoReply, match=r"Incomplete reply to 81: only 58 31 2E 32 arrived\."):

@@ -117,8 +117,9 @@ class TrexClient:
         self.counters.unsolicited += len(late)
         begun = self.transport.clock()
         self.transport.write(packet)
-        self._free_at = begun + line.seconds(len(packet))
-        # What is queued in the port must leave before the board can reply.
+        # What is queued in the port must leave before the board can reply; a port may also keep the
+        # caller until it has taken everything.
+        self._free_at = max(begun + line.seconds(len(packet)), self.transport.clock())
         deadline = self._free_at + self._allowance + command.seconds_to_answer
         received = b""
         state = parser.feed()
