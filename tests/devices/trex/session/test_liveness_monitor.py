@@ -4,6 +4,7 @@ from tests.devices.trex.session.helpers import staged
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.session.polling import Topic
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 ELSEWHERE = (ConnectionSettings("virtual", LineSettings(57600)),)
@@ -21,6 +22,21 @@ def test_reply_between_failures_keeps_board_responding() -> None:
         assert not liveness.note_failure(1.0)
         assert not liveness.note_failure(1.1)
         liveness.note_answer()
+    assert not liveness.silent
+
+
+def test_topic_that_always_fails_counts_despite_other_replies() -> None:
+    """Where wires touch, a request that comes back can pass for a measurement."""
+    for topic, fails in ((Topic.CONTROL, True), (Topic.MODE, True), (Topic.RAW, False)):
+        liveness = LivenessMonitor(Timeouts())
+        for _ in range(3):
+            liveness.note_failure(1.0, topic)
+            liveness.note_answer(Topic.CURRENTS)
+        assert liveness.silent is fails
+    liveness = LivenessMonitor(Timeouts())
+    for _ in range(9):
+        liveness.note_failure(1.0, Topic.MODE)
+        liveness.note_answer(Topic.MODE)
     assert not liveness.silent
 
 

@@ -1,7 +1,7 @@
 """Finding a board again that has stopped responding, perhaps at other line settings."""
 
 import logging
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
@@ -17,11 +17,18 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.framing import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
+from trex_gui.devices.trex.session.polling import Topic
 
 log = logging.getLogger(__name__)
 
 _FAILURES = 3
 """Failed transactions in a row after which a board counts as not responding."""
+
+_TELLING = frozenset({Topic.CONTROL, Topic.MODE})
+"""Topics that are counted by themselves, too: few bytes are a reply to them.
+
+Where wires touch, requests that come back can pass for measurements and go on without end.
+"""
 
 
 class LivenessMonitor:
@@ -38,6 +45,7 @@ class LivenessMonitor:
         self.retry_at = 0.0
         self._retry = timeouts.retry
         self._failures = 0
+        self._failures_of: Counter[Topic] = Counter()
         self._has_probed = False
         self._places: deque[ConnectionSettings] = deque()
         self.candidates: tuple[ConnectionSettings, ...] = ()
@@ -50,15 +58,21 @@ class LivenessMonitor:
     def begin(self) -> None:
         self.silent = False
         self._failures = 0
+        self._failures_of.clear()
         self._has_probed = False
 
-    def note_answer(self) -> None:
+    def note_answer(self, topic: Topic | None = None) -> None:
         self._failures = 0
+        if topic is not None:
+            self._failures_of[topic] = 0
 
-    def note_failure(self, now: float) -> bool:
+    def note_failure(self, now: float, topic: Topic | None = None) -> bool:
         """Count a failed transaction; return whether the board counts as silent from now on."""
         self._failures += 1
-        if self._failures < _FAILURES or self.silent:
+        if topic in _TELLING:
+            self._failures_of[topic] += 1
+        failures = max((self._failures, *self._failures_of.values()))
+        if failures < _FAILURES or self.silent:
             return False
         self.silent = True
         self._places.clear()

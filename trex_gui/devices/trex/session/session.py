@@ -104,6 +104,7 @@ class TrexSession:
         self._queue = TrexRequestQueue(inbox, self._motors, self._liveness, emit, self._now)
         self._batcher = SampleBatcher(emit)
         self._polling = Polling()
+        self._is_stale = False  # whether the board may store something else than `_state`
         self._is_guarded = False
         self._was_held_up = False
         self._port_rates: frozenset[int] | None = None
@@ -349,6 +350,8 @@ class TrexSession:
             cancelled=self._is_closing,
             stored=self._note_stored,
         )
+        if any(isinstance(result.error, NoReply | BadReply | Rejected) for result in results):
+            self._is_stale = True  # what failed may be stored all the same
         written = Written(results, self._state, self._line.settings)
         self._state = before
         self._require_same_board(request)
@@ -381,6 +384,7 @@ class TrexSession:
         self._state = read_everything(
             self._request, self._report_progress, has_crc=self._line.has_crc
         )
+        self._is_stale = False
         self._signature = self._state.signature
         if occasion is not ReadReason.RELOADED:
             if occasion.power_cycled or self._motors.is_armed:
@@ -419,7 +423,7 @@ class TrexSession:
             # Stops and setpoints have just been served; only a status may take two transactions.
             request = self._request if topic is Topic.STATUS else self._line.request
             sample = poll(request, topic, self._now, self._status)
-            self._liveness.note_answer()
+            self._liveness.note_answer(topic)
             if topic is Topic.STATUS:
                 self._note_status(sample if isinstance(sample, LatchedStatus) else None)
             if sample is not None:
@@ -428,8 +432,10 @@ class TrexSession:
                 # The power was off and a jumper was moved: everything may have changed.
                 self._stop_if_moving()
                 self._read_everything(ReadReason.MODE_CHANGED)
+            elif self._is_stale:
+                self._read_everything(ReadReason.RELOADED)
         except (NoReply, BadReply) as error:
-            self._note_failure(error)
+            self._note_failure(error, topic)
 
     def _note_status(self, latched: LatchedStatus | None) -> None:
         stops_on_error = self._state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)
@@ -442,8 +448,8 @@ class TrexSession:
 
     # --- A board that does not respond --------------------------------------------------
 
-    def _note_failure(self, error: StudioError) -> None:
-        if self._liveness.note_failure(self._now()):
+    def _note_failure(self, error: StudioError, topic: Topic | None = None) -> None:
+        if self._liveness.note_failure(self._now(), topic):
             self._motors.handle(OutputEvent.NOT_RESPONDING, self._now())
             self._driver.stop_without_reply()
             self._flush()
