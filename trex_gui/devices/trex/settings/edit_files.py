@@ -69,7 +69,7 @@ class EditFiles:
         """Return what is saved for a board.
 
         Raises:
-            SettingsError: it cannot be read, or is damaged.
+            SettingsError: it cannot be read, is damaged, or is of another model.
         """
         path = self.path(board)
         try:
@@ -77,4 +77,6 @@ class EditFiles:
         except OSError:
             return None
         settings, _ = read_settings(load(path), str(path))
+        if settings.product != board.product:
+            raise SettingsError.of(path, f"these are edits of a {settings.product.name}")
         return SavedEdits(settings, saved)
