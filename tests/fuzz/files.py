@@ -47,7 +47,7 @@ from trex_gui.ui.playback.player import RecordingPlayer
 # --- Settings ---------------------------------------------------------------------------
 
 
-def _settings_samples() -> Sequence[bytes]:
+def settings_samples() -> Sequence[bytes]:
     models = device_table().models
     written = [write_settings(factory_settings(model, None)).encode() for model in models]
     shipped = [path.read_bytes() for path in sorted(resource("samples").glob("*.txt"))]
@@ -381,7 +381,7 @@ def _pose_samples() -> Sequence[bytes]:
 
 
 FILE_TARGETS = (
-    Target("settings", mutations(_settings_samples, YAML), check_settings, examples=20),
+    Target("settings", mutations(settings_samples, YAML), check_settings, examples=20),
     Target("snapshots", mutations(_snapshot_samples, YAML), check_snapshot, examples=20),
     Target("poses", mutations(_pose_samples, POSES), check_poses),
     Target("bench", mutations(lambda: [to_csv(SAVED).encode()], BENCH), check_bench),

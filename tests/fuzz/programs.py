@@ -13,6 +13,7 @@ import click
 from click.testing import CliRunner, Result
 from PySide6.QtCore import QByteArray, QCoreApplication, QSettings
 
+from tests.fuzz.files import YAML, settings_samples
 from tests.fuzz.fuzzing import Make, Target, mutations
 from tests.support.virtual_command import VirtualCommand
 from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
@@ -25,7 +26,12 @@ from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.resource_files import resource
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.settings.document import factory_settings
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import use_runtime
 from trex_gui.ui.theme.theme import theme
@@ -317,10 +323,42 @@ GUI_WORDS = (b"--port", b"--device", b"--settings", b"--timeout", b"--demo", b"-
 INI = (*(value.encode() for value in UNUSABLE), b'"', b"[", b"]", b"=", b"%", b"\\x")
 assert isinstance(simulator.main, click.Command)
 
+# --- Edits that were not applied --------------------------------------------------------
+
+
+def check_pending_edits(data: bytes, folder: Path) -> None:
+    """A file of edits beside the snapshots, when its board is connected."""
+    with _computer(folder) as computer:
+        settings = factory_settings(device_table().model("trex"), "1.2")
+        path = EditFiles().path(BoardIdentity.of(settings))
+        path.parent.mkdir(parents=True)
+        path.write_bytes(data)
+        device = Device()
+        try:
+            device.connect_to(ConnectionSettings(URL))
+            assert computer.run_until(lambda: device.edit_backup._is_read, 10)
+            before = dict(device.parameters.all_stored)
+            device.edit_backup.restore()
+            computer.advance(1.0)
+            assert device.parameters.all_stored == before
+            device.draft.discard_edits()
+        finally:
+            computer.run_until(device.shut_down, 10)
+
+
+# ----------------------------------------------------------------------------------------
+
 RUN, WINDOW = 10_000, 200_000  # bytes that the harness keeps of a run; a program ends after one
 
 PROGRAM_TARGETS = (
     Target("trexcmd", _vectors(main), check_trexcmd, examples=25, growth=RUN),
+    Target(
+        "pending_edits",
+        mutations(settings_samples, YAML),
+        check_pending_edits,
+        examples=10,
+        growth=RUN,
+    ),
     Target("trex_sim", _vectors(simulator.main), check_trex_sim, examples=30, growth=RUN),
     Target(
         "trex_gui",

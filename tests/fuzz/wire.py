@@ -12,7 +12,8 @@ from trex_gui.composition import PLUGINS
 from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session import Closed, Outcome
-from trex_gui.core.transport.settings import PortSettings
+from trex_gui.core.simulator.rfc2217_endpoint import Rfc2217Endpoint
+from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat
 from trex_gui.core.transport.traffic import (
     Decoder,
     TrafficDirection,
@@ -44,6 +45,10 @@ from trex_gui.devices.trex.simulator.uart import SEND_BUFFER
 
 MOST_READS = 30_000
 """Reads after which a session or a scan hangs; an undisturbed one of some seconds needs a tenth."""
+
+
+LONGEST_REPLIES = 10_000
+"""Bytes that may wait for the host after a block of requests."""
 
 
 class Wire(Protocol):
@@ -95,7 +100,7 @@ class Disturbance:
             case 13:
                 wire.line.inject(self.take(number))
             case 14:
-                received *= 2
+                received += received[:100]
             case 15 if number == 15:
                 raise PortUnavailable("The line is gone.")
             case 15 if number == 14:
@@ -309,7 +314,32 @@ def _check_sizes(line: Any) -> None:
         assert len(station.port.outgoing) <= SEND_BUFFER
 
 
-LONGEST_REPLIES = 10_000
+class NetworkPort(Rfc2217Endpoint):
+    """The protocol without its socket."""
+
+    def __init__(self) -> None:
+        self._baud = 19200
+        self.welcome()
+
+    def write_raw(self, data: bytes) -> None:
+        pass
+
+    def drop_client(self) -> None:
+        self._manager = None
+
+
+def check_network_port(data: bytes, folder: Path) -> None:
+    """A client of RFC 2217, as the server serves it."""
+    port, line = NetworkPort(), TrexLine([Board(seed=0)])
+    for at in range(0, len(data), 30):
+        for settings, received in port.arrivals(data[at : at + 30]):
+            assert settings is not None
+            line.host = SerialFormat(
+                settings.baud, settings.parity or Parity.NONE, settings.stop_bits
+            )
+            line.send(received)
+        line.advance(0.02)
+        port.write(line.receive())
 
 
 def check_robot_requests(data: bytes, folder: Path) -> None:
@@ -320,7 +350,7 @@ def check_robot_requests(data: bytes, folder: Path) -> None:
         stage.line.send(data[at : at + 70])
         stage.line.advance(data[at] / 200)
         assert len(stage.line.station.held) <= HOLDS
-        assert len(stage.line._received) < LONGEST_REPLIES
+        assert len(stage.line.receive()) < LONGEST_REPLIES
     stage.line.drop_unsent()
     stage.do("reset")
     stage.line.advance(1.1)
@@ -344,6 +374,16 @@ PACKETS = tuple(
 LINES: Sequence[bytes] = (
     *(b".c512,512,512,512,512,512,512,512\n", b".v1,1,1,1,1,1,1,1\n", b".q\n", b".l1\n"),
     *(b".c\n", b"\r", b",", b"-1", b".c999999999,1,1,1,1,1,1,1\n"),
+)
+
+
+TELNET = tuple(  # baud, data bits, parity, stop bits, control, state, purge, options
+    bytes.fromhex(message)
+    for message in (
+        *("FFFA2C0100004B00FFF0", "FFFA2C0208FFF0", "FFFA2C0301FFF0", "FFFA2C0401FFF0"),
+        *("FFFA2C0501FFF0", "FFFA2C07FFF0", "FFFA2C0C03FFF0", "FFFB2C", "FFFD00", "FFFE01"),
+        *("FFFC03", "FFFF", "8181", "FFFA2C01", "FFF0"),
+    )
 )
 
 
