@@ -34,7 +34,7 @@ from trex_gui.composition import build
 from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.files import wait_for_background
+from trex_gui.ui.files import end_background
 from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import use_runtime
 from trex_gui.ui.theme.theme import theme
@@ -103,7 +103,7 @@ def _time(request: pytest.FixtureRequest) -> Iterator[None]:
     if not _is_real(request):
         request.getfixturevalue("virtual_time")
     yield
-    wait_for_background(60_000)  # files that were still read when the window closed
+    end_background(60_000)  # files that were still read when the window closed
 
 
 @pytest.fixture(scope="session")

@@ -96,8 +96,15 @@ class WidgetDriver:
         self.qtbot.waitUntil(lambda: bool(condition()), timeout=timeout)
 
     def wait_for_files(self) -> None:
-        """Wait until the files in use were read or written, and the window knows."""
-        self.wait(lambda: not background)
+        """Wait until the files in use were read or written, and the window has settled."""
+        quiet = 0
+
+        def is_quiet() -> bool:
+            nonlocal quiet
+            quiet = 0 if background else quiet + 1
+            return quiet > 3
+
+        self.wait(is_quiet)
 
     def wait_for_text(self, name: str, part: str) -> None:
         """Wait until a label contains a text."""

@@ -11,7 +11,7 @@ from shiboken6 import Shiboken
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, save
 from trex_gui.ui.runtime import now
-from trex_gui.ui.workers.file_worker import FileWorker
+from trex_gui.ui.workers.file_worker import FileWorker, ProgressCallback
 
 ResultT = TypeVar("ResultT")
 
@@ -19,8 +19,13 @@ background: set[FileWorker] = set()
 """What `in_background` runs; the process must not exit normally before it has ended."""
 
 
-def wait_for_background(timeout_ms: int) -> bool:
-    """Wait for all work in the background together; return whether it ended in time."""
+def end_background(timeout_ms: int) -> bool:
+    """End all work in the background; return whether it ended in time.
+
+    What reports progress is cancelled, and files that are being saved are finished.
+    """
+    for job in background:
+        job.cancel()
     end = now() + timeout_ms / 1000
     ended = [job.wait(max(0, round((end - now()) * 1000))) for job in tuple(background)]
     return all(ended)
@@ -32,11 +37,11 @@ class _Job(FileWorker, Generic[ResultT]):
     def __init__(
         self,
         owner: QObject,
-        work: Callable[[], ResultT],
+        work: Callable[[ProgressCallback], ResultT],
         then: Callable[[ResultT], object],
         failed: Callable[[StudioError], object],
     ) -> None:
-        super().__init__(lambda _progress: work())
+        super().__init__(work)
         self._owner = owner
         self._then = then
         self._failed = failed
@@ -47,7 +52,7 @@ class _Job(FileWorker, Generic[ResultT]):
         self.wait()
         background.discard(self)
         self.deleteLater()
-        if not Shiboken.isValid(self._owner):
+        if self.is_cancelled or not Shiboken.isValid(self._owner):
             return
         if self.outcome.error is not None:
             self._failed(self.outcome.error)
@@ -65,9 +70,26 @@ def in_background(
 
     Neither is called once the owner is destroyed. A disk that hangs blocks nothing else.
     """
+    start_in_background(owner, lambda _progress: work(), then, failed)
+
+
+def start_in_background(
+    owner: QObject,
+    work: Callable[[ProgressCallback], ResultT],
+    then: Callable[[ResultT], object],
+    failed: Callable[[StudioError], object],
+    progressed: Callable[[float], object] | None = None,
+) -> Callable[[], None]:
+    """Do the same with work that reports its progress; return what cancels it.
+
+    Work that is cancelled calls back no more.
+    """
     job = _Job(owner, work, then, failed)
+    if progressed is not None:
+        job.progressed.connect(progressed, Qt.ConnectionType.QueuedConnection)
     background.add(job)
     job.start(FileWorker.Priority.LowPriority)
+    return job.cancel
 
 
 def save_picture(path: Path, image: QImage) -> None:

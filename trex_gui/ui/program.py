@@ -11,7 +11,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import Controller, DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
-from trex_gui.ui.files import wait_for_background
+from trex_gui.ui.files import end_background
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.notifier import Notifier
@@ -98,7 +98,7 @@ class Program:
         """
         ends = [self.device_manager.shut_down()]
         ends += [workspace.shut_down() for workspace in self.workspaces.values()]
-        ends.append(wait_for_background(_FILES_TIMEOUT_MS))
+        ends.append(end_background(_FILES_TIMEOUT_MS))
         return all(ends) and wait_for_orphans()
 
     def close(self) -> bool:

@@ -167,6 +167,11 @@ class HistoryDialog(ComparisonDialog):
     def open(self) -> None:
         self._action.trigger()
         self.wait(self.root.isVisible)
+        self.wait_for_files()
+
+    def refresh(self) -> None:
+        self.widget.refresh()
+        self.wait_for_files()
 
     @property
     def snapshots(self) -> QTableView:
@@ -197,16 +202,19 @@ class HistoryDialog(ComparisonDialog):
         for row in rows:
             index = view.model().index(row, 0)
             view.selectionModel().setCurrentIndex(index, flags.Select | flags.Rows)
+        self.wait_for_files()
 
     def compare_with_file(self) -> None:
         box = self.combo("compareWithCombo")
         box.setCurrentIndex(box.findText("a settings file…"))
         box.activated.emit(box.currentIndex())
+        self.wait_for_files()
 
     def answer(self, *, yes: bool) -> None:
         self.wait(self.question.isVisible)
         self.click("historyQuestionYes" if yes else "questionCancel")
         assert not self.question.isVisible()
+        self.wait_for_files()
 
     def check_only(self, setting: str) -> None:
         self.click("tickNoneButton")

@@ -79,6 +79,10 @@ class FileWorker(WorkerThread):
             if not self._cancelled.is_set():
                 self.outcome = Done(result)
 
+    @property
+    def is_cancelled(self) -> bool:
+        return self._cancelled.is_set()
+
     def cancel(self) -> None:
         """End the work at its next progress report."""
         self._cancelled.set()

@@ -101,6 +101,7 @@ def test_reference_snapshot_can_be_selected_and_is_kept(
     assert not model.item(0).isEnabled()  # the board
     box.setCurrentIndex(box.count() - 1)
     box.activated.emit(box.currentIndex())
+    dialog.wait_for_files()
     assert dialog.values() == {"serial_timeout": ("0.5 s", "0.7 s")}
     dialog.select_snapshot(1)
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.5 s", "0.6 s")})
@@ -186,10 +187,13 @@ def test_search_filters_the_list(dialog: HistoryDialog, history: SettingsHistory
     dialog.open()
     search = dialog.find(QLineEdit, "snapshotSearch")
     QTest.keyClicks(search, "rover")
+    dialog.wait_for_files()
     assert dialog.count() == 1
     QTest.keyClicks(search, "xyz")
+    dialog.wait_for_files()
     assert dialog.has("snapshotNoMatch")
     search.clear()
+    dialog.wait_for_files()
     assert dialog.count() == 2
 
 
@@ -199,7 +203,7 @@ def test_snapshot_of_another_program_appears_on_refresh(
     take(history, MINUTE, serial_timeout=5)
     dialog.open()
     take(history)
-    dialog.widget.refresh()
+    dialog.refresh()
     assert dialog.count() == 2
     assert dialog.selected_row() == 1  # what was looked at stays
 
@@ -261,11 +265,13 @@ def test_copy_is_saved_as_a_settings_file(
     dialog.open()
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
     dialog.click("saveSnapshotButton")
+    dialog.wait_for_files()
     assert path.read_bytes() == snapshot.path.read_bytes()
     assert str(path) in dialog.banner
     lost = tmp_path / "nowhere" / "copy.txt"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(lost), ""))
     dialog.click("saveSnapshotButton")
+    dialog.wait_for_files()
     assert "Nothing was saved" in dialog.banner
 
 
@@ -279,9 +285,11 @@ def test_higher_bound_is_set_without_a_question(
     assert not dialog.is_enabled("keptButton")
     dialog.find(QSpinBox, "keptField").setValue(1000)
     dialog.click("keptButton")
+    dialog.wait_for_files()
     assert history.bound() == Bound(1000)
     dialog.combo("keptCombo").setCurrentIndex(1)
     dialog.click("keptButton")
+    dialog.wait_for_files()
     assert history.bound() == Bound(None)
     assert not dialog.is_enabled("keptButton")
     assert not dialog.question.isVisible()
@@ -295,12 +303,14 @@ def test_lower_bound_asks_and_says_how_many_are_removed(
     dialog.open()
     dialog.find(QSpinBox, "keptField").setValue(1)
     dialog.click("keptButton")
+    dialog.wait_for_files()
     assert dialog.question.text == "Permanently remove the oldest 2 of 3 snapshots?"
     dialog.answer(yes=False)
     assert (len(history.snapshots()), history.bound()) == (3, Bound())
     assert dialog.find(QSpinBox, "keptField").value() == 500
     dialog.find(QSpinBox, "keptField").setValue(1)
     dialog.click("keptButton")
+    dialog.wait_for_files()
     dialog.answer(yes=True)
     assert (len(history.snapshots()), history.bound()) == (1, Bound(1))
     assert dialog.count() == 1
@@ -316,6 +326,7 @@ def test_damaged_bound_is_reported_until_it_is_set(
     dialog.combo("keptCombo").setCurrentIndex(0)
     dialog.find(QSpinBox, "keptField").setValue(20)
     dialog.click("keptButton")
+    dialog.wait_for_files()
     assert history.bound() == Bound(20)
     assert dialog.banner == ""
 
@@ -326,5 +337,5 @@ def test_bound_set_elsewhere_appears_on_refresh(
     take(history)
     dialog.open()
     history.keep(77)
-    dialog.widget.refresh()
+    dialog.refresh()
     assert dialog.find(QSpinBox, "keptField").value() == 77

@@ -4,9 +4,10 @@ Comments at the head say when, why and of which board a snapshot was taken. A sm
 the same folder says to all programs how many snapshots to keep; other files are left alone.
 """
 
+import heapq
 import os
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -22,6 +23,8 @@ from trex_gui.devices.trex.settings.writer import write_settings
 KEPT = 500  # how many snapshots are kept by default: one or two megabytes
 _NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
 _TIME = "%Y%m%dT%H%M%SZ"
+_SORTED_AT_ONCE = 2000
+_NO_DATE = datetime.fromtimestamp(0, UTC)
 _HEAD_BYTES = 4096
 _HEAD_LINES = 12
 _NOTE = re.compile(r"# (taken|device number|adapter|reason): (.*)")
@@ -37,6 +40,13 @@ kept: {}
 """
 
 
+Stamp = tuple[int, int]
+"""Time of change (ns) and size of a file, which differ after a change; (0, 0) if unknown."""
+
+Order = tuple[datetime, int, str]
+"""By which snapshots are sorted: when each was taken, its turn within the second, its name."""
+
+
 @dataclass(frozen=True, slots=True)
 class Snapshot:
     """The head of a snapshot file."""
@@ -49,6 +59,7 @@ class Snapshot:
     adapter: str = ""  # the port of the board, for the user
     reason: str = ""  # the operation that followed
     problem: str = ""  # why the file cannot be used, judging by its head; empty if it can
+    stamp: Stamp = field(default=(0, 0), compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +120,29 @@ class SettingsHistory:
 
     def snapshots(self) -> tuple[Snapshot, ...]:
         """Return all snapshots, the newest first, including those that cannot be read."""
-        return tuple(_look_at(*file) for file in self._files())
+        return tuple(self.look_at(order) for order in self.files())
+
+    def files(self) -> list[Order]:
+        """Return the files of all snapshots, the newest first, without opening one."""
+        try:
+            with os.scandir(self.folder) as entries:
+                names = [entry.name for entry in entries]
+        except OSError:  # not made yet, or not ours to read
+            return []
+        matches = (match for name in names if (match := _NAME.fullmatch(name)))
+        found = list(map(_order, matches))
+        # One long `sort` would hold up every other thread.
+        starts = range(0, len(found), _SORTED_AT_ONCE)
+        pieces = [sorted(found[n : n + _SORTED_AT_ONCE], reverse=True) for n in starts]
+        return list(heapq.merge(*pieces, reverse=True))
+
+    def look_at(self, file: Order, known: Snapshot | None = None) -> Snapshot:
+        """Return the head of a snapshot; `known` itself while its file has not changed."""
+        taken, _, name = file
+        path = self.folder / name
+        if known is not None and known.stamp == _stamp(path):
+            return known
+        return _look_at(path, taken)
 
     def load(self, snapshot: Snapshot) -> Settings:
         """Return the settings in a snapshot.
@@ -149,7 +182,8 @@ class SettingsHistory:
         return Bound(None if match[1] == "all" else int(match[1]))
 
     def beyond(self, kept: int | None) -> tuple[Snapshot, ...]:
-        return () if kept is None else self.snapshots()[kept:]
+        files = () if kept is None else self.files()[kept:]
+        return tuple(map(self.look_at, files))
 
     def keep(self, kept: int | None) -> tuple[Snapshot, ...]:
         """Set how many are kept, for all programs; remove the oldest beyond, and return them.
@@ -171,10 +205,10 @@ class SettingsHistory:
         bound = self.bound()
         if bound.problem or bound.kept is None:
             return
-        others = [path for path, _ in self._files() if path.name != own.name]
-        for path in others[bound.kept - 1 :]:
-            if _saved(path) < _saved(own):
-                _removed(path)
+        others = [name for _, _, name in self.files() if name != own.name]
+        for name in others[bound.kept - 1 :]:
+            if _saved(self.folder / name) < _saved(own):
+                _removed(self.folder / name)
 
     def _make_folder(self) -> None:
         try:
@@ -187,23 +221,26 @@ class SettingsHistory:
         again = "" if turn == 1 else f"{turn}-"
         return self.folder / f"{taken.strftime(_TIME)}-{again}{model}-{firmware}.txt"
 
-    def _files(self) -> list[tuple[Path, datetime]]:
-        """Return path and time of each snapshot, the newest first."""
-        try:
-            paths = list(self.folder.iterdir())
-        except OSError:  # not made yet, or not ours to read
-            return []
-        found = {path: _age(match) for path in paths if (match := _NAME.fullmatch(path.name))}
-        newest_first = sorted(found, key=found.__getitem__, reverse=True)
-        return [(path, found[path][0]) for path in newest_first]
+
+def order_of(path: Path) -> Order:
+    match = _NAME.fullmatch(path.name)
+    return _order(match) if match else (_NO_DATE, 1, path.name)
 
 
-def _age(match: re.Match[str]) -> tuple[datetime, int, str]:
+def _order(match: re.Match[str]) -> Order:
     try:
-        taken = datetime.strptime(match[1], _TIME).replace(tzinfo=UTC)
+        taken = datetime.fromisoformat(match[1])
     except ValueError:  # digits that are no date
-        taken = datetime.fromtimestamp(0, UTC)
+        taken = _NO_DATE
     return taken, int(match[2] or 1), match[0]
+
+
+def _stamp(path: Path) -> Stamp:
+    try:
+        found = path.stat()
+    except OSError:
+        return 0, 0
+    return found.st_mtime_ns, found.st_size
 
 
 def _saved(path: Path) -> tuple[int, str]:
@@ -231,7 +268,7 @@ def _no_bound(path: Path, why: str) -> str:
 
 
 def _look_at(path: Path, taken: datetime) -> Snapshot:
-    problem = ""
+    problem, stamp = "", _stamp(path)
     try:
         with open_ordinary(path) as file:
             lines = _text_of(file.read(_HEAD_BYTES)).split("\n")
@@ -254,4 +291,5 @@ def _look_at(path: Path, taken: datetime) -> Snapshot:
         notes.get("adapter", ""),
         notes.get("reason", ""),
         problem,
+        stamp,
     )

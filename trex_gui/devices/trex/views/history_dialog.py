@@ -16,18 +16,20 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.files import SettingsError, load, save
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import load, save
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import (
     Index,
+    Listing,
     SnapshotColumn,
-    SnapshotFilter,
     SnapshotRole,
     SnapshotTable,
 )
 from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory, Snapshot
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
+from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import icon
@@ -59,6 +61,8 @@ class HistoryDialog(QDialog):
         self._table = SnapshotTable(device.history, self)
         self._bound_problem = ""
         self._later = new_timer(self, 0, self._renew, single_shot=True)
+        # The thread that reads slows this one down: not before the window was drawn.
+        self._reading = new_timer(self, 0, self.refresh, single_shot=True)
 
         notifier = Notifier(self)
         self._banner = Banner(self, notifier)
@@ -115,6 +119,9 @@ class HistoryDialog(QDialog):
         halves.setSizes([510, 670])
         restore_geometry(self, "history", 1180, 640)
 
+        self._table.listed.connect(self._on_listed)
+        self._table.loaded.connect(self._later.start)
+        self._table.failed.connect(self._banner.show_problem)
         self._list.chosen_changed.connect(self._later.start)
         self._list.delete_key.activated.connect(self._on_delete_clicked)
         self._pane.choice.chosen.connect(self._on_present_chosen)
@@ -128,15 +135,19 @@ class HistoryDialog(QDialog):
         device.request_failed.connect(self._on_written)
 
     def open_history(self) -> None:
-        self.refresh()
         self.show()
         self.activateWindow()
+        self._reading.start()
 
     @Slot()
     def refresh(self) -> None:
         """Read the folder and the bound again."""
-        self._list.refresh()
-        self._bound.refresh()
+        self._table.refresh()
+
+    @Slot(object)
+    def _on_listed(self, listing: Listing) -> None:
+        self._list.update_choice()
+        self._bound.show_bound(listing)
         if self._bound.problem:
             self._banner.show_problem(self._bound.problem)
         elif self._bound_problem and self._banner.text == self._bound_problem:
@@ -146,7 +157,7 @@ class HistoryDialog(QDialog):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowActivate:
-            self.refresh()
+            self._reading.start()
         return super().event(event)
 
     @Slot()
@@ -163,8 +174,9 @@ class HistoryDialog(QDialog):
     def _renew(self) -> None:
         self._later.stop()
         chosen = self._list.chosen
-        self._pages.setCurrentIndex(int(self._table.rowCount() == 0))
-        self._folder.setEnabled(self._history.folder.is_dir())
+        listing = self._table.listing
+        self._pages.setCurrentIndex(int(listing is not None and listing.total == 0))
+        self._folder.setEnabled(listing is not None and listing.has_folder)
         self._pane.show_chosen(chosen)
         self._save.setEnabled(len(chosen) == 1 and not self._table.problem_of(chosen[0]))
         self._delete.setEnabled(bool(chosen))
@@ -186,13 +198,17 @@ class HistoryDialog(QDialog):
         path = file_questions.ask_to_save(
             self, self.tr("Save a copy of the snapshot"), file_questions.last_folder() / source.name
         )
-        if path is None:
-            return
-        try:
-            save(path, load(source).decode("utf-8"))
-        except (SettingsError, UnicodeDecodeError) as error:
-            self._banner.show_problem(self.tr("Nothing was saved. {0}").format(error))
-            return
+        if path is not None:
+            in_background(
+                self,
+                lambda: save(path, load(source)),
+                lambda _: self._on_copied(path),
+                lambda error: self._banner.show_problem(
+                    self.tr("Nothing was saved. {0}").format(error)
+                ),
+            )
+
+    def _on_copied(self, path: Path) -> None:
         file_questions.remember_folder(path)
         self._banner.show_news(self.tr("A copy was saved in {0}.").format(path))
 
@@ -208,12 +224,14 @@ class HistoryDialog(QDialog):
         )
 
     def _remove(self, snapshots: tuple[Snapshot, ...]) -> None:
-        for snapshot in snapshots:
-            try:
+        def remove_all() -> None:
+            for snapshot in snapshots:
                 self._history.remove(snapshot)
-            except SettingsError as error:
-                self._banner.show_problem(str(error))
-                break
+
+        in_background(self, remove_all, lambda _: self.refresh(), self._on_not_removed)
+
+    def _on_not_removed(self, error: StudioError) -> None:
+        self._banner.show_problem(str(error))
         self.refresh()
 
     @Slot()
@@ -225,6 +243,7 @@ class HistoryDialog(QDialog):
     def reject(self) -> None:
         """Hide the window: Esc, the Close button and the window's cross call this."""
         self._later.stop()
+        self._reading.stop()
         save_geometry(self, "history")
         self._question.withdraw()
         super().reject()
@@ -248,7 +267,9 @@ class _SnapshotList(QWidget):
     def __init__(self, table: SnapshotTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._table = table
-        self._rows = SnapshotFilter(table, self)
+        self._sought: Path | None = None  # what was chosen before another search
+        self._vacant: int | None = None  # the row of what was chosen and is gone
+        self._is_fitted = False
 
         self._search = ui.named(
             QLineEdit(self), "snapshotSearch", accessible=self.tr("Search snapshots")
@@ -256,7 +277,9 @@ class _SnapshotList(QWidget):
         self._search.setPlaceholderText(self.tr("Search times, boards, adapters (Ctrl+F)"))
         self._search.setClearButtonEnabled(True)
         self._view = ui.flat_table(QTableView(self), "snapshotView", self.tr("Snapshots"))
-        self._view.setModel(self._rows)
+        # Before the view takes back what it selected.
+        table.rowsAboutToBeRemoved.connect(self._on_rows_about_to_be_removed)
+        self._view.setModel(table)
         self._view.setItemDelegate(_Delegate(self._view))
         self._view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self._view.setWordWrap(False)
@@ -270,47 +293,62 @@ class _SnapshotList(QWidget):
         QShortcut(QKeySequence.StandardKey.Find, self.window(), self._search.setFocus)
         self.delete_key = QShortcut(QKeySequence.StandardKey.Delete, self._view)
         self.delete_key.setContext(Qt.ShortcutContext.WidgetShortcut)
-        self._search.textChanged.connect(self._on_search_changed)
+        self._search.textChanged.connect(table.set_words)
         self._view.selectionModel().selectionChanged.connect(self.chosen_changed)
-        self._on_search_changed("")
+        table.modelAboutToBeReset.connect(self._on_about_to_be_reset)
+        table.rowsInserted.connect(self._on_rows_inserted)
 
     @property
     def chosen(self) -> tuple[Snapshot, ...]:
         """The selected snapshots, the newest first."""
-        rows = sorted(self._rows.mapToSource(index).row() for index in self._selected)
+        rows = sorted(index.row() for index in self._selected)
         return tuple(self._table.snapshots[row] for row in rows)
 
     def choose(self, path: Path) -> None:
         row = self._table.row_of(path)
         if row is not None:
-            self._choose_row(self._rows.mapFromSource(self._table.index(row, 0)))
+            self._choose_row(row)
 
-    def refresh(self) -> None:
-        """Read the folder again; if all chosen snapshots are gone, choose another one."""
-        was_empty = self._table.rowCount() == 0
-        selected = self._selected
-        place = min((index.row() for index in selected), default=0)
-        self._table.refresh()
-        if was_empty:
+    @Slot()
+    def _on_about_to_be_reset(self) -> None:
+        """Choose the same snapshot again if it is found by the new search, too."""
+        self._sought = next((snapshot.path for snapshot in self.chosen), None)
+
+    @Slot(QModelIndex, int, int)
+    def _on_rows_inserted(self, _parent: QModelIndex, first: int, last: int) -> None:
+        is_first = self._table.rowCount() == last - first + 1
+        if is_first and self._sought is None:
+            self._choose_row(0)
+
+    @Slot(QModelIndex, int, int)
+    def _on_rows_about_to_be_removed(self, _parent: QModelIndex, first: int, last: int) -> None:
+        """If all that is chosen goes, choose what takes its place."""
+        rows = [index.row() for index in self._selected]
+        if rows and first <= min(rows) and max(rows) <= last:
+            self._vacant = first
+
+    def update_choice(self) -> None:
+        """Choose another snapshot if the one that was chosen is gone, once all are listed."""
+        if self._sought is not None:
+            self.choose(self._sought)
+        count = self._table.rowCount()
+        if self._vacant is not None and count and not self._selected:
+            self._choose_row(min(self._vacant, count - 1))
+        self._sought = self._vacant = None
+        if count and not self._is_fitted:
+            self._is_fitted = True
             self._fit_columns()
-        if not self._selected and self._rows.rowCount() and (selected or was_empty):
-            self._choose_row(self._rows.index(min(place, self._rows.rowCount() - 1), 0))
-        self._on_search_changed(self._search.text())
+        self._none.setVisible(bool(self._search.text().strip()) and count == 0)
 
     @property
     def _selected(self) -> list[QModelIndex]:
         return self._view.selectionModel().selectedRows()
 
-    def _choose_row(self, index: QModelIndex) -> None:
-        if index.isValid():
-            flags = QItemSelectionModel.SelectionFlag
-            self._view.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
-            self._view.scrollTo(index)
-
-    @Slot(str)
-    def _on_search_changed(self, text: str) -> None:
-        self._rows.set_words(text)
-        self._none.setVisible(bool(text.strip()) and self._rows.rowCount() == 0)
+    def _choose_row(self, row: int) -> None:
+        index = self._table.index(row, 0)
+        flags = QItemSelectionModel.SelectionFlag
+        self._view.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
+        self._view.scrollTo(index)
 
     def _fit_columns(self) -> None:
         self._view.resizeColumnsToContents()
@@ -334,6 +372,7 @@ class _BoundField(QWidget):
         self._question = question
         self.problem = ""  # why the bound is not known, as a sentence; empty if it is
         self._stored: int | None = KEPT
+        self._total = 0  # snapshots that there are
 
         self._which = ui.combo_box(
             self,
@@ -353,16 +392,16 @@ class _BoundField(QWidget):
         keep = ui.label(self, text=self.tr("&Keep"), buddy=self._which)
         snapshots = ui.label(self, text=self.tr("snapshots"))
         ui.row(keep, self._which, self._count, snapshots, self._set, into=self, margins=0)
-        self.refresh()
+        self._on_edited()
 
-    def refresh(self) -> None:
-        """Read the bound again; an edit in progress stays."""
+    def show_bound(self, listing: Listing) -> None:
+        """Show the bound that was read; an edit in progress stays."""
         untouched = self._wanted == self._stored
-        bound = self._history.bound()
-        self.problem = bound.problem
-        self._stored = bound.kept
+        self._total = listing.total
+        self.problem = listing.bound.problem
+        self._stored = listing.bound.kept
         if untouched:
-            self._show(bound.kept)
+            self._show(self._stored)
         self._on_edited()
 
     def _show(self, kept: int | None) -> None:
@@ -382,14 +421,13 @@ class _BoundField(QWidget):
     @Slot()
     def _on_set_clicked(self) -> None:
         wanted = self._wanted
-        removed = len(self._history.beyond(wanted))
+        removed = 0 if wanted is None else max(0, self._total - wanted)
         if not removed:
             self._keep(wanted)
             return
-        count = len(self._history.snapshots())
         self._question.ask(
             self.tr("Permanently remove the oldest %n of {0} snapshots?", "", removed).format(
-                count
+                self._total
             ),
             PromptAnswer(
                 "historyQuestionYes",
@@ -406,11 +444,9 @@ class _BoundField(QWidget):
         self._on_edited()
 
     def _keep(self, kept: int | None) -> None:
-        try:
-            self._history.keep(kept)
-        except SettingsError as error:
-            self._notifier.error.emit(str(error))
-            self._on_edited()
-            return
-        self.refresh()
-        self.changed.emit()
+        keep = partial(self._history.keep, kept)
+        in_background(self, keep, lambda _: self.changed.emit(), self._on_not_kept)
+
+    def _on_not_kept(self, error: StudioError) -> None:
+        self._notifier.error.emit(str(error))
+        self._on_edited()

@@ -1,14 +1,16 @@
 """What a snapshot would restore, compared with the board, another snapshot or a file."""
 
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import islice
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
 
-from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import SettingsError, load
+from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.core.files import load
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
@@ -19,12 +21,14 @@ from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.labels import Note
 
 _BOARD, _FILE = "board", "file"
+_MOST_OFFERED = 100  # snapshots in the list; others are compared by selecting both
 
 
 class SnapshotPane(QWidget):
@@ -108,10 +112,13 @@ class SnapshotPane(QWidget):
     def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> None:
         """Compare a snapshot with another one, or with the user's choice."""
         self._describe(snapshot)
-        settings = self._load(snapshot)
-        if settings is None or (other is not None and self._load(other) is None):
+        settings = self._content_of(snapshot)
+        if settings is None or (other is not None and self._content_of(other) is None):
             return
         present = self.choice.present_for(snapshot, settings, other)
+        if present is None:
+            self._show_no_rows(self.tr("Reading…"))
+            return
         self.choice.offer(snapshot, present)
         if present.settings is not None:
             comparison = compare(present.settings, settings)
@@ -135,15 +142,16 @@ class SnapshotPane(QWidget):
             summary=summary,
         )
 
-    def _load(self, snapshot: Snapshot) -> Settings | None:
-        """Return the settings in a snapshot; if it is damaged, show why."""
-        try:
-            return self._table.load(snapshot)
-        except SettingsError:
+    def _content_of(self, snapshot: Snapshot) -> Settings | None:
+        """Return the settings in a snapshot; if it is damaged or not read yet, show that."""
+        content = self._table.content_of(snapshot)
+        if isinstance(content, Settings):
+            return content
+        text = self.tr("Reading…")
+        if content is not None:
             text = self.tr("{0} is damaged and cannot be restored. {1}")
-            problem = self._table.problem_of(snapshot)
-            self._show_no_rows(text.format(snapshot.path.name, problem))
-            return None
+        self._show_no_rows(text.format(snapshot.path.name, content))
+        return None
 
     def _describe(self, snapshot: Snapshot) -> None:
         title = self.tr("{0}, before {1}") if snapshot.reason else "{0}"
@@ -198,6 +206,8 @@ class SnapshotPane(QWidget):
             return self.tr("Nothing is selected to be restored.")
         if self._table.problem_of(chosen[-1]):
             return self.tr("A damaged snapshot cannot be restored.")
+        if self._shown is None:
+            return self.tr("The snapshot is being read.")
         if len(chosen) == 2:
             return self.tr("To restore one of the two, select it alone.")
         if blocker := self.choice.board_blocker(chosen[0]):
@@ -283,28 +293,31 @@ class _PresentChoice(QWidget):
 
     def present_for(
         self, snapshot: Snapshot, settings: Settings, other: Snapshot | None
-    ) -> _Present:
-        """Return the left side: another snapshot, the user's choice, or the default."""
-        if other is not None and (found := self._of_snapshot(other)):
-            return found
+    ) -> _Present | None:
+        """Return the left side: another snapshot, the user's choice, or the default.
+
+        `None` while a snapshot is being read for it.
+        """
+        if other is not None:
+            return self._of_snapshot(other)
         if self._choice == _FILE and self._file is not None:
             return self._file
         if self._choice not in {_BOARD, _FILE, str(snapshot.path)}:
             row = self._table.row_of(Path(self._choice))
-            if row is not None and (found := self._of_snapshot(self._table.snapshots[row])):
-                return found
+            chosen = None if row is None else self._table.snapshots[row]
+            if chosen is not None and not self._table.problem_of(chosen):
+                return self._of_snapshot(chosen)
         if not self.board_blocker(snapshot):
             return _Present(_BOARD, self.tr("Now, with edits"))
-        while (neighbour := self._table.neighbour(snapshot)) is not None:
-            if found := self._of_snapshot(neighbour):
-                return found  # else the table knows now that it is damaged and skips it
+        neighbour = self._table.neighbour(snapshot)
+        if neighbour is not None:
+            return self._of_snapshot(neighbour)  # if it turns out damaged, the next is tried
         return _Present("", "–", replace(settings, parameters={}, calibrations={}))
 
     def _of_snapshot(self, snapshot: Snapshot) -> _Present | None:
-        """Return a snapshot as the left side; `None` if it is damaged."""
-        try:
-            settings = self._table.load(snapshot)
-        except SettingsError:
+        """Return a snapshot as the left side; `None` if it is not read yet, or damaged."""
+        settings = self._table.content_of(snapshot)
+        if not isinstance(settings, Settings):
             return None
         title = self.tr("Snapshot of {0}").format(self._table.time_text(snapshot))
         return _Present(str(snapshot.path), title, settings)
@@ -330,17 +343,20 @@ class _PresentChoice(QWidget):
         self._box.setEnabled(False)
 
     def offer(self, snapshot: Snapshot, present: _Present) -> None:
-        """Offer everything that this snapshot can be compared with."""
+        """Offer what this snapshot can be compared with; of the snapshots, the newest."""
         blocker = self.board_blocker(snapshot)
-        others = [
+        sound = (
             other
             for other in self._table.snapshots
             if other.path != snapshot.path and not self._table.problem_of(other)
-        ]
+        )
+        others = list(islice(sound, _MOST_OFFERED))
         offered = (blocker, self._file, others)
-        if offered != self._offered:  # hundreds take their time
+        if offered != self._offered:  # a hundred take their time
             self._offered = offered
             self._fill(blocker, others)
+        if present.key and self._box.findData(present.key) < 0:  # an older one
+            self._box.addItem(present.title, present.key)
         self._box.setCurrentIndex(self._box.findData(present.key) if present.key else -1)
         self._box.setToolTip(self._box.currentText())
 
@@ -367,22 +383,30 @@ class _PresentChoice(QWidget):
     @Slot(int)
     def _on_activated(self, index: int) -> None:
         key = str(self._box.itemData(index) or "")
-        if key or self._ask_for_file():
-            self._choice = key or _FILE
+        if key:
+            self._choice = key
+        else:
+            self._ask_for_file()
         self.chosen.emit()
 
-    def _ask_for_file(self) -> bool:
-        """Let the user choose a settings file to compare with; return whether it can be used."""
+    def _ask_for_file(self) -> None:
+        """Let the user choose a settings file to compare with."""
         title = self.tr("Compare with a settings file")
         path = file_questions.ask_to_open(self, title)
-        if path is None:
-            return False
-        try:
-            settings, _ = read_settings(load(path), path.name)
-        except SettingsError as error:
-            text = self.tr("{0} cannot be compared with: {1}")
-            self._notifier.error.emit(text.format(path.name, error))
-            return False
+        if path is not None:
+            in_background(
+                self,
+                lambda: read_settings(load(path), path.name)[0],
+                partial(self._on_file_read, path),
+                partial(self._on_file_not_read, path),
+            )
+
+    def _on_file_read(self, path: Path, settings: Settings) -> None:
         file_questions.remember_folder(path)
         self._file = _Present(_FILE, path.name, settings)
-        return True
+        self._choice = _FILE
+        self.chosen.emit()
+
+    def _on_file_not_read(self, path: Path, error: StudioError) -> None:
+        text = self.tr("{0} cannot be compared with: {1}")
+        self._notifier.error.emit(text.format(path.name, error))

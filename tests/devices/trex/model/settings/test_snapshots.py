@@ -1,22 +1,29 @@
 """The history as Qt sees it."""
 
-from datetime import datetime, timedelta
+import shutil
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
+from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from PySide6.QtCore import QPersistentModelIndex, Qt
 from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
 from tests.support.snapshots import ADAPTER, take
-from trex_gui.core.files import SettingsError
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.settings.snapshots import (
     SnapshotColumn,
-    SnapshotFilter,
     SnapshotRole,
     SnapshotTable,
+    row_edits,
 )
-from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
+from trex_gui.ui.files import background
+from trex_gui.ui.runtime import runtime
 
 MINUTE = timedelta(minutes=1)
 DAY = timedelta(days=1)
@@ -32,6 +39,26 @@ def table(qtbot: QtBot, history: SettingsHistory) -> SnapshotTable:
     return SnapshotTable(history)
 
 
+def refresh(table: SnapshotTable) -> None:
+    """List the folder again, to its end."""
+    table.refresh()
+    finish()
+
+
+def finish() -> None:
+    """Let the threads end that list and read files."""
+    virtual = runtime()
+    assert isinstance(virtual, VirtualRuntime)
+    assert virtual.run_until(lambda: not background, 10)
+
+
+def content_of(table: SnapshotTable, snapshot: Snapshot) -> Settings | str | None:
+    """Return what a snapshot holds, once it was read."""
+    if table.content_of(snapshot) is None:
+        finish()
+    return table.content_of(snapshot)
+
+
 def text(table: SnapshotTable, row: int, column: SnapshotColumn) -> str:
     return str(table.index(row, column).data())
 
@@ -40,12 +67,12 @@ def test_table_passes_qt_model_tester(
     table: SnapshotTable, history: SettingsHistory, qtmodeltester: ModelTester
 ) -> None:
     qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
-    table.refresh()
+    refresh(table)
     first, *_ = [take(history, ago * MINUTE) for ago in (3, 9, 5)]
-    table.refresh()
+    refresh(table)
     take(history)
     history.remove(first)
-    table.refresh()
+    refresh(table)
     assert table.rowCount() == 3
 
 
@@ -54,7 +81,7 @@ def test_newest_snapshot_comes_first_with_all_columns(
 ) -> None:
     take(history, 5 * MINUTE, reason="trexcmd restore-defaults")
     take(history, device_number=9)
-    table.refresh()
+    refresh(table)
     assert text(table, 0, SnapshotColumn.REASON) == "Apply of 2 settings"
     assert text(table, 0, SnapshotColumn.BOARD) == "TReX 1.2"
     assert text(table, 0, SnapshotColumn.NUMBER) == "9"
@@ -70,7 +97,7 @@ def test_times_are_local_and_recent_days_are_named(
     noon = datetime.now().astimezone().replace(hour=12, minute=3, second=0, microsecond=0)
     now = datetime.now().astimezone()
     taken = [take(history, now - noon + days * DAY) for days in (0, 1, 400)]
-    table.refresh()
+    refresh(table)
     assert table.time_text(taken[0]) == "today 12:03"
     assert table.time_text(taken[1]) == f"yesterday {taken[1].taken.astimezone():%H:%M}"
     long_ago = taken[2].taken.astimezone()
@@ -83,7 +110,7 @@ def test_snapshots_of_one_minute_show_seconds(
     noon = datetime.now().astimezone().replace(hour=12, minute=3, second=1, microsecond=0)
     now = datetime.now().astimezone()
     taken = [take(history, now - noon - timedelta(seconds=seconds)) for seconds in (0, 30)]
-    table.refresh()
+    refresh(table)
     times = [text(table, row, SnapshotColumn.TIME) for row in range(2)]
     assert times == [f"today 12:03:{one.taken.astimezone():%S}" for one in reversed(taken)]
 
@@ -92,12 +119,12 @@ def test_refresh_keeps_persistent_indexes(
     table: SnapshotTable, history: SettingsHistory, qtbot: QtBot
 ) -> None:
     kept, gone = take(history, 2 * MINUTE), take(history, 3 * MINUTE)
-    table.refresh()
+    refresh(table)
     place = QPersistentModelIndex(table.index(0, 0))
     history.remove(gone)
     newest = take(history)
     with qtbot.assertNotEmitted(table.modelReset):
-        table.refresh()
+        refresh(table)
     assert [snapshot.path for snapshot in table.snapshots] == [newest.path, kept.path]
     assert place.row() == 1
     assert table.row_of(gone.path) is None
@@ -107,7 +134,7 @@ def test_damaged_header_is_shown_after_refresh(
     table: SnapshotTable, history: SettingsHistory
 ) -> None:
     take(history).path.write_text("rubbish", encoding="utf-8")
-    table.refresh()
+    refresh(table)
     assert text(table, 0, SnapshotColumn.BOARD) == "damaged"
     assert table.index(0, 0).data(SnapshotRole.PROBLEM)
     assert "cannot be restored" in table.index(0, 0).data(Qt.ItemDataRole.ToolTipRole)
@@ -116,32 +143,101 @@ def test_damaged_header_is_shown_after_refresh(
 def test_damaged_body_is_shown_from_load_until_repair(
     table: SnapshotTable, history: SettingsHistory
 ) -> None:
-    snapshot = take(history)
-    sound = snapshot.path.read_text(encoding="utf-8")
-    snapshot.path.write_text(f"{sound}nonsense: 3\n" * 9, encoding="utf-8")
-    table.refresh()
-    assert not table.problem_of(snapshot)
-    with pytest.raises(SettingsError):
-        table.load(snapshot)
-    assert "And " in table.problem_of(snapshot)
+    path = take(history).path
+    sound = path.read_text(encoding="utf-8")
+    path.write_text(f"{sound}nonsense: 3\n" * 9, encoding="utf-8")
+    refresh(table)
+    assert not table.problem_of(table.snapshots[0])
+    assert "And " in str(content_of(table, table.snapshots[0]))
+    assert "And " in table.problem_of(table.snapshots[0])
     assert text(table, 0, SnapshotColumn.BOARD) == "damaged"
-    table.refresh()
-    assert table.problem_of(snapshot)
-    snapshot.path.write_text(sound, encoding="utf-8")
-    table.refresh()
-    assert not table.problem_of(snapshot)
-    assert table.load(snapshot).product.name == "TReX"
+    refresh(table)
+    assert table.problem_of(table.snapshots[0])
+    path.write_text(sound, encoding="utf-8")
+    refresh(table)
+    assert not table.problem_of(table.snapshots[0])
+    assert isinstance(content_of(table, table.snapshots[0]), Settings)
 
 
 def test_snapshot_is_reloaded_only_after_a_file_change(
     table: SnapshotTable, history: SettingsHistory
 ) -> None:
-    snapshot = take(history)
-    first = table.load(snapshot)
-    assert table.load(snapshot) is first
-    text = snapshot.path.read_text(encoding="utf-8")
-    snapshot.path.write_text(text.replace("motor_mode: 0", "motor_mode: 1 "), encoding="utf-8")
-    assert table.load(snapshot).parameters["motor_mode"] == 1
+    path = take(history).path
+    refresh(table)
+    first = content_of(table, table.snapshots[0])
+    refresh(table)
+    assert table.content_of(table.snapshots[0]) is first
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("motor_mode: 0", "motor_mode: 1 "), encoding="utf-8")
+    refresh(table)
+    settings = content_of(table, table.snapshots[0])
+    assert isinstance(settings, Settings)
+    assert settings.parameters["motor_mode"] == 1
+
+
+def test_window_reads_no_snapshot_itself(
+    table: SnapshotTable, history: SettingsHistory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In virtual time a thread has not begun before the test lets time pass."""
+    take(history)
+    refresh(table)
+    read: list[str] = []
+    for name in ("files", "look_at", "load", "bound"):
+        original = getattr(SettingsHistory, name)
+
+        def noting(*arguments: Any, name: str = name, original: Any = original) -> Any:
+            read.append(name)
+            return original(*arguments)
+
+        monkeypatch.setattr(SettingsHistory, name, noting)
+    table.refresh()
+    assert table.rowCount() == 1
+    assert table.content_of(table.snapshots[0]) is None
+    assert read == []
+    finish()
+    assert set(read) == {"files", "look_at", "load", "bound"}
+    assert isinstance(table.content_of(table.snapshots[0]), Settings)
+
+
+def test_newest_snapshots_are_shown_before_all_are_read(
+    table: SnapshotTable, history: SettingsHistory
+) -> None:
+    first = take(history)
+    for number in range(300):
+        shutil.copy(first.path, first.path.with_name(f"20200101T{number:06}Z-trex-1.2.txt"))
+    found: list[int] = []
+
+    def progress(share: float) -> None:
+        if share > 0.9:
+            table._on_progressed(share)
+            found.append(table.rowCount())
+
+    table.refresh()
+    table._cancel()
+    assert table._search is not None
+    table._search.run(progress)
+    table._on_progressed(1.0)
+    assert 0 < found[0] < 301
+    assert table.snapshots[0].path == first.path
+    finish()
+    assert table.rowCount() == 301
+
+
+@given(
+    before=st.sets(st.integers(0, 30)),
+    after=st.sets(st.integers(0, 30)),
+)
+def test_row_edits_make_the_rows_shown_those_wanted(before: set[int], after: set[int]) -> None:
+    def snapshots(numbers: set[int]) -> list[Snapshot]:
+        paths = (Path(f"20260101T0000{number:02}Z-trex-1.2.txt") for number in numbers)
+        made = (Snapshot(path, datetime.now(UTC)) for path in paths)
+        return sorted(made, key=lambda one: one.path.name, reverse=True)
+
+    rows, wanted = snapshots(before), snapshots(after)
+    for edit in row_edits(tuple(rows), wanted):
+        rows[edit.place : edit.place + edit.removed] = edit.rows
+    assert [one.path for one in rows] == [one.path for one in wanted]
+    assert not list(row_edits(wanted, wanted))
 
 
 def test_neighbour_is_next_newer_or_older_of_same_product(
@@ -155,13 +251,13 @@ def test_neighbour_is_next_newer_or_older_of_same_product(
         take(history),
     )
     damaged.path.write_text("", encoding="utf-8")
-    table.refresh()
+    refresh(table)
     assert table.neighbour(oldest) == middle
     assert table.neighbour(middle) == newest
     assert table.neighbour(newest) == middle
     assert table.neighbour(junior) is None
     history.remove(newest)
-    table.refresh()
+    refresh(table)
     assert table.neighbour(newest) is None
 
 
@@ -179,7 +275,7 @@ def test_words_match_in_every_column(
     noon = now - now.replace(hour=12)
     take(history, noon)
     take(history, noon, reason="restore-defaults", adapter="CP2102 (COM9)", device_number=9)
-    table.refresh()
-    shown = SnapshotFilter(table)
-    shown.set_words(words)
-    assert shown.rowCount() == count
+    refresh(table)
+    table.set_words(words)
+    finish()
+    assert table.rowCount() == count
