@@ -245,13 +245,13 @@ def test_requests_are_accepted_from_any_thread(line: Watched) -> None:
     assert {line.outcome(number).value for number in range(20)} == {7}
 
 
-def test_batches_are_limited_to_60_a_second(line: Watched, virtual_time: VirtualRuntime) -> None:
+def test_batches_are_limited_to_30_a_second(line: Watched, virtual_time: VirtualRuntime) -> None:
     def arrived() -> int:
         return sum(isinstance(one, Batch) for one in line.reports)
 
     before = arrived()
     virtual_time.advance(1.0)
-    assert 50 <= arrived() - before <= 60
+    assert 25 <= arrived() - before <= 30
 
 
 # --- Trouble ----------------------------------------------------------------------------
@@ -291,7 +291,7 @@ def test_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
     assert not line.has(Closed)
 
 
-def test_silent_device_is_reported_within_half_a_second(
+def test_silent_device_is_reported_within_a_second(
     quick_simulator: SimulatedDevice, watch: Watch
 ) -> None:
     quick_simulator.do("power off")
@@ -299,7 +299,7 @@ def test_silent_device_is_reported_within_half_a_second(
     begun = now()
     watched.worker.start()
     watched.wait(Closed)
-    assert now() - begun < 0.5
+    assert now() - begun < 1.0
     assert isinstance(watched.end.error, NoReply)
     assert "No TReX responds" in str(watched.end.error)
 
