@@ -1,0 +1,101 @@
+"""Reading a whole board and writing a whole settings file, against the time on the wire.
+
+The simulated board is a process of its own at the pace of the wire, behind a pseudo-terminal. The
+time on the wire is that of every byte in either direction, and of the EEPROM; what is read twice
+counts twice.
+"""
+
+import statistics
+import time
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from tests.benchmarks.conftest import ReportFigure
+from tests.support.simulator import StartSimulator
+from trex_gui.core.transport.serial_port import SerialTransport
+from trex_gui.devices.trex.client.client import Requester, TrexClient
+from trex_gui.devices.trex.client.reading import read_everything
+from trex_gui.devices.trex.client.writing import write_all
+from trex_gui.devices.trex.protocol.calibration import CalibrationKey
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    ReplyT_co,
+    SetCalibration,
+    SetParameter,
+)
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.simulator.memory import CALIBRATION_WRITE, PARAMETER_WRITE, Eeprom
+
+_ROUNDS = 25
+_IN_EEPROM: dict[type[object], float] = {
+    SetParameter: PARAMETER_WRITE,
+    SetCalibration: CALIBRATION_WRITE,
+}
+_MOST = {19200: 1.10, 115200: None}
+"""Greatest ratio to the time on the wire. At 115200 baud a byte takes less time than two processes
+need to hand it over."""
+
+
+@pytest.mark.parametrize("baud", [19200, 115200])
+def test_whole_board_takes_little_more_than_wire_time(
+    baud: int, start_simulator: StartSimulator, tmp_path: Path, figure: ReportFigure
+) -> None:
+    line = LineSettings(baud)
+    eeprom = Eeprom.open(tmp_path / "board.json", "trex")
+    eeprom.write("uart_settings", line.to_wire())
+    simulator = start_simulator("--eeprom", str(tmp_path / "board.json"))
+    settings = ConnectionSettings(simulator.url, line)
+    client = TrexClient(SerialTransport(settings), settings)
+    state = read_everything(client.request)
+    calibrations = [
+        (CalibrationKey.of(state.source, channel), calibration)
+        for channel, calibration in state.calibrations.items()
+    ]
+
+    def read(request: Requester) -> None:
+        read_everything(request)
+
+    def write(request: Requester) -> None:
+        results = write_all(request, state.specs, [*state.parameters.items()], calibrations)
+        assert not any(result.error for result in results)
+
+    for name, work in (("board read", read), ("settings file written", write)):
+        took, on_wire = _seconds(client, work)
+        figure(f"whole {name} at {baud} baud", took, "s")
+        figure(
+            f"whole {name} at {baud} baud to wire time",
+            took / on_wire,
+            "ratio",
+            at_most=_MOST[baud],
+        )
+    client.close()
+
+
+def _seconds(client: TrexClient, work: Callable[[Requester], None]) -> tuple[float, float]:
+    """Return the seconds that some work takes, and those that wire and EEPROM take.
+
+    The first is the sum of the medians of each transaction, with what is between it and the next.
+    Whatever else the computer does adds milliseconds to some of them.
+    """
+    rounds: list[list[float]] = []
+    on_wire = 0.0
+
+    def request(command: Command[ReplyT_co]) -> ReplyT_co:
+        nonlocal on_wire
+        rounds[-1].append(time.perf_counter())
+        size = len(client.settings.framing.encode(command)) + command.reply_size()
+        on_wire += client.settings.line.seconds(size) + _IN_EEPROM.get(type(command), 0.0)
+        return client.request(command)
+
+    for _ in range(_ROUNDS):
+        rounds.append([])
+        work(request)
+        rounds[-1].append(time.perf_counter())
+    transactions = zip(
+        *([end - begin for begin, end in pairwise(one)] for one in rounds), strict=True
+    )
+    return sum(map(statistics.median, transactions)), on_wire / _ROUNDS
