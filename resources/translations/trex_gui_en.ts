@@ -415,10 +415,10 @@ was {0}</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>The program ended with %n setting(s) of this {0} edited but not applied ({1}). Restore as pending edits?</source>
+        <source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
         <translation>
-            <numerusform>The program ended with %n setting of this {0} edited but not applied ({1}). Restore as pending edits?</numerusform>
-            <numerusform>The program ended with %n settings of this {0} edited but not applied ({1}). Restore as pending edits?</numerusform>
+            <numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore as pending edits?</numerusform>
+            <numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore as pending edits?</numerusform>
         </translation>
     </message>
 </context>

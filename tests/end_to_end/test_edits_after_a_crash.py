@@ -35,7 +35,7 @@ def test_edits_of_a_crashed_run_are_offered_and_restored(
     window.connect(quick_simulator.url)
     window.wait(lambda: is_asked(window))
     text = window.window.question.text
-    assert text.startswith("The program ended with 2 settings of this TReX edited but not applied")
+    assert text.startswith("Edited earlier but not applied: 2 settings of this TReX (")
     window.click("questionCancel")
     assert window.device.draft.pending == 0
 

@@ -4,6 +4,7 @@ import logging
 import stat
 import sys
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import TypeVar
 
@@ -74,9 +75,14 @@ def _open() -> QSettings:
     path = place / organization / f"{QCoreApplication.applicationName()}{suffix}"
     for each in (path, place / f"{organization}{suffix}", path.with_name(f"{path.name}.lock")):
         if problem := _problem(each):
-            log.warning("the configuration is not used: %s %s", each, problem)
+            _report(each, problem)
             return QSettings(str(each / "unused"), QSettings.Format.IniFormat)
     return QSettings()
+
+
+@cache
+def _report(path: Path, problem: str) -> None:
+    log.warning("the configuration is not used: %s %s", path, problem)
 
 
 def _problem(path: Path) -> str:

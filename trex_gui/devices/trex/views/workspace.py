@@ -303,8 +303,8 @@ class TrexWorkspace(Workspace):
         if offer is None or self._question.text:
             return  # what another question keeps from being asked is offered at the next connection
         text = self.tr(
-            "The program ended with %n setting(s) of this {0} edited but not applied ({1}). "
-            "Restore as pending edits?",
+            "Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending "
+            "edits?",
             "",
             len(offer.rows),
         )
@@ -349,7 +349,7 @@ class TrexWorkspace(Workspace):
             self._question.ask(
                 self.tr("There are unapplied changes."),
                 PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
-                PromptAnswer("keepAndClose", self.tr("Keep for next time"), keep),
+                PromptAnswer("keepAndClose", self.tr("Keep and close"), keep),
                 PromptAnswer("closeYes", self.tr("Discard and close"), discard),
                 still=lambda: self._device.draft.pending > 0 and not self._device.applying,
             )

@@ -2,6 +2,7 @@
 
 import itertools
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -259,6 +260,42 @@ def test_calibrations_of_the_other_source_stay_saved(
     quick_simulator.do("eeprom channel_input_source 0")
     quick_simulator.do("power cycle")
     assert run(quick_simulator.url).offered == {"serial_timeout": 15, RC_2: STICK}
+
+
+def test_edit_of_a_setting_that_is_not_read_again_is_offered_later(
+    run: Start, quick_simulator: SimulatedDevice
+) -> None:
+    first = run(quick_simulator.url)
+    first.edit(serial_timeout=15, motor1_acceleration=3)
+    state = first.device.state
+    assert state is not None
+    parameters = {key: w for key, w in state.parameters.items() if key != "serial_timeout"}
+    for read in (replace(state, parameters=parameters), state):
+        first.backup.leave_board()
+        first.draft.take_state(read, first.device.settings, power_cycled=False)
+        first.backup.take_board(ask=False)
+        first.settle()
+        if read is not state:
+            assert first.edits == {"motor1_acceleration": 3}
+            assert first.offered == {}
+    assert first.offered == {"serial_timeout": 15}
+    first.backup.restore()
+    assert first.edits == {"serial_timeout": 15, "motor1_acceleration": 3}
+
+
+def test_discarded_calibration_of_the_other_source_is_not_kept(
+    run: Start, quick_simulator: SimulatedDevice
+) -> None:
+    first = run(quick_simulator.url)
+    first.device.calibrations.edit(2, STICK)
+    first.settle()
+    quick_simulator.do("eeprom channel_input_source 1")
+    quick_simulator.do("power cycle")
+    first.connect(quick_simulator.url)
+    assert first.draft.pending == 1
+    first.draft.discard_edits()
+    first.settle()
+    assert files() == []
 
 
 def test_damaged_file_is_left_out(run: Start, quick_simulator: SimulatedDevice) -> None:

@@ -71,6 +71,7 @@ class EditBackup(QObject):
         self._has_file = False
         self._undecided: Settings | None = None  # saved edits that the draft does not hold
         self._left: tuple[BoardIdentity | None, bool] = (None, False)
+        self._edits_left: Settings | None = None
         self._due: dict[BoardIdentity, Settings | None] = {}
         self._is_failing = False
         self._task = FileTask(self)
@@ -80,13 +81,16 @@ class EditBackup(QObject):
 
     def leave_board(self) -> None:
         """Save no changes until `take_board`: the draft is about to take what a board stores."""
+        stored = self._draft.stored
         self._left = self._board, self._is_read
+        self._edits_left = None if stored is None else self._edits(stored)
         self._board = None
 
     def take_board(self, *, ask: bool) -> None:
         """Keep the edits of the board in the draft, and look for those of an earlier run.
 
-        If it is the same board as before, what is undecided is offered again only with `ask`.
+        If it is the same board as before, an offer is made again only with `ask`. Edits that the
+        draft has dropped since their setting could not be read this time stay saved.
         """
         stored = self._draft.stored
         if stored is None:
@@ -97,10 +101,15 @@ class EditBackup(QObject):
             self._undecided = None
             self._set_offer(None)
             self._begin()
-        else:
-            self._on_changed()
-            if ask and self.offer is not None:
-                self.offered.emit()
+            return
+        if self._edits_left is not None:
+            keys = set() if self._undecided is None else _keys(self._undecided)
+            keys |= self._out_of_reach(self._edits_left)
+            self._undecided = _only(self._edits_left, keys)
+        self._on_changed()
+        if self._undecided is not None and (ask or self.offer is None):
+            self._is_read = False
+            self._begin()
 
     # --- Decisions ----------------------------------------------------------------------
 
@@ -206,10 +215,14 @@ class EditBackup(QObject):
         self._set_offer(offer)
 
     def _out_of_reach(self, edits: Settings) -> set[str]:
-        """Return the keys of edits that the draft cannot take now."""
-        return {
-            key for key in (*edits.parameters, *edits.calibrations) if not self._draft.can_edit(key)
-        }
+        """Return the keys of edits that the draft neither holds nor can take now."""
+        draft = self._draft
+        keys = _keys(edits)
+        return {key for key in keys if not draft.can_edit(key) and not draft.is_modified(key)}
+
+
+def _keys(edits: Settings) -> set[str]:
+    return {*edits.parameters, *edits.calibrations}
 
 
 def _only(edits: Settings, keys: Collection[str]) -> Settings | None:
