@@ -74,8 +74,10 @@ class EditFiles:
         path = self.path(board)
         try:
             saved = datetime.fromtimestamp(path.stat().st_mtime, UTC)
-        except OSError:
+        except FileNotFoundError:
             return None
+        except (OSError, ValueError, OverflowError) as error:  # also a time beyond the calendar
+            raise SettingsError.of(path, f"it cannot be read: {error}") from error
         settings, _ = read_settings(load(path), str(path))
         if settings.product != board.product:
             raise SettingsError.of(path, f"these are edits of a {settings.product.name}")

@@ -189,7 +189,8 @@ class EditBackup(QObject):
     @Slot(object)
     def _on_done(self, done: Done) -> None:
         result = done.result
-        if not isinstance(result, _Result):
+        if not isinstance(result, _Result):  # an internal error, which was logged
+            self._is_read = True
             return
         if result.failure is not None and not self._is_failing:
             text = self.tr("Edits that are not applied yet cannot be kept for the next start. {0}")
