@@ -214,7 +214,7 @@ JSON: Sequence[bytes] = (
 
 
 @cache
-def _recording_samples() -> Sequence[bytes]:
+def recording_samples() -> Sequence[bytes]:
     with tempfile.TemporaryDirectory() as name:
         board, robot = Path(name) / "board.trexrec", Path(name) / "robot.trexrec"
         samples.write(board, list(islice(samples.an_hour(), 400)))
@@ -235,7 +235,7 @@ def check_statements(data: bytes, folder: Path) -> None:
     """SQL on a sound recording: what a person or another program can make of it."""
     path = folder / "any.trexrec"
     first, _, rest = data.partition(b"\n")
-    path.write_bytes(_recording_samples()[b"robot" in first])
+    path.write_bytes(recording_samples()[b"robot" in first])
     for statement in rest.decode("utf-8", "replace").split("\n"):
         if statement.lstrip().upper().startswith(CHANGES):
             # A schema that is changed takes effect when the file is opened again.
@@ -376,19 +376,19 @@ BENCH = (
 )
 
 
-def _pose_samples() -> Sequence[bytes]:
+def pose_samples() -> Sequence[bytes]:
     return [resource("aracna/sample.ppr").read_bytes(), b"Aracna:8:1024\nPose=a:1\nSeq=s: a|5\n"]
 
 
 FILE_TARGETS = (
     Target("settings", mutations(settings_samples, YAML), check_settings, examples=20),
     Target("snapshots", mutations(_snapshot_samples, YAML), check_snapshot, examples=20),
-    Target("poses", mutations(_pose_samples, POSES), check_poses),
+    Target("poses", mutations(pose_samples, POSES), check_poses),
     Target("bench", mutations(lambda: [to_csv(SAVED).encode()], BENCH), check_bench),
     Target(
         "gamepad", mutations(lambda: [GamepadProfile().to_text().encode()], JSON), check_profile
     ),
     Target("eeprom", mutations(_eeprom_samples, JSON), check_eeprom),
-    Target("recordings", mutations(_recording_samples), check_recording, examples=25),
+    Target("recordings", mutations(recording_samples), check_recording, examples=25),
     Target("statements", mutations(_statement_samples, SQL), check_statements, examples=10),
 )

@@ -154,12 +154,13 @@ def run(
     seconds: float,
     seed: int,
     targets: Sequence[Target],
-    report: Callable[[Finding], object] = print,
+    report: Callable[[Finding | str], object] = print,
     clock: Callable[[], float] = time.monotonic,
 ) -> list[Finding]:
     """Try the inputs that are kept, then random ones for so long; report and return findings.
 
-    Each target gets the same share of the time. `number` in a finding counts its inputs.
+    In the end it reports what was tried. Each target gets the same share of the time. `number` in
+    a finding counts its inputs.
     """
     found: list[Finding] = []
 
@@ -179,11 +180,15 @@ def run(
         number = tried[target]
         origin = f"seed {seed}, number {number}"
         note(attempt(target, target.random_input(seed, number), origin))
-        if number % GROWTH_EVERY == 1 and (grown := growth(target, seed, number)) > target.growth:
+        tried[target] += 1
+        if tried[target] % GROWTH_EVERY == 0 and (
+            (grown := growth(target, seed, number)) > target.growth
+        ):
             error = f"Growth: {grown} bytes for each input"
             note(Finding(target, b"", origin, error))
         used[target] += clock() - began
-        tried[target] += 1
+    counts = ", ".join(f"{target.name} {count}" for target, count in tried.items())
+    report(f"Tried {sum(tried.values())} inputs: {counts}.")
     return found
 
 

@@ -12,9 +12,11 @@ from unittest.mock import patch
 import click
 from click.testing import CliRunner, Result
 from PySide6.QtCore import QByteArray, QCoreApplication, QSettings
+from PySide6.QtWidgets import QApplication
 
-from tests.fuzz.files import YAML, settings_samples
+from tests.fuzz.files import YAML, pose_samples, recording_samples, settings_samples
 from tests.fuzz.fuzzing import Make, Target, mutations
+from tests.support.program import aracna, trex
 from tests.support.virtual_command import VirtualCommand
 from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
 from tests.support.virtual_time import VirtualRuntime, deliver
@@ -323,6 +325,28 @@ GUI_WORDS = (b"--port", b"--device", b"--settings", b"--timeout", b"--demo", b"-
 INI = (*(value.encode() for value in UNUSABLE), b'"', b"[", b"]", b"=", b"%", b"\\x")
 assert isinstance(simulator.main, click.Command)
 
+
+def check_opened_file(data: bytes, folder: Path) -> None:
+    """A file of any kind in the window that shows it."""
+    is_recording = data[:6] == b"SQLite"
+    path = folder / f"any{'.trexrec' if is_recording else '.ppr' if b'Pose=' in data else '.txt'}"
+    path.write_bytes(data)
+    with _window(folder) as (program, computer):
+        if is_recording:
+            for device in (trex(program), aracna(program)):
+                device.workspace.recordings.open_file(path)
+        else:
+            program.open_named(path, connecting=False)
+        computer.advance(2.0)
+        for window in QApplication.topLevelWidgets():
+            window.grab()
+            window.close()
+
+
+def _file_samples() -> Sequence[bytes]:
+    return [*settings_samples(), *pose_samples(), *recording_samples()]
+
+
 # --- Edits that were not applied --------------------------------------------------------
 
 
@@ -365,6 +389,13 @@ PROGRAM_TARGETS = (
         mutations(_trex_gui_samples, [*GUI_WORDS, *map(os.fsencode, VALUES)]),
         check_trex_gui,
         examples=10,
+        growth=WINDOW,
+    ),
+    Target(
+        "opened_files",
+        mutations(_file_samples, YAML),
+        check_opened_file,
+        examples=3,
         growth=WINDOW,
     ),
     Target(

@@ -29,9 +29,9 @@ def run(seconds: float, seed: int, targets: tuple[Target, ...] = TARGETS) -> lis
 
     out = sys.stdout  # a command that hangs has taken its place
 
-    def report(finding: Finding) -> None:
-        path = finding.keep() if finding.data else ""
-        print(f"{finding}\nkept as {path}\n", file=out, flush=True)
+    def report(one: Finding | str) -> None:
+        text = f"{one}\nkept as {one.keep()}\n" if isinstance(one, Finding) and one.data else one
+        print(text, file=out, flush=True)
 
     signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background it is ignored
     app = QCoreApplication.instance() or QApplication(["fuzz"])
