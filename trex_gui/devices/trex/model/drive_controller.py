@@ -64,7 +64,8 @@ class DriveController(QObject):
         self._connection = connection
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
         self._board: Connected | None = None  # the board at the line, as far as it is known
-        self._is_identified = False  # `_board` was read since the line was opened or quiet
+        self._was_read = False  # since the line was opened
+        self._is_identified = False  # and since it was quiet: `_board` is at the line
         self._lost: list[Connected] = []  # boards that were driven before another one answered
         self._is_loss_reported = True
         self._after_stop: list[AfterStop] = []  # for the next stop
@@ -75,7 +76,7 @@ class DriveController(QObject):
         motors.arming_changed.connect(self._on_arming_changed)
         motors.requested.connect(self._on_drive_requested)
         motors.stop_requested.connect(self._on_stop_requested)
-        connection.started.connect(self._on_unidentified)
+        connection.started.connect(self._on_line_opened)
         connection.not_responding.connect(self._on_unidentified)
         connection.device_read.connect(self._on_read)
         connection.closing.connect(self._on_out_of_reach)
@@ -219,7 +220,8 @@ class DriveController(QObject):
 
         Return whether it is one of the lost ones.
         """
-        before, self._board, self._is_identified = self._board, report, True
+        before, self._board = self._board, report
+        self._was_read = self._is_identified = True
         if self.may_move and before is not None and not _may_be_same(before, report):
             self._lost.append(before)
             self._lost_with = None
@@ -228,6 +230,10 @@ class DriveController(QObject):
         is_back = len(still_lost) < len(self._lost)
         self._lost = still_lost
         return is_back
+
+    @Slot()
+    def _on_line_opened(self) -> None:
+        self._was_read = self._is_identified = False
 
     @Slot()
     def _on_unidentified(self) -> None:
@@ -253,8 +259,9 @@ class DriveController(QObject):
     @Slot(object)
     def _on_closed(self, last: Closed | None) -> None:
         if last is not None:
-            self.may_move = last.may_move or (self.may_move and not self._is_identified)
-            if last.may_move and self._lost_with is None:
+            if self._was_read:
+                self.may_move = last.may_move or (self.may_move and not self._is_identified)
+            if self.may_move and self._lost_with is None:
                 self._lost_with = self._connection.settings
             self._unsent.stop()
         self._motors.set_available(False)

@@ -181,6 +181,20 @@ def test_every_lost_board_has_to_be_stopped(driven: DrivenBoard, start: Start) -
     assert driven.closing_text() == ""
 
 
+def test_failed_connection_adds_no_board_to_those_lost(driven: DrivenBoard, start: Start) -> None:
+    silent, third = start(), start("--firmware", "1.0")
+    silent.do("line mute on")
+    driven.exchange(start("--model", "trexjr"))
+    driven.device.disconnect_line()
+    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    driven.device.connect_to(ConnectionSettings(silent.url))
+    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    assert not driven.device.may_move
+    driven.connect(third.url)
+    driven.connect(driven.board.url)
+    assert driven.closing_text() == ""
+
+
 def test_interrupted_apply_does_not_make_it_another_board(driven: DrivenBoard) -> None:
     device = driven.device
     device.parameters.edit("serial_timeout", 15)
