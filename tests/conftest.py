@@ -315,10 +315,10 @@ def connected_window(window: WindowDriver, quick_simulator: SimulatedDevice) -> 
 @pytest.fixture
 def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let recordings run out of disk space soon."""
-    create = RecordingWriter._create
+    begin = RecordingWriter._begin
 
-    def create_on_full_disk(writer: RecordingWriter[Any, Any], *arguments: Any) -> None:
-        create(writer, *arguments)
+    def begin_on_full_disk(writer: RecordingWriter[Any, Any]) -> None:
+        begin(writer)
         writer._database.execute("PRAGMA max_page_count = 30")
 
-    monkeypatch.setattr(RecordingWriter, "_create", create_on_full_disk)
+    monkeypatch.setattr(RecordingWriter, "_begin", begin_on_full_disk)

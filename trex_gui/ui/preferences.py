@@ -1,8 +1,11 @@
 """What the program remembers from one start to the next: a typed reader of its configuration."""
 
+import contextlib
 import logging
+import re
 import stat
 import sys
+import time
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -15,6 +18,7 @@ T = TypeVar("T")
 log = logging.getLogger(__name__)
 
 _LARGEST_FILE = 4 * 1024 * 1024  # bytes; a used one has some 3000
+_ABANDONED_S = 600.0  # seconds after which a lock or a draft is nobody's
 
 
 class Preferences:
@@ -77,12 +81,23 @@ def _open() -> QSettings:
         if problem := _problem(each):
             _report(each, problem)
             return QSettings(str(each / "unused"), QSettings.Format.IniFormat)
+    remove_litter(path)
     return QSettings()
 
 
 @cache
 def _report(path: Path, problem: str) -> None:
     log.warning("the configuration is not used: %s %s", path, problem)
+
+
+@cache
+def remove_litter(path: Path) -> None:
+    """Remove old locks and drafts that Qt left beside a file in programs that were killed; once."""
+    litter = re.compile(re.escape(path.name) + r"\.(lock(\.rmlock)+|[A-Za-z]{6})")
+    with contextlib.suppress(OSError):
+        for each in path.parent.iterdir():
+            if litter.fullmatch(each.name) and each.lstat().st_mtime < time.time() - _ABANDONED_S:
+                each.unlink()
 
 
 def _problem(path: Path) -> str:

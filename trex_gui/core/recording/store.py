@@ -17,7 +17,7 @@ from pathlib import Path
 from types import NoneType
 from typing import Any, Generic, cast
 
-from trex_gui.core.files import check_ordinary, open_ordinary
+from trex_gui.core.files import atomic_file, check_ordinary, open_ordinary
 from trex_gui.core.recording.kinds import (
     LONGEST_TEXT,
     HeaderT,
@@ -83,27 +83,31 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
         self._count = 0
         self._kinds: dict[type[object], tuple[SampleKind, str]] = {}
         with _reported(path, "It cannot be written"):
-            _replace(path)
-            self._database = sqlite3.connect(path, isolation_level=None)
+            with atomic_file(path) as draft:
+                draft.close()
+                with contextlib.closing(_connect(draft.name)) as database:
+                    self._create(database, fmt, header)
+                # The log of an older recording would be taken for that of the new one.
+                for companion in _companions(path.resolve()):
+                    companion.unlink(missing_ok=True)
+            self._database = _connect(path)
             try:
-                self._create(fmt, header)
+                self._begin()
             except BaseException:
                 self._database.close()
                 raise
 
-    def _create(self, fmt: RecordingFormat[HeaderT], header: HeaderT) -> None:
-        execute = self._database.execute
+    def _create(
+        self, database: sqlite3.Connection, fmt: RecordingFormat[HeaderT], header: HeaderT
+    ) -> None:
+        execute = database.execute
+        execute("PRAGMA journal_mode = OFF")  # a draft that is not complete is never used
         execute(f"PRAGMA application_id = {APPLICATION_ID}")
         execute(f"PRAGMA user_version = {SCHEMA_VERSION}")
-        # Exclusive: the index of the log stays in our memory. As a mapped file, a disk that goes
-        # away would end the process with SIGBUS, and nothing would stop the motors.
-        execute("PRAGMA locking_mode = EXCLUSIVE")
-        execute("PRAGMA journal_mode = WAL")
-        execute("PRAGMA synchronous = NORMAL")
         execute("BEGIN")
         execute("CREATE TABLE header (key TEXT PRIMARY KEY, value)")
         values = {"device": fmt.device, **header.values()}
-        self._database.executemany("INSERT INTO header VALUES (?, ?)", values.items())
+        database.executemany("INSERT INTO header VALUES (?, ?)", values.items())
         for kind in fmt.kinds(header):
             execute(_create_table(kind, header.clock))
             names = ", ".join(column.name for column in kind.columns)
@@ -111,6 +115,14 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
             insert = f"INSERT INTO {kind.name} (record, clock_s{', ' * bool(names)}{names}) "
             self._kinds[kind.type] = (kind, f"{insert} VALUES (?, ?{marks})")
         execute("COMMIT")
+
+    def _begin(self) -> None:
+        execute = self._database.execute
+        # Exclusive: the index of the log stays in our memory. As a mapped file, a disk that goes
+        # away would end the process with SIGBUS, and nothing would stop the motors.
+        execute("PRAGMA locking_mode = EXCLUSIVE")
+        execute("PRAGMA journal_mode = WAL")
+        execute("PRAGMA synchronous = NORMAL")
 
     @property
     def size(self) -> int:
@@ -159,14 +171,8 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
             self._database.close()
 
 
-def _replace(path: Path) -> None:
-    """Make an empty file, or raise OSError; only ordinary files are replaced."""
-    with contextlib.suppress(FileNotFoundError):
-        check_ordinary(path)
-    with path.open("wb"):
-        pass
-    for companion in _companions(path):
-        companion.unlink(missing_ok=True)
+def _connect(path: str | Path) -> sqlite3.Connection:
+    return sqlite3.connect(path, isolation_level=None)
 
 
 def _companions(path: Path) -> Iterator[Path]:

@@ -179,7 +179,7 @@ class FileSaver(QObject):
             self.failed.emit(self.tr("Another file is still being written."))
         else:
             self._path = path
-            self._task.start(partial(_write_text, path, write))
+            self._task.start(partial(write_text, path, write))
 
     @Slot()
     def finish(self) -> None:
@@ -199,7 +199,7 @@ class FileSaver(QObject):
             self.failed.emit(self.tr("{0} was not written.").format(self._path.name))
 
 
-def _write_text(
+def write_text(
     path: Path, write: Callable[[TextIO, ProgressCallback], int], progress: ProgressCallback
 ) -> int:
     try:

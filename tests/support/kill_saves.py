@@ -1,0 +1,292 @@
+"""Kill a program again and again while it saves files, and look at what it leaves.
+
+Each version of a file is made of its number alone. The program says which versions are saved. After
+it was killed, the program's own reader must find the last of them or the next one, whole. It forks,
+which Windows cannot.
+
+Run as `python -m tests.support.kill_saves`, this is the program: for each line with kind, folder
+and version it forks a process that saves versions from this one on, and prints its number, then
+the versions that were saved, then `ended`.
+"""
+
+import itertools
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Self, TextIO
+
+from PySide6.QtCore import QSettings
+
+from trex_gui.core.files import load, save
+from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.store import Recording, RecordingWriter
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import Mode
+from trex_gui.devices.trex.recording import FORMAT, Header, Record
+from trex_gui.devices.trex.settings.document import Settings, factory_settings
+from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.writer import write_settings
+from trex_gui.ui.preferences import remove_litter
+from trex_gui.ui.workers.file_worker import ProgressCallback, write_text
+
+ROOT = Path(__file__).parents[2]
+LONGEST_S = 0.03  # seconds until a program is killed; saving a version takes some milliseconds
+BEGIN = datetime(2026, 1, 1, tzinfo=UTC)
+KEPT = 4  # snapshots
+MARKERS = 300  # in a recording
+LINES = 3000  # of a transcript
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of file: how a version is saved, and how the program finds the version again.
+
+    `find` returns 0 without a file, and fails if something is not whole.
+    """
+
+    save: Callable[[Path, int], object]
+    find: Callable[[Path], int]
+
+
+def _settings_of(version: int) -> Settings:
+    settings = factory_settings(device_table().model("trex"), "1.2")
+    return replace(settings, parameters={**settings.parameters, "serial_timeout": version % 100})
+
+
+def _save_settings(folder: Path, version: int) -> None:
+    save(folder / "a.txt", write_settings(_settings_of(version), title_lines=[f"{version}"]))
+
+
+def _find_settings(folder: Path) -> int:
+    path = folder / "a.txt"
+    if not path.exists():
+        return 0
+    data = load(path)
+    version = int(data.split(b"# ")[1].split()[0])
+    settings, findings = read_settings(data, path.name)
+    assert settings == _settings_of(version), settings
+    assert not findings, findings
+    return version
+
+
+def _save_snapshot(folder: Path, version: int) -> None:
+    history = SettingsHistory(folder / "snapshots")
+    if history.bound().kept != KEPT:
+        history.keep(KEPT)
+    now = BEGIN + timedelta(seconds=version)
+    history.take(_settings_of(version), adapter="COM1", reason=f"version {version}", now=now)
+
+
+def _find_snapshot(folder: Path) -> int:
+    history = SettingsHistory(folder / "snapshots")
+    snapshots = history.snapshots()
+    for snapshot in snapshots:
+        assert not snapshot.problem, snapshot
+        version = int(snapshot.reason.split()[-1])
+        assert history.load(snapshot) == _settings_of(version), snapshot
+    assert not history.bound().problem, history.bound()
+    newest = int(snapshots[0].reason.split()[-1]) if snapshots else 0
+    assert len(snapshots) >= min(newest, KEPT), len(snapshots)
+    return newest
+
+
+def _save_bound(folder: Path, version: int) -> None:
+    SettingsHistory(folder / "snapshots").keep(version)
+
+
+def _find_bound(folder: Path) -> int:
+    bound = SettingsHistory(folder / "snapshots").bound()
+    assert not bound.problem, bound
+    is_new = not (folder / "snapshots" / "history.txt").exists()
+    return 0 if is_new else bound.kept or 0
+
+
+def _header(version: int) -> Header:
+    model = device_table().model("trex")
+    return Header(BEGIN, 10.0, model, "1.2", Mode.SERIAL_RC, f"version {version}", None)
+
+
+def _markers(version: int) -> list[Record]:
+    return [Marker(10.0 + n / 100, "note", f"{version} {n}") for n in range(MARKERS)]
+
+
+def _save_recording(folder: Path, version: int) -> None:
+    writer = RecordingWriter[Header, Record](folder / "a.trexrec", FORMAT, _header(version))
+    markers = _markers(version)
+    for first in range(0, MARKERS, 100):
+        writer.write(markers[first : first + 100])
+        writer.commit()
+    writer.finish()
+    writer.close()
+
+
+def _find_recording(folder: Path) -> int:
+    path = folder / "a.trexrec"
+    if not path.exists():
+        return 0
+    recording = Recording[Header, Record](path, FORMAT)
+    records = recording.read(1, MARKERS)
+    recording.close()
+    version = int(recording.header.settings.split()[-1])
+    assert records == _markers(version)[: len(records)], records[-1]
+    assert len(records) == MARKERS or recording.problems, "ended, but not complete"
+    return version
+
+
+def _save_transcript(folder: Path, version: int) -> None:
+    def write(file: TextIO, _progress: ProgressCallback) -> int:
+        return file.write("".join(f"{version} {number}\n" for number in range(LINES)))
+
+    write_text(folder / "a.tsv", write, lambda _share: None)
+
+
+def _find_transcript(folder: Path) -> int:
+    path = folder / "a.tsv"
+    if not path.exists():
+        return 0
+    lines = path.read_text(encoding="utf-8").splitlines()
+    version = int(lines[0].split()[0])
+    assert lines == [f"{version} {number}" for number in range(LINES)], len(lines)
+    return version
+
+
+def _preferences(folder: Path) -> QSettings:
+    return QSettings(str(folder / "a.ini"), QSettings.Format.IniFormat)
+
+
+def _save_preferences(folder: Path, version: int) -> None:
+    store = _preferences(folder)
+    for number in range(50):
+        store.setValue(f"group/{number}", f"{version}")
+    store.sync()
+
+
+def _find_preferences(folder: Path) -> int:
+    store = _preferences(folder)
+    versions = {int(str(store.value(f"group/{number}", 0))) for number in range(50)}
+    assert len(versions) == 1, versions
+    return versions.pop()
+
+
+KINDS = {
+    "settings": Kind(_save_settings, _find_settings),
+    "snapshot": Kind(_save_snapshot, _find_snapshot),
+    "bound": Kind(_save_bound, _find_bound),
+    "recording": Kind(_save_recording, _find_recording),
+    "transcript": Kind(_save_transcript, _find_transcript),
+    "preferences": Kind(_save_preferences, _find_preferences),
+}
+
+
+# --- The program that saves ---------------------------------------------------------------
+
+
+def _main() -> None:
+    for line in sys.stdin:
+        kind, folder, version = line.rstrip("\n").split("\t")
+        process = os.fork()
+        if process == 0:
+            for number in itertools.count(int(version)):
+                KINDS[kind].save(Path(folder), number)
+                os.write(1, b"%d\n" % number)
+        os.write(1, b"%d\n" % process)
+        os.waitpid(process, 0)
+        os.write(1, b"ended\n")
+
+
+class Saver:
+    """The program that saves, without a file in progress."""
+
+    def __enter__(self) -> Self:
+        self._process = subprocess.Popen(
+            [sys.executable, "-m", "tests.support.kill_saves"],
+            cwd=ROOT,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._process.communicate()
+
+    def save_and_be_killed(self, kind: str, folder: Path, version: int, seconds: float) -> int:
+        """Save versions from this one on until the kill; return the last that was saved."""
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
+        self._process.stdin.write(f"{kind}\t{folder}\t{version}\n")
+        self._process.stdin.flush()
+        number = int(self._process.stdout.readline())
+        time.sleep(seconds)
+        os.kill(number, signal.SIGKILL)
+        saved = version - 1
+        while (line := self._process.stdout.readline().strip()) != "ended":
+            saved = int(line)
+        return saved
+
+
+# --- What is left -------------------------------------------------------------------------
+
+
+def _litter(folder: Path, files: set[str]) -> list[str]:
+    found = (path for path in folder.rglob("*") if path.is_file())
+    return sorted(path.name for path in found if path.name not in files)
+
+
+def _age(folder: Path) -> None:
+    """Let a day pass for the files in a folder."""
+    for path in folder.rglob("*"):
+        if path.is_file():
+            os.utime(path, (time.time() - 86400,) * 2)
+
+
+def attack(saver: Saver, kind: str, folder: Path, rounds: int, chance: random.Random) -> list[str]:
+    """Kill the program that saves so many times; return what is wrong with what it leaves."""
+    version = 0
+    for number in range(1, rounds + 1):
+        saved = saver.save_and_be_killed(kind, folder, version + 1, chance.uniform(0, LONGEST_S))
+        try:
+            version = KINDS[kind].find(folder)
+        except Exception as error:  # noqa: BLE001 - whatever a reader may fail with
+            return [f"{kind}, kill {number}, after version {saved}: {error!r}"]
+        if version not in {saved, saved + 1}:
+            return [f"{kind}, kill {number}: found version {version} after {saved} was saved"]
+    _age(folder)
+    KINDS[kind].save(folder, version + 1)
+    remove_litter.cache_clear()
+    remove_litter(folder / "a.ini")  # as the next start does
+    snapshots = {found.path.name for found in SettingsHistory(folder / "snapshots").snapshots()}
+    if len(snapshots) > KEPT:
+        return [f"{kind}: {len(snapshots)} snapshots"]
+    litter = _litter(folder, snapshots | {"a.txt", "a.tsv", "a.ini", "a.trexrec", "history.txt"})
+    return [f"{kind}: left behind: {', '.join(litter)}"] if litter else []
+
+
+def run(seconds: float, seed: int) -> list[str]:
+    """Attack every kind of file in turn for so long; return what was found wrong."""
+    chance, end = random.Random(seed), time.monotonic() + seconds
+    findings: list[str] = []
+    with Saver() as saver:
+        for kind in itertools.cycle(KINDS):
+            if time.monotonic() >= end:
+                return findings
+            folder = Path(tempfile.mkdtemp(prefix="kill_saves."))
+            try:
+                findings += attack(saver, kind, folder, 50, chance)
+            finally:
+                shutil.rmtree(folder)
+    return findings
+
+
+if __name__ == "__main__":
+    _main()
