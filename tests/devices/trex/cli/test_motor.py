@@ -9,7 +9,11 @@ import pytest
 from tests.devices.trex.cli.conftest import StartProcess, becomes, comes_true, outputs
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
+from tests.support.virtual_devices import VirtualSimulator
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.transport.guarded import GuardedTransport
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.core.transport.settings import PortSettings
 
 
 def run_motor(
@@ -117,6 +121,21 @@ def test_repeated_ctrl_c_still_stops_motor(
         command.send_signal(signal.SIGINT)
     command.communicate()
     assert braked(quick_simulator)
+
+
+def test_ctrl_c_ends_motor_command_while_its_port_opens(
+    start: StartCommand, virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    def open_slowly(settings: PortSettings) -> Transport:
+        virtual_time.sleep(600)
+        raise AssertionError(settings)
+
+    assert isinstance(quick_simulator, VirtualSimulator)
+    quick_simulator.open = open_slowly  # type: ignore[method-assign]  # a computer far away
+    command = start("motor", "1", "60")
+    assert not becomes(lambda: command.returncode is None, False, seconds=5)
+    command.send_signal(signal.SIGINT)
+    assert command.wait(1) == 1
 
 
 def test_motor_stops_after_given_seconds(

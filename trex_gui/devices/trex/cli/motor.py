@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, Interruption, say
+from trex_gui.core.cli import CommandFailed, Interruption, refusals, say
 from trex_gui.core.errors import (
     BadReply,
     BadRequest,
@@ -84,9 +84,11 @@ def motor(
     """
     setpoint = _setpoint(which, speed, accelerate=accelerate, brake=brake)
     settings = link_settings(options)
+    with refusals():  # Ctrl-C ends what may take long, as with a port of another computer
+        transport = host().open_transport(settings)
     with Interruption(precious=True) as interrupted:
-        run = _Run(setpoint, math.inf if seconds is None else seconds, interrupted)
-        TrexSession(settings, run, run.take, run.open).run()
+        run = _Run(setpoint, math.inf if seconds is None else seconds, interrupted, transport)
+        TrexSession(settings, run, run.take, lambda _settings: transport).run()
     run.conclude()
 
 
@@ -151,11 +153,17 @@ class _Run:
     the motors, and old error bits are read.
     """
 
-    def __init__(self, setpoint: Setpoint, seconds: float, interrupted: Interruption) -> None:
+    def __init__(
+        self,
+        setpoint: Setpoint,
+        seconds: float,
+        interrupted: Interruption,
+        transport: Transport,
+    ) -> None:
         self._setpoint = setpoint
         self._seconds = seconds
         self._interrupted = interrupted
-        self._transport: Transport | None = None
+        self._transport = transport
         self._requests: deque[Request] = deque()
         self._state: DeviceState | None = None
         self._now = 0.0
@@ -169,15 +177,9 @@ class _Run:
         self._stop_error: StudioError | None = None
         self._line_error: StudioError | None = None
 
-    def open(self, settings: ConnectionSettings) -> Transport:
-        self._transport = host().open_transport(settings)
-        return self._transport
-
     # --- The inbox ----------------------------------------------------------------------
 
     def get(self, seconds: float) -> Request | None:
-        if self._transport is None:
-            return None  # the port could not be opened
         if not self._requests and seconds > 0:
             self._transport.wait(min(seconds, _SLICE))
         now = self._now = self._transport.clock()
