@@ -1,6 +1,6 @@
 """The program's window in a process of its own: what it costs while a board is connected.
 
-`python -m tests.benchmarks.loaded_window load|gaps URL SECONDS` prints one JSON object.
+`python -m tests.benchmarks.loaded_window load|gaps|memory URL SECONDS` prints one JSON object.
 """
 
 import json
@@ -8,15 +8,19 @@ import os
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QEventLoop, QSettings, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from tests.support.program import trex
 from trex_gui import composition
+from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.supervisor import SafetySupervisor
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
@@ -27,6 +31,8 @@ BAUD = 115_200
 _SETTLE = 2.0  # seconds for a page to be laid out and painted before its cost is measured
 _TURN = 1.0  # seconds for which each page is shown in turn
 _TICK_MS = 5
+_SENT, _RECEIVED = TrafficDirection.SENT, TrafficDirection.RECEIVED
+_RECORDED = 4.0  # seconds of telemetry that are replayed to fill an hour
 
 
 def _run_loop(seconds: float) -> None:
@@ -95,6 +101,52 @@ def _gaps(program: Program, seconds: float) -> dict[str, float]:
     return {"longest": 1000 * longest, "worked": 1000 * worked}
 
 
+def _memory(program: Program, seconds: float) -> dict[str, float]:
+    """Return MiB resident at the start and after so many seconds, and what grows after that.
+
+    Some seconds of a real connection are replayed, since an hour takes an hour.
+    """
+    device = trex(program).device
+    batches: list[Batch] = []
+    traffic = device.connection.traffic
+    begin = _resident()
+    traffic.clear()
+    device.sampled.connect(batches.append)
+    _run_loop(_RECORDED)
+    device.sampled.disconnect(batches.append)
+    device.disconnect_line()
+    _run_loop(1.0)
+    heard = [
+        TrafficEvent(row.time, direction, data)
+        for row in traffic.everything.rows
+        for direction, data in ((_SENT, row.sent), (_RECEIVED, row.received))
+        if data
+    ]
+
+    def replay(first: int, last: int) -> float:
+        for turn in range(first, last):
+            later = turn * _RECORDED
+            for batch in batches:
+                samples = tuple(replace(one, time=one.time + later) for one in batch.samples)
+                device.connection.sampled.emit(replace(batch, samples=samples))
+            for event in heard:
+                device.connection.log.note(replace(event, time=event.time + later))
+            traffic.pull()
+            QCoreApplication.processEvents()
+        return _resident()
+
+    turns = round(seconds / _RECORDED)
+    quarter = turns // 4
+    found = {"start": begin, "end": replay(1, turns)}
+    full = replay(turns, turns + quarter)  # the plot is, and drops its first samples
+    return {**found, "growth": replay(turns + quarter, turns + 2 * quarter) - full}
+
+
+def _resident() -> float:
+    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
 def main(what: str, url: str, seconds: float) -> None:
     app = QApplication([])
     QCoreApplication.setOrganizationName("TReX Studio benchmark")
@@ -103,7 +155,7 @@ def main(what: str, url: str, seconds: float) -> None:
     GuiThreadCollector(app)
     program = _connected(url)
     supervisor = SafetySupervisor(program, app)
-    found = {"load": _cpu, "gaps": _gaps}[what](program, seconds)
+    found = {"load": _cpu, "gaps": _gaps, "memory": _memory}[what](program, seconds)
     sys.stdout.write(json.dumps(found) + "\n")
     sys.stdout.flush()
     program.window.hide()

@@ -1,4 +1,4 @@
-"""What the window of a connected board costs: processor time, and gaps in its event loop.
+"""What the window of a connected board costs: processor time, memory, gaps in its event loop.
 
 The window and the simulated board are processes of their own, the line is paced at 115200 baud.
 """
@@ -47,6 +47,17 @@ def test_processor_time_of_the_window(url: str, tmp_path: Path, figure: ReportFi
     for state in runs[0]:
         least = min(run[state] for run in runs)  # other processes only add to it
         figure(f"cpu of the window, {state}", least, "%", at_most=_AT_MOST.get(state))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+@pytest.mark.timeout(600)
+def test_memory_after_an_hour_of_telemetry(url: str, tmp_path: Path, figure: ReportFigure) -> None:
+    found = _measure("memory", url, 3600.0, tmp_path)
+    figure("memory of the window, connected", found["start"], "MiB")
+    figure("memory of the window, after an hour", found["end"], "MiB", at_most=160)
+    figure(
+        "memory of the window, growth in a quarter of an hour", found["growth"], "MiB", at_most=1
+    )
 
 
 @pytest.mark.timeout(900)

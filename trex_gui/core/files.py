@@ -7,7 +7,6 @@ import contextlib
 import errno
 import os
 import re
-import secrets
 import shutil
 import stat
 import time
@@ -128,7 +127,7 @@ _ABANDONED_S = 600.0
 
 
 def _draft_of(target: Path) -> Path:
-    return target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}.trexdraft")
+    return target.with_name(f".{target.name[:100]}.{os.urandom(4).hex()}.trexdraft")
 
 
 def _remove_abandoned(folder: Path) -> None:

@@ -1,6 +1,6 @@
-"""A million rows of samples in bounded memory; any span is drawn and summarized at once.
+"""Many rows of samples in bounded memory; any span is drawn and summarized at once.
 
-A plot of an hour needs the extremes of some hundred spans of samples. `Pyramid` keeps those of
+A plot of an hour needs the extremes of some hundred spans of samples. `Column` keeps those of
 blocks of rows, of blocks of blocks, and so on: they cost the same for eight samples and for a
 hundred thousand.
 """
@@ -11,14 +11,15 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from operator import itemgetter
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+Floats = NDArray[np.floating[Any]]
 
 Points = tuple[Floats, Floats]  # times and values; NaN interrupts the line
-CAPACITY = 1_000_000  # rows kept: three and a half hours at 80 a second
+CAPACITY = 1_000_000  # rows kept
 MAX_GAP = 0.5  # seconds without a sample that interrupt a curve: 40 samples of currents
 _FIRST_ROOM = 4096
 
@@ -28,31 +29,34 @@ _BATCH = 64  # rows summarized at once: as many cost little more than a single b
 MAX_LEVELS = 6  # the largest block has 8 to the power of 6 rows: 55 minutes at 80 samples a second
 
 
-class Pyramid:
-    """Summaries of whole blocks of the rows of `times` and `values` (columns, rows).
+class Column:
+    """The values of one column, and summaries of whole blocks of them.
 
     NaN is left out; a block of nothing else is NaN itself. Integrals are by the trapezoidal rule:
     the interval before a row belongs to the row, and counts nothing if it is longer than `max_gap`
-    seconds or has NaN at one end.
+    seconds or has NaN at one end. They are kept from the second level on: below, they would take
+    more memory than the values, and summing 64 rows costs little.
     """
 
-    _REDUCE = (np.fmin, np.fmax, np.add, np.add, np.add)
-
-    def __init__(self, columns: int, levels: int, max_gap: float) -> None:
-        self._columns = columns
+    def __init__(self, kind: type[np.floating[Any]], levels: int, max_gap: float) -> None:
+        self._kind = kind
         self._levels = levels
         self._max_gap = max_gap
         self._done = [0] * (levels + 1)  # whole blocks of each level; level 0: summarized rows
-        self._blocks = [np.empty((5, columns, 0)) for _ in range(levels + 1)]
+        self.values: Floats = np.empty(0, kind)
+        self._extremes: list[Floats] = [np.empty((2, 0), kind) for _ in range(levels + 1)]
+        self._integrals: list[Floats] = [np.empty((3, 0)) for _ in range(levels + 1)]
 
-    def resize(self, rows: int) -> None:
+    def resize(self, rows: int, size: int) -> None:
+        """Make room for so many rows; the first `size` are in use."""
+        self.values = _resized(self.values, rows, size)
         for level in range(1, self._levels + 1):
-            grown = np.empty((5, self._columns, rows // FACTOR**level))
-            done = self._done[level]
-            grown[:, :, :done] = self._blocks[level][:, :, :done]
-            self._blocks[level] = grown
+            room, done = rows // FACTOR**level, self._done[level]
+            self._extremes[level] = _resized(self._extremes[level], room, done)
+            if level > 1:
+                self._integrals[level] = _resized(self._integrals[level], room, done)
 
-    def grow(self, times: Floats, values: Floats, size: int) -> None:
+    def summarize(self, times: Floats, size: int) -> None:
         """Summarize the rows up to `size` in batches; none is read twice."""
         if size - self._done[0] < _BATCH:
             return
@@ -62,26 +66,33 @@ class Pyramid:
             if done == first:
                 return
             begin, end = first * FACTOR, done * FACTOR
-            if level == 1:
-                rows = values[:, begin:end]
-                below = [rows, rows, *self._intervals(times, values, begin, end)]
-            else:
-                below = list(self._blocks[level - 1][:, :, begin:end])
-            for reduce, summary, part in zip(self._REDUCE, self._blocks[level], below, strict=True):
-                shaped = part.reshape(self._columns, done - first, FACTOR)
-                reduce.reduce(shaped, axis=2, out=summary[:, first:done])
+            below = (self.values, self.values) if level == 1 else self._extremes[level - 1]
+            for reduce, summary, part in zip(
+                (np.fmin, np.fmax), self._extremes[level], below, strict=True
+            ):
+                reduce.reduce(part[begin:end].reshape(-1, FACTOR), axis=1, out=summary[first:done])
+            if level > 1:
+                if level == 2:
+                    added = self._intervals(times, begin * FACTOR, end * FACTOR)
+                else:
+                    added = self._integrals[level - 1][:, begin:end]
+                parts = added.reshape(3, done - first, -1)
+                np.add.reduce(parts, axis=2, out=self._integrals[level][:, first:done])
             self._done[level] = done
 
-    def drop(self, rows: int) -> None:
+    def drop(self, rows: int, left: int) -> None:
+        """Drop the first rows; so many are left."""
+        self.values[:left] = self.values[rows : rows + left].copy()
         for level in range(self._levels + 1):
             gone, done = rows // FACTOR**level, self._done[level]
             if level and done > gone:
-                blocks = self._blocks[level]
-                blocks[:, :, : done - gone] = blocks[:, :, gone:done].copy()
+                for blocks in (self._extremes[level], self._integrals[level]):
+                    if blocks.shape[1]:
+                        blocks[:, : done - gone] = blocks[:, gone:done].copy()
             self._done[level] = max(0, done - gone)
 
     def extremes(
-        self, values: Floats, column: int, first: int, stop: int, least: int
+        self, first: int, stop: int, least: int
     ) -> tuple[NDArray[np.intp], Floats, Floats]:
         """Return where the blocks that cover rows `first` to `stop` begin, and their extremes.
 
@@ -97,24 +108,21 @@ class Pyramid:
         for level, begin, end in self._cover(first, stop, top):
             size = FACTOR**level
             span = slice(begin // size, end // size)
-            blocks = self._blocks[level] if level else (values, values)
+            low, high = self._extremes[level] if level else (self.values, self.values)
             starts.append(np.arange(begin, end, size))
-            lows.append(blocks[0][column, span])
-            highs.append(blocks[1][column, span])
+            lows.append(low[span])
+            highs.append(high[span])
         return np.concatenate(starts), np.concatenate(lows), np.concatenate(highs)
 
-    def integrals(
-        self, times: Floats, values: Floats, column: int, first: int, stop: int
-    ) -> tuple[float, float, float]:
+    def integrals(self, times: Floats, first: int, stop: int) -> tuple[float, float, float]:
         """Return seconds, integral and integral of squares between rows `first` and `stop` - 1."""
         total = np.zeros(3)
         for level, begin, end in self._cover(first + 1, stop, self._levels):
             size = FACTOR**level
-            if level:
-                total += self._blocks[level][2:, column, begin // size : end // size].sum(axis=1)
+            if level > 1:
+                total += self._integrals[level][:, begin // size : end // size].sum(axis=1)
             else:
-                one = values[column : column + 1]
-                total += self._intervals(times, one, begin, end).sum(axis=2)[:, 0]
+                total += self._intervals(times, begin, end).sum(axis=1)
         seconds, integral, squares = total.tolist()
         return seconds, integral, squares
 
@@ -124,18 +132,26 @@ class Pyramid:
         blocks = _whole_blocks(first, done, top)
         return [*blocks, (0, done, stop)] if done < stop else blocks
 
-    def _intervals(self, times: Floats, values: Floats, first: int, stop: int) -> Floats:
-        """Return what the interval before each row adds: (integrals, columns, rows)."""
-        added = np.zeros((3, len(values), stop - first))
+    def _intervals(self, times: Floats, first: int, stop: int) -> Floats:
+        """Return what the interval before each row adds: (integrals, rows)."""
+        added = np.zeros((3, stop - first))
         begin = max(first, 1)  # there is no interval before row 0
-        after, before = values[:, begin:stop], values[:, begin - 1 : stop - 1]
+        values = self.values[begin - 1 : stop].astype(np.float64)
+        before, after = values[:-1], values[1:]
         width = times[begin:stop] - times[begin - 1 : stop - 1]
         counts = np.isfinite(after) & np.isfinite(before) & (width <= self._max_gap)
-        part = added[:, :, begin - first :]
+        part = added[:, begin - first :]
         np.copyto(part[0], width, where=counts)
         np.copyto(part[1], (before + after) / 2 * width, where=counts)
         np.copyto(part[2], (before * before + after * after) / 2 * width, where=counts)
         return added
+
+
+def _resized(array: Floats, room: int, used: int) -> Floats:
+    """Return a copy with room for so many values in its last dimension; keep those in use."""
+    grown = np.empty((*array.shape[:-1], room), array.dtype)
+    grown[..., :used] = array[..., :used]
+    return grown
 
 
 def _whole_blocks(first: int, stop: int, top: int) -> list[tuple[int, int, int]]:
@@ -167,19 +183,31 @@ class Statistics:
 
 
 class SampleHistory:
-    """The last `capacity` rows of a time and `columns` values; times rise, NaN means unknown.
+    """The last `capacity` rows of a time and one value per column; times rise, NaN means unknown.
 
     Memory grows with the rows; at capacity the oldest are dropped. The average cost of adding
-    a row does not depend on their number. `max_gap` is in seconds.
+    a row does not depend on their number.
+
+    Args:
+        columns: how many, or the types of their values. Half precision holds whole numbers up to
+            2048 in a quarter of the memory.
+        max_gap: seconds.
     """
 
-    def __init__(self, columns: int, capacity: int = CAPACITY, max_gap: float = MAX_GAP) -> None:
+    def __init__(
+        self,
+        columns: int | Sequence[type[np.floating[Any]]],
+        capacity: int = CAPACITY,
+        max_gap: float = MAX_GAP,
+    ) -> None:
         self.capacity = capacity
-        self.columns = columns
+        self._kinds = [np.float64] * columns if isinstance(columns, int) else columns
+        self.columns = len(self._kinds)
         self._max_gap = max_gap
-        # Rows are dropped in steps that hold whole blocks of every level.
+        # Rows are dropped in steps that hold whole blocks of every level, and are short beside
+        # the capacity: until a step is full, its rows are kept, too.
         levels = 2
-        while levels < MAX_LEVELS and 2 * FACTOR ** (levels + 1) <= capacity:
+        while levels < MAX_LEVELS and 16 * FACTOR ** (levels + 1) <= capacity:
             levels += 1
         self._levels = levels
         self._step = FACTOR**levels
@@ -187,9 +215,8 @@ class SampleHistory:
         self.clear()
 
     def clear(self) -> None:
-        self._pyramid = Pyramid(self.columns, self._levels, self._max_gap)
-        self._times = np.empty(0)
-        self._values = np.empty((self.columns, 0))
+        self._times: Floats = np.empty(0)
+        self._columns = [Column(kind, self._levels, self._max_gap) for kind in self._kinds]
         self._size = 0
         self._gaps: list[tuple[float, float]] = []  # when each ended and how long it was
 
@@ -203,7 +230,7 @@ class SampleHistory:
 
     def values(self, column: int) -> Floats:
         """Return a view, oldest first; valid until the next row."""
-        return self._values[column, self._begin : self._size]
+        return self._columns[column].values[self._begin : self._size]
 
     @property
     def span(self) -> tuple[float, float] | None:
@@ -221,7 +248,8 @@ class SampleHistory:
             if time - last > self._max_gap:
                 self._gaps.append((time, time - last))
         self._times[end] = time
-        self._values[:, end] = values
+        for column, value in zip(self._columns, values, strict=True):
+            column.values[end] = value
         self._grow(end + 1)
 
     def extend(self, times: Floats, values: Sequence[Floats]) -> None:
@@ -234,8 +262,8 @@ class SampleHistory:
         self._make_room(len(times))
         end, stop = self._size, self._size + len(times)
         self._times[end:stop] = times
-        for column, more in enumerate(values):
-            self._values[column, end:stop] = more
+        for column, more in zip(self._columns, values, strict=True):
+            column.values[end:stop] = more
         begin = max(end, 1)
         width = self._times[begin:stop] - self._times[begin - 1 : stop - 1]
         for at in np.flatnonzero(width > self._max_gap):
@@ -244,7 +272,8 @@ class SampleHistory:
 
     def _grow(self, size: int) -> None:
         self._size = size
-        self._pyramid.grow(self._times, self._values, size)
+        for column in self._columns:
+            column.summarize(self._times, size)
 
     def _make_room(self, rows: int) -> None:
         if self._size + rows > self._max_rows:
@@ -253,17 +282,15 @@ class SampleHistory:
         if self._size + rows <= room:
             return
         room = min(self._max_rows, max(2 * room, _FIRST_ROOM, self._size + rows))
-        times, values = np.empty(room), np.empty((self.columns, room))
-        times[: self._size] = self._times[: self._size]
-        values[:, : self._size] = self._values[:, : self._size]
-        self._times, self._values = times, values
-        self._pyramid.resize(room)
+        self._times = _resized(self._times, room, self._size)
+        for column in self._columns:
+            column.resize(room, self._size)
 
     def _drop(self, rows: int) -> None:
         left = self._size - rows
         self._times[:left] = self._times[rows : self._size].copy()
-        self._values[:, :left] = self._values[:, rows : self._size].copy()
-        self._pyramid.drop(rows)
+        for column in self._columns:
+            column.drop(rows, left)
         self._size = left
         oldest = float(self._times[0]) if left else math.inf
         self._gaps = [gap for gap in self._gaps if gap[0] > oldest]
@@ -290,17 +317,15 @@ class SampleHistory:
         _, stop = self._rows(-math.inf, time)
         if stop == self._begin or time - self._times[stop - 1] > self._max_gap:
             return math.nan
-        return float(self._values[column, stop - 1])
+        return float(self._columns[column].values[stop - 1])
 
     def statistics(self, column: int, start: float, end: float) -> Statistics:
         first, stop = self._rows(start, end)
-        _, lows, highs = self._pyramid.extremes(self._values, column, first, stop, 1)
+        _, lows, highs = self._columns[column].extremes(first, stop, 1)
         if not np.isfinite(lows).any():
             return Statistics()
         low, high = float(np.fmin.reduce(lows)), float(np.fmax.reduce(highs))
-        seconds, integral, squares = self._pyramid.integrals(
-            self._times, self._values, column, first, stop
-        )
+        seconds, integral, squares = self._columns[column].integrals(self._times, first, stop)
         if seconds <= 0:
             return Statistics(low=low, high=high)
         rms = math.sqrt(max(0.0, squares / seconds))
@@ -344,15 +369,15 @@ class SampleHistory:
     def _piece(self, column: int, first: int, stop: int, width: float) -> Points:
         seconds = float(self._times[stop - 1] - self._times[first])
         bins = max(1, math.ceil(seconds / width))
+        column_values = self._columns[column].values
         if stop - first <= 2 * bins + 2:
-            return self._times[first:stop].copy(), self._values[column, first:stop].copy()
-        starts, low, high = self._pyramid.extremes(self._values, column, first, stop, 2 * bins)
+            return self._times[first:stop].copy(), column_values[first:stop].copy()
+        starts, low, high = self._columns[column].extremes(first, stop, 2 * bins)
         bin_of = np.floor(self._times[starts] / width)
         heads = np.flatnonzero(np.diff(bin_of, prepend=math.nan) != 0)
         low, high = np.fmin.reduceat(low, heads), np.fmax.reduceat(high, heads)
         begins = starts[heads]
         ends = np.append(begins[1:], stop) - 1
-        column_values = self._values[column]
         falling = column_values[ends] < column_values[begins]
         values = np.empty(2 * len(begins) + 1)
         values[0:-1:2] = np.where(falling, high, low)

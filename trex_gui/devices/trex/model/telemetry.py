@@ -3,6 +3,7 @@
 import math
 from enum import IntEnum
 
+import numpy as np
 from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
 from trex_gui.core.timing import TEXT_INTERVAL
@@ -13,6 +14,7 @@ from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import TraceInfo
 
+_CURRENT_HISTORY = 288_000  # samples of the currents kept: an hour at 80 a second
 _INPUT_HISTORY = 3_000  # samples of the inputs kept: a minute at 50 a second
 _UNKNOWN = (math.nan,) * len(CHANNELS)
 _CHANNEL_COLORS = ("good", "warning", "dirty", "muted", "plot_text")
@@ -24,6 +26,9 @@ Series = IntEnum(
     start=0,
 )
 """The columns of `Telemetry.currents`."""
+
+_TYPES = [np.float64 if one in {Series.CURRENT1, Series.CURRENT2} else np.float16 for one in Series]
+"""The other values are whole numbers from -127 to 127."""
 
 
 def board_traces() -> list[TraceInfo]:
@@ -49,7 +54,7 @@ def board_traces() -> list[TraceInfo]:
 
 
 class Telemetry(QObject):
-    """The newest values, the currents of the last hours and the inputs of the last minute.
+    """The newest values, the currents of the last hour and the inputs of the last minute.
 
     A row of `currents` holds what both motors draw (A), their speed setpoints (-127 to 127)
     and the remapped channels at that moment. Unknown values are not a number, in `inputs` a
@@ -64,7 +69,7 @@ class Telemetry(QObject):
 
     def __init__(self, motors: Motors, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.currents = SampleHistory(len(Series))
+        self.currents = SampleHistory(_TYPES, capacity=_CURRENT_HISTORY)
         self.inputs = SampleHistory(len(CHANNELS), capacity=_INPUT_HISTORY)
         self.raw: tuple[int | None, ...] | None = None
         self.remapped: tuple[int, ...] | None = None
