@@ -90,3 +90,21 @@ def test_snapshot_before_a_change_is_true_and_the_change_verified(board: NoisyBo
         assert after == {**board.before["parameters"], "serial_timeout": 15}
     else:
         assert result.stderr.strip()
+
+
+@pytest.mark.parametrize("seed", sampled(SEEDS, every=5))
+def test_restored_settings_are_stored_and_no_others(board: NoisyBoard, tmp_path: Path) -> None:
+    wanted = {"serial_timeout": 15, "motor1_acceleration": 3, "motor2_acceleration": 3}
+    calibration = {"minimum": 2450, "neutral": 3720, "maximum": 5040, "deadband": 70}
+    fields = ", ".join(f"{name}: {value}" for name, value in calibration.items())
+    lines = [f"{key}: {value}" for key, value in wanted.items()]
+    path = tmp_path / "wanted.txt"
+    path.write_text("\n".join(["product: TReX", *lines, f"rc_channel_1: {{{fields}}}", ""]))
+    result = board.run("set-settings", str(path))
+    after = board.simulator.show()
+    if result.exit_code == 0:
+        assert after["parameters"] == {**board.before["parameters"], **wanted}
+        calibrations = {**board.before["calibrations"], "rc_channel_1": calibration}
+        assert after["calibrations"] == calibrations
+    for saved in board.snapshots:
+        assert_true(saved, board.before)

@@ -10,6 +10,7 @@ from tests.devices.trex.session.helpers import commands, replying, staged
 from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
+from trex_gui.devices.trex.client.reading import read_everything
 from trex_gui.devices.trex.client.writing import (
     WriteResult,
     write_all,
@@ -196,6 +197,20 @@ def test_wrong_read_back_of_value_is_reported(stage: Stage) -> None:
 
     with pytest.raises(BadReply, match=r"could not be verified: wrote 1\.5 s.*reads back 0\.7 s"):
         write_parameter(forgetful, TIMEOUT, 15)
+
+
+def test_value_left_by_write_that_failed_is_known(stage: Stage) -> None:
+    client = stage.client()
+    known: list[WriteResult] = []
+
+    def forgetful(command: Command[ReplyT_co]) -> ReplyT_co:
+        reply = client.request(command)
+        stage.board.eeprom.write("serial_timeout", 7)
+        return reply
+
+    (result,) = write_all(forgetful, SPECS, [(TIMEOUT.key, 15)], stored=known.append)
+    assert isinstance(result.error, BadReply)
+    assert known == [WriteResult(TIMEOUT.key, 7)]
 
 
 def test_wrong_read_back_of_calibration_is_reported(stage: Stage) -> None:
@@ -463,3 +478,76 @@ def test_each_requested_setting_gets_one_result(
     expected = [*keys, *(key for key, _ in calibrations)]
     assert sorted(result.key for result in results) == sorted(expected)
     assert all((result.stored is None) is (result.error is not None) for result in results)
+
+
+# --- Writes that a corrupted bit turns into others --------------------------------------
+
+
+@pytest.mark.parametrize("bit", range(3))
+def test_other_parameter_that_was_hit_is_restored(stage: Stage, bit: int) -> None:
+    before = read_everything(stage.client().request)
+    hit = bytes([0xAF, TIMEOUT.number ^ 1 << bit])
+    divert(stage, bytes([0xAF, TIMEOUT.number]), hit)
+    (result,) = write_all(stage.client().request, SPECS, [(TIMEOUT.key, 1)], before=before)
+    assert result == WriteResult(TIMEOUT.key, 1)
+    assert hit in stage.transport.sent
+    assert stage.board.memory.stored() == {**before.parameters, TIMEOUT.key: 1}
+
+
+@pytest.mark.parametrize("hit", [0xA1, 0xA2, 0xA4])
+def test_other_calibration_that_was_hit_is_restored(stage: Stage, hit: int) -> None:
+    before = read_everything(stage.client().request)
+    divert(stage, b"\xa0", bytes([hit]))
+    (result,) = write_all(
+        stage.client().request,
+        SPECS,
+        [],
+        [(CalibrationKey.RC_CHANNEL_1, LEARNED)],
+        before=before,
+    )
+    assert result.error is None
+    after = read_everything(stage.client().request)
+    assert after.calibrations == {**before.calibrations, 1: LEARNED}
+
+
+def test_setting_written_before_that_was_hit_is_restored(stage: Stage) -> None:
+    before = read_everything(stage.client().request)
+    first, second = SPECS["motor1_acceleration"], SPECS["motor2_acceleration"]
+    divert(stage, bytes([0xAF, second.number]), bytes([0xAF, first.number]))
+    wanted = [(first.key, 3), (second.key, 9)]
+    results = write_all(stage.client().request, SPECS, wanted, before=before)
+    assert results == (WriteResult(first.key, 3), WriteResult(second.key, 9))
+    assert stage.board.memory.stored() == {**before.parameters, **dict(wanted)}
+
+
+def test_setting_that_was_hit_and_cannot_be_restored_fails_the_write(stage: Stage) -> None:
+    before = read_everything(stage.client().request)
+    divert(stage, bytes([0xAF, TIMEOUT.number]), bytes([0xAF, 0x06]))
+    client = stage.client()
+
+    def request(command: Command[ReplyT_co]) -> ReplyT_co:
+        if isinstance(command, SetParameter) and command.number == 0x06:
+            stage.board.power_off()
+        return client.request(command)
+
+    (result,) = write_all(request, SPECS, [(TIMEOUT.key, 1)], before=before)
+    assert "another setting may have been changed" in str(result.error)
+
+
+def test_write_that_needs_no_repetition_reads_nothing_else(stage: Stage) -> None:
+    before = read_everything(stage.client().request)
+    stage.transport.sent.clear()
+    write_all(stage.client().request, SPECS, [(TIMEOUT.key, 1)], before=before)
+    assert len(commands(stage.transport.sent)) == 4
+
+
+def divert(stage: Stage, head: bytes, hit: bytes) -> None:
+    """Turn the first packet that begins with `head` into one that begins with `hit`."""
+    write, pending = stage.transport.write, [head]
+
+    def corrupt(data: bytes) -> None:
+        if pending and data.startswith(head):
+            data = hit + data[len(pending.pop()) :]
+        write(data)
+
+    stage.transport.write = corrupt  # type: ignore[method-assign]

@@ -18,7 +18,6 @@ from trex_gui.devices.trex.cli.common import (
     open_line_to_change,
     rounded,
 )
-from trex_gui.devices.trex.client.writing import write_calibration
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     HIGHEST_CODED,
@@ -107,7 +106,6 @@ def set_command(channel: int, **options: Any) -> None:
             state,
             replace(stored, calibrations={**stored.calibrations, key: wanted}),
             Context(port_rates=rates, used_by_line=link.line),
-            lambda: write_calibration(client.request, key, wanted, has_crc=client.has_crc),
             what=f"Calibration of channel {channel}",
             command=f"trexcmd calibration set {channel}",
         )

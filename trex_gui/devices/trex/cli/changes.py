@@ -1,12 +1,12 @@
 """What every command does before and after it changes what a board stores."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 from trex_gui.core.cli import Interruption, ProgressLine, say
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
+from trex_gui.devices.trex.client.writing import write_all
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.session.reconnecting import after_power_cycle
@@ -44,12 +44,11 @@ def change_one(
     state: DeviceState,
     after: Settings,
     context: Context,
-    write: Callable[[], object],
     *,
     what: str,
     command: str,
 ) -> None:
-    """Store one setting with `write`, if it differs from what the board stores.
+    """Store one setting, if it differs from what the board stores.
 
     `after` is what the board is to store. Nothing was written after Rejected (the board is not in
     serial mode) or SettingsError (the snapshot could not be saved).
@@ -65,10 +64,20 @@ def change_one(
     warn(after, context)
     say_changes(result)
     keep(before, link, command)
+    parameters = after.parameters.items() - before.parameters.items()
+    calibrations = after.calibrations.items() - before.calibrations.items()
     with Interruption():
-        write()
-    changed = after.parameters.items() - before.parameters.items()
-    say_what_follows(client, link, state, dict(changed))
+        (stored,) = write_all(
+            client.request,
+            state.specs,
+            list(parameters),
+            list(calibrations),
+            before=state,
+            has_crc=client.has_crc,
+        )
+    if stored.error is not None:
+        raise stored.error
+    say_what_follows(client, link, state, dict(parameters))
 
 
 def say_what_follows(

@@ -269,6 +269,7 @@ def _write(
             parameters,
             calibrations,
             line,
+            before=state,
             has_crc=client.has_crc,
             cancelled=interrupted.__bool__,
         )

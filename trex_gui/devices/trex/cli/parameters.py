@@ -62,7 +62,6 @@ def set_command(name: str, value: str, **options: Any) -> None:
             state,
             replace(stored, parameters={**stored.parameters, spec.key: wire}),
             Context(port_rates=rates, used_by_line=link.line),
-            lambda: write_parameter(client.request, spec, wire, has_crc=client.has_crc),
             what=spec.name,
             command=f"trexcmd set {spec.key}",
         )

@@ -3,6 +3,8 @@
 Plain functions over a `Requester`, so the command line, the session and tests share them.
 """
 
+import contextlib
+import logging
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
@@ -23,6 +25,7 @@ from trex_gui.devices.trex.protocol.commands import (
     GetCalibration,
     GetMode,
     GetParameter,
+    ReplyT_co,
     SetCalibration,
     SetParameter,
 )
@@ -32,15 +35,24 @@ from trex_gui.devices.trex.protocol.errors import (
     ResultCode,
     Skipped,
     TrexBadReplyError,
+    TrexError,
     TrexNoReplyError,
 )
 from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet, ParameterSpec
 
+log = logging.getLogger(__name__)
+
 ValueT = TypeVar("ValueT", int, Calibration)
 
 _FAILURES = (BadRequest, Rejected, BadReply, NoReply, PortUnavailable)
+
+_NOT_VERIFIED = {
+    ErrorCode.PARAMETER_MISMATCH,
+    ErrorCode.CALIBRATION_MISMATCH,
+    ErrorCode.READINGS_DIFFER,
+}
 
 _LINE, _POLYNOMIAL = ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL
 
@@ -189,6 +201,7 @@ def write_all(
     calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
     progress: Progress = lambda _done, _total, _what: None,
     *,
+    before: DeviceState | None = None,
     has_crc: bool = False,
     cancelled: Callable[[], bool] = lambda: False,
     stored: Callable[[WriteResult], None] = lambda _result: None,
@@ -207,7 +220,11 @@ def write_all(
 
     Once the line is gone, the board has stopped responding or is not in serial mode, the rest is
     not attempted: it would fail alike. The same holds after `cancelled`, but serial settings that
-    belong together are not separated. `stored` is called after each verified write.
+    belong together are not separated. `stored` is called with what is stored after each write, as
+    far as it was read.
+
+    Without a CRC one corrupted bit can turn a write into that of another setting. So if one had to
+    be repeated, every other setting is compared with its value `before`, and restored.
     """
     total = len(parameters) + len(calibrations)
     work = _Work(request, specs, total, progress, has_crc, cancelled, stored)
@@ -218,6 +235,9 @@ def write_all(
         if key not in {_LINE, _POLYNOMIAL}:
             work.store(key, wire)
     work.store_serial([item for item in ordered if item[0] in {_LINE, _POLYNOMIAL}])
+    may_have_strayed = work.repeated is not None and work.fatal_error is None and not has_crc
+    if before is not None and may_have_strayed:
+        work.undo_stray_writes(before)
     progress(total, total, "done")
     return tuple(work.results)
 
@@ -249,7 +269,12 @@ class _Route(Enum):
 
 @dataclass(slots=True)
 class _Work:
-    """Writes one value after the other; `fatal_error` is why nothing more is attempted."""
+    """Writes one value after the other.
+
+    Attributes:
+        fatal_error: why nothing more is attempted.
+        repeated: index of the last result whose write was sent more than once.
+    """
 
     request: Requester
     specs: ParameterSet
@@ -260,10 +285,16 @@ class _Work:
     stored: Callable[[WriteResult], None]
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None
+    repeated: int | None = None
+    _sent: int = 0
+
+    def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
+        self._sent += isinstance(command, (SetParameter, SetCalibration))
+        return self.request(command)
 
     def store_calibration(self, key: CalibrationKey, wanted: Calibration) -> None:
         self._check_cancelled()
-        write = partial(write_calibration, self.request, key, wanted, has_crc=self.has_crc)
+        write = partial(write_calibration, self._request, key, wanted, has_crc=self.has_crc)
         self._try(key, write)
 
     def store(self, key: str, wire: int, *, may_cancel: bool = True) -> None:
@@ -272,7 +303,51 @@ class _Work:
         self._try(key, lambda: self._write_parameter(key, wire))
 
     def _write_parameter(self, key: str, wire: int) -> int:
-        return write_parameter(self.request, self.specs[key], wire, has_crc=self.has_crc)
+        return write_parameter(self._request, self.specs[key], wire, has_crc=self.has_crc)
+
+    def undo_stray_writes(self, before: DeviceState) -> None:
+        """Restore what was stored besides what was to be written.
+
+        If that fails, so has the write that was sent more than once.
+        """
+        assert self.repeated is not None  # noqa: S101 - or nothing can have strayed
+        failed = {result.key for result in self.results if result.error is not None}
+        after = after_writing(before, [one for one in self.results if one.error is None])
+        try:
+            for key, wire in after.parameters.items():
+                if key not in failed and self._stored_parameter(key) != wire:
+                    log.warning("%s was changed by a corrupted packet and is restored", key)
+                    self._write_parameter(key, wire)
+            for channel, wanted in after.calibrations.items():
+                calibration_key = CalibrationKey.of(after.source, channel)
+                if calibration_key not in failed and self._stored_calibration(channel) != wanted:
+                    log.warning("%s was changed by a corrupted packet", calibration_key)
+                    write_calibration(self.request, calibration_key, wanted, has_crc=self.has_crc)
+        except _FAILURES as error:
+            key = self.results[self.repeated].key
+            stray = TrexBadReplyError(ErrorCode.STRAY_WRITE, self._name(key), error)
+            self.results[self.repeated] = WriteResult(key, error=stray)
+
+    def _note_stored(self, key: str) -> None:
+        """Read what a write that could not be verified has left."""
+        with contextlib.suppress(*_FAILURES):
+            if isinstance(key, CalibrationKey):
+                result = WriteResult(key, self._stored_calibration(key.channel))
+            else:
+                result = WriteResult(key, self._stored_parameter(key))
+            self.stored(result)
+
+    def _stored_parameter(self, key: str) -> int:
+        command = GetParameter(self.specs[key].number)
+        return agreed(self.request, command, has_crc=self.has_crc)
+
+    def _stored_calibration(self, channel: int) -> Calibration:
+        return agreed(self.request, GetCalibration(channel), has_crc=self.has_crc)
+
+    def _name(self, key: str) -> str:
+        if key in CALIBRATION_KEYS:
+            return f"calibration of channel {CALIBRATION_KEYS[key].channel}"
+        return self.specs[key].name
 
     def store_serial(self, serial: list[tuple[str, int]]) -> None:
         """Store line settings and polynomial in the order that keeps the board reachable."""
@@ -293,10 +368,7 @@ class _Work:
             self._note_uncertain_line()
 
     def _route(self, wanted: Mapping[str, int]) -> "_Route":
-        stored = {
-            key: agreed(self.request, GetParameter(self.specs[key].number), has_crc=self.has_crc)
-            for key in wanted
-        }
+        stored = {key: self._stored_parameter(key) for key in wanted}
         is_possible = not any(self.specs[key].problem(wire) for key, wire in wanted.items())
         stores_crc = _stores_crc(stored[_LINE])
         if not (is_possible and stores_crc and stored[_POLYNOMIAL] != wanted[_POLYNOMIAL]):
@@ -328,17 +400,18 @@ class _Work:
         result = WriteResult(key, error=self.fatal_error)
         if self.fatal_error is None:
             try:
-                if isinstance(key, CalibrationKey):
-                    name = f"calibration of channel {key.channel}"
-                else:
-                    name = self.specs[key].name
-                self.progress(len(self.results), self.total, name)
+                self.progress(len(self.results), self.total, self._name(key))
+                self._sent = 0
                 result = WriteResult(key, write())
             except _FAILURES as error:
                 result = WriteResult(key, error=error)
                 self.fatal_error = _if_fatal(error)
+                if isinstance(error, TrexError) and error.code in _NOT_VERIFIED:
+                    self._note_stored(key)
             else:
                 self.stored(result)
+            if self._sent > 1:
+                self.repeated = len(self.results)
         self.results.append(result)
 
 

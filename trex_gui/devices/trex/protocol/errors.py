@@ -98,6 +98,11 @@ class ErrorCode(Enum):
         "TrexErrors", "{0} is for {1} inputs, but the board reads {2} now"
     )
     OTHER_BOARD = QT_TRANSLATE_NOOP("TrexErrors", "Another board answers now: {0}.")
+    STRAY_WRITE = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "{0} was written, but the line corrupts bytes, and another setting may have been changed "
+        "instead at first. Read the board again and compare it with the last snapshot. {1}",
+    )
     WRITE_CANCELLED = QT_TRANSLATE_NOOP(
         "TrexErrors", "The writing was cancelled before this was tried."
     )

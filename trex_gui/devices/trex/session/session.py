@@ -346,6 +346,7 @@ class TrexSession:
             job.parameters,
             job.calibrations,
             self._report_progress,
+            before=self._state,
             has_crc=self._line.has_crc,
             cancelled=self._is_closing,
             stored=self._note_stored,
