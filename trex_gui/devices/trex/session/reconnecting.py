@@ -24,7 +24,7 @@ log = logging.getLogger(__name__)
 _FAILURES = 3
 """Failed transactions in a row after which a board counts as not responding."""
 
-_TELLING = frozenset({Topic.CONTROL, Topic.MODE})
+_STRICT = frozenset({Topic.CONTROL, Topic.MODE})
 """Topics that are counted by themselves, too: few bytes are a reply to them.
 
 Where wires touch, requests that come back can pass for measurements and go on without end.
@@ -69,7 +69,7 @@ class LivenessMonitor:
     def note_failure(self, now: float, topic: Topic | None = None) -> bool:
         """Count a failed transaction; return whether the board counts as silent from now on."""
         self._failures += 1
-        if topic in _TELLING:
+        if topic in _STRICT:
             self._failures_of[topic] += 1
         failures = max((self._failures, *self._failures_of.values()))
         if failures < _FAILURES or self.silent:
