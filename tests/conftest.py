@@ -32,6 +32,7 @@ from tests.support.virtual_time import VirtualQtBot, VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.composition import build
 from trex_gui.core.recording.store import RecordingWriter
+from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.files import end_background
@@ -287,10 +288,16 @@ def quick_simulator(start_simulator: StartSimulator) -> SimulatedDevice:
 
 
 @pytest.fixture
-def program(qtbot: QtBot, qapp: QApplication) -> Iterator[Program]:
+def timeouts() -> Timeouts:
+    """The time limits of the window."""
+    return Timeouts()
+
+
+@pytest.fixture
+def program(qtbot: QtBot, qapp: QApplication, timeouts: Timeouts) -> Iterator[Program]:
     """The window on its models; nothing is connected, and no thread may outlive it."""
     theme().install(qapp)
-    program = build()
+    program = build(timeouts)
     program.window.show()
     yield program
     trex(program).device.draft.discard_edits()

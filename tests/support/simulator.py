@@ -1,15 +1,30 @@
 """The simulator as a process of its own."""
 
 import json
+import os
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 from abc import ABC, abstractmethod
 from collections.abc import Callable
+from contextlib import suppress
+from enum import Enum
 from pathlib import Path
 from typing import Any
 
+_SLOW = 0.1  # seconds for which a slow port does nothing
 _OWN_PLACES = {"--link", "--tcp", "--rfc2217"}
+
+
+class PortFault(Enum):
+    """What is wrong with the port of the computer, before the wire."""
+
+    NONE = "none"
+    SLOW = "slow"  # every write takes long
+    JAMMED = "jammed"  # it takes nothing and gives nothing
+    STOLEN = "stolen"  # another program reads what arrives
 
 
 class SimulatedDevice(ABC):
@@ -20,6 +35,10 @@ class SimulatedDevice(ABC):
     """
 
     url: str
+
+    @abstractmethod
+    def set_port_fault(self, fault: PortFault) -> None:
+        """Begin a fault of the port, or end it with `NONE`; a jammed one takes no control lines."""
 
     @abstractmethod
     def obey(self, line: str) -> str:
@@ -63,6 +82,43 @@ class SimulatorProcess(SimulatedDevice):
         ready = self._answer()
         assert ready.startswith("ready "), ready
         self.url = ready.removeprefix("ready ")
+        self._heal_port: Callable[[], object] = lambda: None
+
+    def set_port_fault(self, fault: PortFault) -> None:
+        self._heal_port()
+        self._heal_port = lambda: None
+        if fault is PortFault.JAMMED:
+            self._process.send_signal(signal.SIGSTOP)
+            self._heal_port = lambda: self._process.send_signal(signal.SIGCONT)
+        elif fault is not PortFault.NONE:
+            act = self._slow_down if fault is PortFault.SLOW else self._steal
+            is_over = threading.Event()
+            thread = threading.Thread(target=act, args=(is_over,))
+            thread.start()
+
+            def heal() -> None:
+                is_over.set()
+                thread.join()
+
+            self._heal_port = heal
+
+    def _slow_down(self, is_over: threading.Event) -> None:
+        while not is_over.is_set():
+            self._process.send_signal(signal.SIGSTOP)
+            is_over.wait(_SLOW)
+            self._process.send_signal(signal.SIGCONT)
+            is_over.wait(_SLOW / 5)
+
+    def _steal(self, is_over: threading.Event) -> None:
+        """Read what arrives, as a program does that ignores locks; not all systems let it."""
+        with suppress(OSError):
+            port = os.open(self.url, os.O_RDONLY | os.O_NOCTTY | os.O_NONBLOCK)
+            try:
+                while not is_over.wait(0.001):
+                    with suppress(BlockingIOError):
+                        os.read(port, 4096)
+            finally:
+                os.close(port)
 
     def obey(self, line: str) -> str:
         assert self._process.stdin is not None
@@ -71,6 +127,7 @@ class SimulatorProcess(SimulatedDevice):
         return self._answer()
 
     def end(self) -> None:
+        self._heal_port()
         self._process.terminate()
         self._process.wait(30)
         self._folder.cleanup()

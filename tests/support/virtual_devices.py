@@ -10,7 +10,7 @@ import click
 from PySide6.QtCore import QByteArray, QObject, QProcess
 
 from tests.support.guardian import VirtualGuardian
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import PortFault, SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.cli import simulator
 from trex_gui.core.errors import PortUnavailable
@@ -21,6 +21,8 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 _SLICE = 0.02  # seconds between two looks whether the cable is still in
+_SLOW = 0.1  # seconds that a write takes on a slow port
+_NO_ROOM = 1.0  # seconds after which a write to a jammed port fails
 _HANDING_OVER = 1.5  # seconds for which the program waits for a port of its own
 
 
@@ -42,8 +44,12 @@ class VirtualSimulator(SimulatedDevice):
         self.on_write: Callable[[bytes], object] = _do_nothing
         self.on_close: Callable[[], object] = _do_nothing
         self.rates: frozenset[int] | None = None
+        self.port_fault = PortFault.NONE
         self._began = runtime.now() - self.line.now
         runtime.ports[url] = self
+
+    def set_port_fault(self, fault: PortFault) -> None:
+        self.port_fault = fault
 
     def end(self) -> None:
         self.line.unplug()
@@ -138,6 +144,12 @@ class VirtualTransport:
 
     def write(self, data: bytes) -> None:
         self._simulator.on_write(data)
+        fault = self._simulator.port_fault
+        if fault is PortFault.JAMMED:
+            self._runtime.sleep(_NO_ROOM)
+            raise self._gone()
+        if fault is PortFault.SLOW:
+            self._runtime.sleep(_SLOW)
         self._catch_up()
         self._line.send(data)
         self._catch_up()
@@ -175,10 +187,13 @@ class VirtualTransport:
     def _catch_up(self) -> None:
         self._simulator.catch_up()
         if not self._line.faults.plugged or not self._is_open:
-            raise PortUnavailable(
-                f"The line to {self._name} is gone. Plug it in, then connect again."
-            )
-        self._received += self._line.receive()
+            raise self._gone()
+        received = self._line.receive()
+        if self._simulator.port_fault in {PortFault.NONE, PortFault.SLOW}:
+            self._received += received
+
+    def _gone(self) -> PortUnavailable:
+        return PortUnavailable(f"The line to {self._name} is gone. Plug it in, then connect again.")
 
 
 class VirtualProcess(QProcess):

@@ -1,0 +1,264 @@
+"""What must hold while something fails, and after it is over."""
+
+import csv
+from collections.abc import Callable, Collection
+from pathlib import Path
+
+from tests.devices.trex.recording.samples import read_file
+from tests.fault_matrix.faults import FAULTS, Effect, Fault
+from tests.fault_matrix.moments import CHANNEL, LEARNED, MOMENTS
+from tests.fault_matrix.scene import Scene
+from trex_gui.core.errors import StudioError
+from trex_gui.ui.devices.connection import ConnectionState
+
+HOLD_SECONDS = 3.0
+"""How long a fault lasts: longer than what jams a port for a second, or waits for a stop."""
+
+HEAL_SECONDS = 1.0
+"""How long the user needs to see that it is over."""
+
+SETTLE_MS = 10_000
+"""Milliseconds within which what a fault has left behind is put right."""
+
+# --- Messages ---------------------------------------------------------------------------
+
+GONE = "is gone. Plug it in"
+NOT_RESPONDING = "The board has stopped responding"
+NO_BOARD = "No TReX responds"
+NOT_STORED = "Not stored: "
+WRITTEN = "written and verified"
+NOTHING_WRITTEN = "Nothing was written"
+NOTHING_MORE = "Nothing more was written"
+READ_FAILED = "Reading again failed"
+MAY_TURN = "motors may still turn"
+UNCONFIRMED = "The stop is not confirmed"
+NOTHING_CHANGED = "Nothing was changed"
+RECORDED = "Recorded in"
+UNWRITABLE = "cannot be written"
+NOT_EXPORTED = "was not written"
+EXPORTED = "written to"
+INTERNAL = "Internal error"
+
+Words = tuple[str, ...]
+
+_APPLYING = [name for name in MOMENTS if name.startswith("apply") and name != "apply_verified"]
+
+_USUAL: dict[str, tuple[Words, ...]] = {
+    **dict.fromkeys(_APPLYING, ((WRITTEN,),)),
+    "apply_verified": ((WRITTEN,),),
+    "recording": ((RECORDED,),),
+    "export": ((EXPORTED,),),
+}
+
+
+def _said_when_lost(lost: Words, at_connecting: Words) -> dict[str, tuple[Words, ...]]:
+    return {
+        **dict.fromkeys(MOMENTS, (lost,)),
+        "connect": (at_connecting,),
+        "read_all": (lost, (READ_FAILED,)),
+        **dict.fromkeys(_APPLYING, (lost, (NOT_STORED, NOTHING_MORE))),
+        "apply_verified": (lost, (WRITTEN,)),
+        "learning": (lost, (NOTHING_CHANGED,)),
+        "driving": (lost, (MAY_TURN,)),
+        "recording": (lost, (RECORDED,)),
+        "export": (lost, (EXPORTED,)),
+        "find": (),
+        "closing": ((UNCONFIRMED,),),
+    }
+
+
+SAID: dict[Effect, dict[str, tuple[Words, ...]]] = {
+    Effect.NONE: _USUAL,
+    Effect.BRIEF: {**_USUAL, **dict.fromkeys(_APPLYING, ((WRITTEN, NOT_STORED, NOTHING_MORE),))},
+    Effect.SILENT: _said_when_lost((NOT_RESPONDING,), (NO_BOARD,)),
+    Effect.GONE: _said_when_lost((GONE,), (GONE,)),
+    Effect.LOST: _said_when_lost((NOT_RESPONDING, GONE), (NO_BOARD, GONE)),
+}
+"""What the user has to be told, by what happens to the line: one of each group of texts."""
+
+SAID_OF: dict[tuple[str, str], tuple[Words, ...]] = {
+    # The power fails while the line settings are stored: they become the default, and are written.
+    ("other_uart", "apply_line_settings"): ((WRITTEN, NOT_STORED),),
+    # Requests that come back can pass for measurements.
+    ("echo", "driving"): ((NOT_RESPONDING,), (MAY_TURN,)),
+    ("full_disk", "apply_snapshot"): ((NOTHING_WRITTEN,),),
+    ("full_disk", "recording"): ((UNWRITABLE,),),
+    ("full_disk", "export"): ((NOT_EXPORTED,),),
+    ("read_only_disk", "apply_snapshot"): ((NOTHING_WRITTEN,),),
+    ("read_only_disk", "export"): ((NOT_EXPORTED,),),
+}
+"""The same for single cases."""
+
+NOT_SAID: dict[Effect, Words] = {
+    Effect.NONE: (GONE, NOT_RESPONDING, NO_BOARD, UNCONFIRMED, NOT_STORED, INTERNAL),
+    Effect.BRIEF: (GONE, INTERNAL),
+    Effect.SILENT: (GONE, INTERNAL),
+    Effect.GONE: (INTERNAL,),
+    Effect.LOST: (INTERNAL,),
+}
+"""What would be wrong."""
+
+
+def missing_messages(fault: str, moment: str, said: Collection[str]) -> list[Words]:
+    """Return what the user should have been told."""
+    effect = FAULTS[fault].effect
+    wanted = SAID_OF.get((fault, moment), SAID[effect].get(moment, ()))
+    return [words for words in wanted if not any(word in text for word in words for text in said)]
+
+
+def wrong_messages(fault: str, said: Collection[str]) -> list[str]:
+    """Return what the user was told wrongly."""
+    wrong = NOT_SAID[FAULTS[fault].effect]
+    return [text for text in said if any(word in text for word in wrong)]
+
+
+# --- The check --------------------------------------------------------------------------
+
+
+Starved = Callable[[float, float], float]
+"""Returns for how many seconds between two moments the computer gave this process no time."""
+
+
+def never(begin: float, end: float) -> float:
+    """In virtual time the computer is always fast enough."""
+    del begin, end
+    return 0.0
+
+
+def always(begin: float, end: float) -> float:
+    """Where other tests run at the same time, nobody knows."""
+    return end - begin
+
+
+def run_case(scene: Scene, fault_name: str, moment_name: str, starved: Starved = never) -> None:
+    """Let something go wrong at a moment; fail if anything falls short."""
+    fault, moment = FAULTS[fault_name], MOMENTS[moment_name]
+
+    def inject() -> None:
+        scene.begin_to_watch()
+        fault.inject(scene)
+
+    healed = False
+    try:
+        moment.begin(scene, inject)
+        scene.let_pass(HOLD_SECONDS)
+        if not fault.hides_board:
+            _check_motors(scene, fault)
+        fault.heal(scene)
+        healed = True
+        scene.let_pass(HEAL_SECONDS)
+        moment.end(scene)
+    finally:
+        if not healed:
+            fault.heal(scene)
+    said = tuple(scene.said)
+    assert missing_messages(fault_name, moment_name, said) == [], said
+    assert wrong_messages(fault_name, said) == []
+    longest_gap = max((end - begin - starved(begin, end) for begin, end in scene.gaps), default=0.0)
+    assert longest_gap <= moment.longest_gap
+    if scene.window.window.isVisible():
+        _recover(scene, fault)
+        _check_settings(scene)
+        _check_close(scene)
+    else:
+        assert not scene.motors_turn()
+    _check_snapshots(scene)
+    _check_files(scene, fault_name)
+
+
+def _check_motors(scene: Scene, fault: Fault) -> None:
+    """Motors run as the user wants and is told, or they do not, or he is told that they may."""
+    if scene.window.device.may_move:
+        return
+    if fault.forges:  # a query can have become a command, until the idle motors are refreshed
+        scene.window.wait(lambda: not scene.motors_turn(), SETTLE_MS)
+    assert not scene.motors_turn()
+
+
+def _recover(scene: Scene, fault: Fault) -> None:
+    """Connect again if that is needed, and stop."""
+    window = scene.window
+    moving = {ConnectionState.CONNECTING, ConnectionState.DISCONNECTING}
+    window.wait(lambda: scene.link not in moving)
+    if scene.link is ConnectionState.DISCONNECTED:
+        window.connect(scene.url)
+    window.wait(lambda: scene.link is ConnectionState.CONNECTED)
+    _check_motors(scene, fault)
+    window.wait(lambda: scene.motors_turn() or not window.motors.armed)
+    window.program.device_manager.press_stop()
+    window.wait(lambda: not window.device.may_move)
+    window.wait(lambda: not scene.motors_turn())
+
+
+def _check_settings(scene: Scene) -> None:
+    """Every edit is stored or pending, nothing else has changed, and what is shown is true."""
+    device, stored = scene.window.device, scene.shown()["parameters"]
+
+    def check_shown() -> None:
+        assert device.state is not None
+        shown = device.state.parameters
+        untrue = {key: (shown[key], stored[key]) for key in shown if shown[key] != stored[key]}
+        assert untrue == {}, untrue
+
+    # After a write that failed everything is read again.
+    scene.window.qtbot.waitUntil(check_shown, timeout=SETTLE_MS)
+
+    def lost() -> list[str]:
+        pending = dict(device.parameters.pending)
+        return [key for key, value in scene.edits.items() if pending.get(key, stored[key]) != value]
+
+    scene.window.wait(lambda: not lost() or device.edit_backup.offer is not None, SETTLE_MS)
+    if lost():  # another board was connected meanwhile
+        scene.window.click("restoreEdits")
+    assert lost() == []
+    assert device.state is not None
+    if scene.before is not None:
+        before = scene.before.parameters
+        wrong = {
+            key: value
+            for key, value in stored.items()
+            if value not in {before[key], scene.edits.get(key)}
+        }
+        # Power that is cut while a value is stored leaves its default.
+        assert len(wrong) <= 1
+        assert all(value == device.state.specs[key].default for key, value in wrong.items())
+    if scene.edits_calibration:
+        waiting = {key.channel: wanted for key, wanted in device.calibrations.pending}
+        assert waiting.get(CHANNEL, device.calibrations.stored(CHANNEL)) == LEARNED
+
+
+def _check_close(scene: Scene) -> None:
+    """The window closes, and says nothing of motors."""
+    scene.window.device.draft.discard_edits()
+    assert scene.window.window.close()
+    assert not scene.window.program.device_manager.unconfirmed_stop
+
+
+def _check_snapshots(scene: Scene) -> None:
+    history = scene.window.device.history
+    for snapshot in history.snapshots():
+        if snapshot.path not in scene.foreign:
+            assert history.load(snapshot) == scene.before
+
+
+def _check_files(scene: Scene, fault: str) -> None:
+    """What was recorded or exported is whole, or there is none of it."""
+    for path in scene.files:
+        if fault == "changed_files":
+            continue  # somebody else has written there
+        if path.suffix == ".trexrec":
+            _check_recording(path, is_cut=fault == "full_disk")
+        elif path.exists():
+            with path.open(newline="") as file:
+                rows = list(csv.reader(file))
+            assert {len(row) for row in rows} == {len(rows[0])}
+
+
+def _check_recording(path: Path, *, is_cut: bool) -> None:
+    try:
+        _, records, problems = read_file(path)
+    except StudioError:
+        assert is_cut
+        raise
+    assert len(records) > 50
+    assert is_cut or problems == []

@@ -1,0 +1,195 @@
+"""A window, the port that it is connected to, and what a user gets to see while something fails."""
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtWidgets import QLabel, QWidget
+
+from tests.support.program import trex
+from tests.support.simulator import PortFault, SimulatedDevice, StartSimulator
+from tests.support.window import WindowDriver
+from trex_gui.core.session import Progress
+from trex_gui.devices.trex.settings.document import Settings, settings_of
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.runtime import new_timer, now
+
+FIRST, OTHER, JUNIOR = 7, 8, 9
+"""The numbers of the boards on the line: the user's, another one, and one of another model."""
+
+LOOK_MS = 20
+"""Milliseconds between two looks at the window."""
+
+SHORTEST_GAP = 0.1  # seconds
+
+Gap = tuple[float, float]
+
+LABELS = (
+    "bannerText",
+    "questionText",
+    "statusLabel",
+    "motorStateLabel",
+    "learnHead",
+    "reviewHead",
+)
+"""Where messages are shown."""
+
+
+class BoardOnLine(SimulatedDevice):
+    """One of several boards on a line."""
+
+    def __init__(self, line: SimulatedDevice, number: int) -> None:
+        self.url = line.url
+        self._line = line
+        self._number = number
+
+    def obey(self, line: str) -> str:
+        return self._line.obey(line if line.startswith("line") else f"@{self._number} {line}")
+
+    def set_port_fault(self, fault: PortFault) -> None:
+        self._line.set_port_fault(fault)
+
+    def end(self) -> None:
+        self._line.end()
+
+
+class Scene:
+    """What the cases act on.
+
+    Attributes:
+        board: the board of the user.
+        line: what is at the port: the board, or all boards on its line.
+        folder: where the user keeps files.
+        data: where the program keeps snapshots.
+        said: what the window has shown since the fault began.
+        gaps: from when to when the event loop did not answer, since the fault began.
+        edits: the settings that the user changed and has applied or not.
+        edits_calibration: whether the calibration of a channel is one of them.
+        before: what the board stored before.
+        files: what is being written.
+        foreign: what another program has written.
+        uart_settings: what the board stored before a fault changed it.
+    """
+
+    def __init__(
+        self,
+        window: WindowDriver,
+        start: StartSimulator,
+        folder: Path,
+        *,
+        other_boards: bool = False,
+    ) -> None:
+        self.window = window
+        self.folder = folder / "files"
+        self.folder.mkdir()
+        self.data = Path(os.environ["TREX_STUDIO_DATA"])
+        self.said: list[str] = []
+        self.gaps: list[Gap] = []
+        self.edits: dict[str, int] = {}
+        self.edits_calibration = False
+        self.before: Settings | None = None
+        self.files: list[Path] = []
+        self.foreign: list[Path] = []
+        self.uart_settings = 0
+        if other_boards:
+            options = (f"{FIRST}", f"{OTHER}", f"{JUNIOR}:trexjr")
+            self.line = start(*(word for option in options for word in ("--device", option)))
+            self.board: SimulatedDevice = BoardOnLine(self.line, FIRST)
+            for number in (OTHER, JUNIOR):
+                self.switch(number, "off")
+        else:
+            self.line = self.board = start()
+        self.url = self.line.url
+        self._labels = [window.root.findChild(QLabel, name) for name in LABELS]
+        self._due = now() + LOOK_MS / 1000
+        self.listen_to(window.device.notifier)
+        self._timer = new_timer(window.window, LOOK_MS, self._look)
+        self._timer.start()
+
+    # --- Boards -------------------------------------------------------------------------
+
+    def switch(self, number: int, state: str) -> None:
+        """Switch one of several boards on or off."""
+        self.line.do(f"@{number} power {state}")
+
+    def shown(self) -> dict[str, Any]:
+        return self.board.show()
+
+    def motors_turn(self) -> bool:
+        """Whether the board has power and drives any motor, or will."""
+        shown = self.shown()
+        return bool(shown["power"]) and (
+            shown["aux"]["target_speed"] != 0
+            or any(motor["target_direction"] != "brake" for motor in shown["motors"])
+        )
+
+    # --- The user -----------------------------------------------------------------------
+
+    @property
+    def link(self) -> ConnectionState:
+        return self.window.device.link
+
+    def connect(self) -> None:
+        self.window.connect(self.url)
+        assert self.window.device.state is not None
+        self.before = settings_of(self.window.device.state)
+
+    def edit(self, **values: int) -> None:
+        """Change parameters to wire values."""
+        model = self.window.device.parameters
+        for key, value in values.items():
+            assert model.setData(model.index_of(key), value)
+            self.edits[key] = value
+
+    def at_step(self, number: int, act: Callable[[], object]) -> Callable[[], bool]:
+        """Do something when the line reports its `number`th step; return whether it was done."""
+        done: list[Progress] = []
+        progressed = self.window.device.connection.progressed
+
+        def on_progressed(step: int, total: int, what: str) -> None:
+            if step >= number and not done:
+                done.append(Progress(step, total, what))
+                act()
+
+        progressed.connect(on_progressed)
+        return lambda: bool(done)
+
+    def let_pass(self, seconds: float) -> None:
+        end = now() + seconds
+        self.window.wait(lambda: now() >= end)
+
+    @property
+    def recordings(self) -> Any:
+        return trex(self.window.program).workspace.recordings
+
+    # --- What the user sees -------------------------------------------------------------
+
+    def begin_to_watch(self) -> None:
+        self.said.clear()
+        self.gaps.clear()
+        self._due = now() + LOOK_MS / 1000
+
+    def listen_to(self, notifier: Notifier) -> None:
+        """Hear every message for a banner: the next one may replace it at once."""
+        notifier.error.connect(self._hear)
+        notifier.info.connect(self._hear)
+
+    def hear_all(self, widget: QWidget) -> None:
+        """Hear what all labels of a widget say."""
+        for label in widget.findChildren(QLabel):
+            self._hear(label.text())
+
+    def _look(self) -> None:
+        moment = now()
+        if moment - self._due > SHORTEST_GAP:
+            self.gaps.append((self._due, moment))
+        self._due = moment + LOOK_MS / 1000
+        for label in self._labels:
+            if label is not None and label.isVisible():
+                self._hear(label.text())
+
+    def _hear(self, text: str) -> None:
+        if text and text not in self.said:
+            self.said.append(text)

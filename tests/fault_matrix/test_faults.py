@@ -1,0 +1,71 @@
+"""Everything that can go wrong at every moment that matters, one case each."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.fault_matrix.cases import CASES, KNOWN, name_of
+from tests.fault_matrix.check import always, run_case
+from tests.fault_matrix.faults import FAULTS
+from tests.fault_matrix.scene import Scene
+from tests.support.patient import PATIENT
+from tests.support.simulator import StartSimulator
+from tests.support.window import WindowDriver
+from trex_gui.core.timing import Timeouts
+
+EVERY = 11
+"""Of so many cases the gate runs one; it shares no factor with the number of faults."""
+
+
+@pytest.mark.parametrize(
+    ("fault", "moment"),
+    [
+        pytest.param(
+            *case,
+            id=name_of(*case),
+            marks=[
+                *([pytest.mark.slow] if number % EVERY else []),
+                *([pytest.mark.xfail(reason=KNOWN[case])] if case in KNOWN else []),
+            ],
+        )
+        for number, case in enumerate(CASES)
+    ],
+)
+def test_fault(
+    fault: str,
+    moment: str,
+    window: WindowDriver,
+    start_simulator: StartSimulator,
+    tmp_path: Path,
+) -> None:
+    boards = FAULTS[fault].other_boards
+    run_case(Scene(window, start_simulator, tmp_path, other_boards=boards), fault, moment)
+
+
+@pytest.fixture
+def timeouts(request: pytest.FixtureRequest) -> Timeouts:
+    """Be patient in real time: only the fault is to stop motors."""
+    return PATIENT if request.node.get_closest_marker("realtime") else Timeouts()
+
+
+@pytest.mark.realtime
+@pytest.mark.timeout(120)
+@pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+@pytest.mark.parametrize(
+    ("fault", "moment"),
+    [
+        ("unplug", "driving"),
+        ("mute", "closing"),
+        ("power_cut", "recording"),
+        ("full_disk", "apply_snapshot"),
+    ],
+)
+def test_fault_of_a_real_port(
+    fault: str,
+    moment: str,
+    window: WindowDriver,
+    start_simulator: StartSimulator,
+    tmp_path: Path,
+) -> None:
+    run_case(Scene(window, start_simulator, tmp_path), fault, moment, starved=always)
