@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Set the project up in `.venv/`, then show it, check it or measure it.
 
-    python3 packaging/bootstrap.py setup | demo | test [--all] | bench | mutate | translations
+    python3 packaging/bootstrap.py setup | demo | test [--all] | bench | soak | mutate |
+                                    translations
 
 Needs nothing but Python's standard library. The syntax stays readable to older Pythons, so that
 they get as far as the sentence about their age.
@@ -610,6 +611,15 @@ def command_bench(pytest_arguments: Sequence[str], compare: Path | None = None) 
     return run_in_sight(pytest, {**OFFSCREEN, **os.environ})
 
 
+def command_soak(minutes: float, seed: int | None) -> int:
+    """Attack the program in real time, in random order; the status is 1 if anything fell short."""
+    set_up()
+    command = [str(venv_python()), "-m", "tests.soak", f"--minutes={minutes:g}"]
+    if seed is not None:
+        command.append(f"--seed={seed}")
+    return run_in_sight(command, OFFSCREEN)
+
+
 def command_mutate(arguments: Sequence[str]) -> int:
     """Change the program in one place at a time and measure what the tests notice."""
     set_up()
@@ -638,6 +648,13 @@ def command_translations() -> int:
 # --- The command line --------------------------------------------------------------------------
 
 
+def _minutes(text: str) -> float:
+    minutes = float(text)
+    if not 0 < minutes < 10_000:
+        raise ValueError(text)
+    return minutes
+
+
 def make_parser() -> argparse.ArgumentParser:
     """Return the parser of the command line, without the arguments after `--`."""
     parser = argparse.ArgumentParser(
@@ -662,6 +679,9 @@ def make_parser() -> argparse.ArgumentParser:
     bench.add_argument(
         "--compare", metavar="FILE", type=Path, help="show ratios to the saved output of a run"
     )
+    soak = add("soak", "set up if needed and let everything go wrong, in random order")
+    soak.add_argument("--minutes", metavar="N", type=_minutes, default=10.0, help="how long (10)")
+    soak.add_argument("--seed", metavar="N", type=int, help="repeats a run; it prints its seed")
     add("mutate", "set up if needed and measure what the tests catch", for_mutate)
     add("translations", "set up if needed, update the translation files and compile them")
     return parser
@@ -691,6 +711,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return command_demo()
         if command == "test":
             return command_test(for_pytest, every=options.all)
+        if command == "soak":
+            return command_soak(options.minutes, options.seed)
         if command == "mutate":
             return command_mutate(for_pytest)
         if command == "translations":

@@ -422,6 +422,26 @@ def test_selection_without_any_test_fails(ended: Ended) -> None:
     assert bootstrap.main(["test"]) == 1
 
 
+@pytest.mark.parametrize(
+    ("arguments", "passed_on"),
+    [
+        (["soak"], ["--minutes=10"]),
+        (["soak", "--minutes", "0.5", "--seed", "7"], ["--minutes=0.5", "--seed=7"]),
+    ],
+)
+def test_soak_passes_minutes_seed_and_status_on(
+    arguments: list[str], passed_on: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def soak(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
+        assert list(command[1:]) == ["-m", "tests.soak", *passed_on]
+        assert extra_env == {"QT_QPA_PLATFORM": "offscreen"}
+        return 1
+
+    monkeypatch.setattr(bootstrap, "set_up", lambda: False)
+    monkeypatch.setattr(bootstrap, "run_in_sight", soak)
+    assert bootstrap.main(arguments) == 1
+
+
 def test_ctrl_c_ends_quietly(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -440,7 +460,9 @@ def test_arguments_after_dashes_are_passed_to_pytest() -> None:
     )
 
 
-@pytest.mark.parametrize("arguments", [[], ["launch"], ["setup", "--", "-k"], ["test", "-k"]])
+@pytest.mark.parametrize(
+    "arguments", [[], ["launch"], ["setup", "--", "-k"], ["test", "-k"], ["soak", "--minutes", "0"]]
+)
 def test_wrong_usage_exits_2(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as ended:
         bootstrap.main(arguments)

@@ -1,0 +1,51 @@
+"""Attacks the program in real time, for as long as it is told to, and prints what fell short.
+
+    python3 packaging/bootstrap.py soak --minutes 30 [--seed 1] [--part faults]
+
+Each part gets a share of the time and the seed, prints what it tries, and returns what fell short
+in lines for people. The same seed tries the same things in the same order, as far as time lasts.
+"""
+
+import argparse
+import random
+import sys
+import time
+from collections.abc import Callable, Mapping, Sequence
+
+from tests.fuzz import targets
+from tests.soak import faults
+
+Part = Callable[[float, int], Sequence[object]]
+"""Gets seconds and a seed; returns what fell short."""
+
+PARTS: dict[str, Part] = {"fuzz": targets.run, "faults": faults.run}
+
+
+def run_parts(parts: Mapping[str, Part], seconds: float, seed: int) -> list[str]:
+    """Run every part for its share of the time; return what fell short."""
+    end = time.monotonic() + seconds
+    found: list[str] = []
+    for number, (name, run) in enumerate(parts.items()):
+        share = (end - time.monotonic()) / (len(parts) - number)
+        print(f"\n--- {name}, seed {seed}", flush=True)
+        found += [f"{name}: {one}" for one in run(max(share, 0.0), seed)]
+    return found
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="soak", description=__doc__)
+    parser.add_argument("--minutes", type=float, default=10.0)
+    parser.add_argument("--seed", type=int, help="random by default; it is printed")
+    parser.add_argument("--part", choices=sorted(PARTS), action="append", help="only this one")
+    options = parser.parse_args(arguments)
+    seed = random.SystemRandom().randrange(10**6) if options.seed is None else options.seed
+    chosen = {name: run for name, run in PARTS.items() if name in (options.part or PARTS)}
+    found = run_parts(chosen, options.minutes * 60, seed)
+    print(f"\n{len(found)} fell short, seed {seed}")
+    for one in found:
+        print(f"  {one}")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

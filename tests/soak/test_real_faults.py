@@ -1,0 +1,42 @@
+"""Every case of the fault matrix with a real port; see `faults.py` in this folder."""
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.fault_matrix.cases import CASES, name_of
+from tests.fault_matrix.check import run_case
+from tests.fault_matrix.faults import FAULTS
+from tests.fault_matrix.scene import Scene
+from tests.soak.ruler import Ruler
+from tests.support.simulator import StartSimulator
+from tests.support.window import WindowDriver
+
+pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.timeout(100),
+    pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals"),
+]
+
+
+@pytest.fixture
+def ruler() -> Iterator[Ruler]:
+    ruler = Ruler()
+    yield ruler
+    ruler.end()
+
+
+@pytest.mark.parametrize(("fault", "moment"), CASES, ids=[name_of(*case) for case in CASES])
+def test_real_fault(
+    fault: str,
+    moment: str,
+    window: WindowDriver,
+    start_simulator: StartSimulator,
+    tmp_path: Path,
+    ruler: Ruler,
+) -> None:
+    boards = FAULTS[fault].other_boards
+    scene = Scene(window, start_simulator, tmp_path, other_boards=boards)
+    run_case(scene, fault, moment, starved=ruler.starved)
