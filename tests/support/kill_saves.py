@@ -33,6 +33,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
@@ -43,6 +44,7 @@ ROOT = Path(__file__).parents[2]
 LONGEST_S = 0.03  # seconds until a program is killed; saving a version takes some milliseconds
 BEGIN = datetime(2026, 1, 1, tzinfo=UTC)
 KEPT = 4  # snapshots
+BOARD = BoardIdentity(device_table().model("trex"), "1.2", 7)
 MARKERS = 300  # in a recording
 LINES = 3000  # of a transcript
 
@@ -109,6 +111,15 @@ def _find_bound(folder: Path) -> int:
     assert not bound.problem, bound
     is_new = not (folder / "snapshots" / "history.txt").exists()
     return 0 if is_new else bound.kept or 0
+
+
+def _save_edits(folder: Path, version: int) -> None:
+    EditFiles(folder / "edits").save(BOARD, _settings_of(version))
+
+
+def _find_edits(folder: Path) -> int:
+    found = EditFiles(folder / "edits").load(BOARD)
+    return 0 if found is None else found.settings.parameters["serial_timeout"]
 
 
 def _header(version: int) -> Header:
@@ -182,6 +193,7 @@ KINDS = {
     "settings": Kind(_save_settings, _find_settings),
     "snapshot": Kind(_save_snapshot, _find_snapshot),
     "bound": Kind(_save_bound, _find_bound),
+    "edits": Kind(_save_edits, _find_edits),
     "recording": Kind(_save_recording, _find_recording),
     "transcript": Kind(_save_transcript, _find_transcript),
     "preferences": Kind(_save_preferences, _find_preferences),
@@ -268,7 +280,9 @@ def attack(saver: Saver, kind: str, folder: Path, rounds: int, chance: random.Ra
     snapshots = {found.path.name for found in SettingsHistory(folder / "snapshots").snapshots()}
     if len(snapshots) > KEPT:
         return [f"{kind}: {len(snapshots)} snapshots"]
-    litter = _litter(folder, snapshots | {"a.txt", "a.tsv", "a.ini", "a.trexrec", "history.txt"})
+    litter = _litter(
+        folder, snapshots | {f"{BOARD}.txt", "a.txt", "a.tsv", "a.ini", "a.trexrec", "history.txt"}
+    )
     return [f"{kind}: left behind: {', '.join(litter)}"] if litter else []
 
 
