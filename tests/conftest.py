@@ -298,6 +298,8 @@ def program(qtbot: QtBot, qapp: QApplication, timeouts: Timeouts) -> Iterator[Pr
     """The window on its models; nothing is connected, and no thread may outlive it."""
     theme().install(qapp)
     program = build(timeouts)
+    program.complete()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     program.window.show()
     yield program
     trex(program).device.draft.discard_edits()

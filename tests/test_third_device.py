@@ -84,7 +84,7 @@ class LampWorkspace(Workspace):
     def __init__(self, controller: LampController, window: MainWindow) -> None:
         super().__init__(controller.plugin.key, controller.lamp.notifier, window)
         self.opened: list[Path] = []
-        self.add_pages([PageInfo("light", "&Light", QLabel("On"))])
+        self.add_pages([PageInfo("light", "&Light", lambda: QLabel("On"))])
         self.file_kinds = (FileKind({".lamp"}, "a scene of a lamp", self.opened.append),)
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from trex_gui import __version__, composition
 
-_LOAD_PLOTS_MS = 100
+_FIRST_PAINT_MS = 100
 """Milliseconds in which the window is painted for the first time."""
 
 
@@ -99,8 +99,12 @@ def main(argv: list[str] | None = None) -> int:
     program.window.show()
     watching = SafetySupervisor(program, app)
 
-    # Importing the plotting library blocks this thread for 0.4 s: before a motor can be armed.
-    QTimer.singleShot(_LOAD_PLOTS_MS, lambda: import_module("trex_gui.ui.plotting.panel"))
+    def complete() -> None:
+        """Do what blocks this thread for half a second, before a motor can be armed."""
+        program.complete()
+        import_module("trex_gui.ui.plotting.panel")
+
+    QTimer.singleShot(_FIRST_PAINT_MS, complete)
 
     if arguments.tour is not None:
         from trex_gui.ui.tour import Tour  # noqa: PLC0415

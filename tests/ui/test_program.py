@@ -1,13 +1,17 @@
 """The program as a whole: what is left of it once it is closed."""
 
+import gc
 import subprocess
 import sys
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 import shiboken6
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import trex
@@ -15,6 +19,8 @@ from tests.support.simulator import SimulatedDevice
 from trex_gui.composition import build
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.program import Program
+from trex_gui.ui.theme.theme import theme
 
 _EMBEDDING = """
 from PySide6.QtWidgets import QApplication
@@ -34,20 +40,66 @@ def _objects() -> set[QObject]:
     return {one for one in shiboken6.getAllValidWrappers() if isinstance(one, QObject)}
 
 
+def _use(qtbot: QtBot, url: str, settings: Path) -> None:
+    program = build()
+    program.window.show()
+    program.open_named(settings, connecting=False)
+    device = trex(program).device
+    device.connect_to(ConnectionSettings(url))
+    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
+    assert program.close()
+
+
 def test_close_leaves_no_qt_object(
     qtbot: QtBot, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
-    before = _objects()
-    program = build()
-    program.window.show()
     settings = tmp_path / "rover.txt"
     settings.write_text("product: TReX\n", encoding="utf-8")
-    program.open_named(settings, connecting=False)
-    device = trex(program).device
-    device.connect_to(ConnectionSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
-    assert program.close()
+    before = {theme(), *_objects()}
+    _use(qtbot, quick_simulator.url, settings)
+    gc.collect()  # preferences are Qt objects that Python owns
     assert _objects() - before == set()
+
+
+@pytest.fixture
+def started(qtbot: QtBot) -> Iterator[Program]:
+    """A program whose window is not painted yet."""
+    program = build()
+    yield program
+    assert program.close()
+
+
+def _pages(program: Program) -> set[str]:
+    names = ("statusPage", "motorsPage", "parametersPage", "aracnaRobotPage")
+    return {name for name in names if program.window.findChild(QWidget, name) is not None}
+
+
+def test_window_is_first_shown_with_current_page_only(started: Program) -> None:
+    assert _pages(started) == {"statusPage"}
+    started.window.pages.setCurrentIndex(3)
+    assert _pages(started) == {"statusPage", "motorsPage"}
+    tabs = started.window.pages
+    titles = [tabs.tabText(index) for index in range(tabs.count())]
+    started.complete()
+    assert _pages(started) == {"statusPage", "motorsPage", "parametersPage", "aracnaRobotPage"}
+    assert [tabs.tabText(index) for index in range(tabs.count())] == titles
+    assert tabs.currentIndex() == 3
+
+
+def test_window_is_complete_before_a_device_connects(started: Program) -> None:
+    started.connect_to_demo("aracna")
+    assert "aracnaRobotPage" in _pages(started)
+    assert started.window.pages is started.workspaces["aracna"].pages
+
+
+def test_each_menu_entry_has_one_action_once_window_is_complete(started: Program) -> None:
+    started.complete()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    direct = Qt.FindChildOption.FindDirectChildrenOnly
+    actions = started.window.findChildren(QAction, options=direct)
+    names = [action.objectName() for action in actions if action.objectName()]
+    assert len(names) == len(set(names))
+    assert {"stopAction", "openAction", "aracna_openAction"} <= set(names)
 
 
 @pytest.mark.realtime

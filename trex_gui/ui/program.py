@@ -1,6 +1,6 @@
 """Models and window of every kind of device, built from plugins."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QEvent, QTimer
@@ -37,12 +37,39 @@ class Program:
             for plugin in plugins
         }
         self.device_manager = DeviceManager(list(self.controllers.values()), scanner)
+        # Before the window is told: it wants the workspace of the device.
+        self.device_manager.changed.connect(self.complete)
+        self.device_manager.current_changed.connect(self.complete)
         self.window = MainWindow(self.device_manager, self.ports, notifier)
-        self.workspaces: dict[str, Workspace] = {
+        self._workspaces: dict[str, Workspace] = {}
+        self._add_workspaces(self.plugins[:1])
+        self._is_complete = False
+
+    def complete(self) -> None:
+        """Build what the window does not show at first: other pages, other kinds of devices.
+
+        Call it once the window is painted; it is also called as soon as a device is used.
+        """
+        if self._is_complete:
+            return
+        self._is_complete = True
+        self._add_workspaces(self.plugins[1:])
+        for workspace in self._workspaces.values():
+            workspace.make_pages()
+
+    def _add_workspaces(self, plugins: Sequence[DevicePlugin]) -> None:
+        added = {
             plugin.key: plugin.workspace.load()(self.controllers[plugin.key], self.window)
             for plugin in plugins
         }
-        self.window.add_workspaces(list(self.workspaces.values()))
+        self._workspaces.update(added)
+        self.window.add_workspaces(list(added.values()))
+
+    @property
+    def workspaces(self) -> Mapping[str, Workspace]:
+        """The workspace of each kind of device by its key."""
+        self.complete()
+        return self._workspaces
 
     def connect_to_demo(self, device: str) -> None:
         self.device_manager.connect_to(self.ports.demo_of(device))
@@ -97,7 +124,7 @@ class Program:
         runs.
         """
         ends = [self.device_manager.shut_down()]
-        ends += [workspace.shut_down() for workspace in self.workspaces.values()]
+        ends += [workspace.shut_down() for workspace in self._workspaces.values()]
         ends.append(end_background(_FILES_TIMEOUT_MS))
         return all(ends) and wait_for_orphans()
 
@@ -110,7 +137,7 @@ class Program:
         """
         if not self.shut_down():
             return False
-        for workspace in self.workspaces.values():
+        for workspace in self._workspaces.values():
             workspace.prepare_to_close()
             workspace.finish()
         manager = self.device_manager

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, QUrl, Signal, Slot
 from PySide6.QtGui import (
+    QAction,
     QActionGroup,
     QCloseEvent,
     QDesktopServices,
@@ -85,6 +86,8 @@ class MainWindow(QMainWindow):
         ui.column(self._connection, banner, self.question, (self._stack, 1), into=frame)
         self.setCentralWidget(frame)
         self._workspaces: tuple[Workspace, ...] = ()
+        self._actions: dict[str, QAction] = {}
+        self._menus_shown: list[QMenu] = []
         self._was_connected = False
         self._help = HelpDialog(self)
         self._warning = UnconfirmedStopWarning(device_manager, self.question, self)
@@ -93,20 +96,40 @@ class MainWindow(QMainWindow):
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 
     def add_workspaces(self, workspaces: Sequence[Workspace]) -> None:
-        """Add the workspaces, one for each kind of device, and fill the menus; once."""
-        self._workspaces = tuple(workspaces)
+        """Add workspaces, one for each kind of device, and fill the menus with those of all.
+
+        The first are those of the window as it is first shown.
+        """
+        is_first = not self._workspaces
+        self._workspaces += tuple(workspaces)
         for workspace in workspaces:
             self._stack.addWidget(workspace)
             for dock in workspace.docks:
                 self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
             workspace.actions_changed.connect(self._on_actions_changed)
-        self._actions = fill_menu_bar(self, self._menus([one.menus() for one in workspaces]))
+        self._fill_menus()
+        if is_first:
+            self._connect()
+            restore_geometry(self, "window", 1100, 760)
+        self._restore(workspaces)
+        self._on_device_changed()
+        self._on_theme_changed()
+
+    def _fill_menus(self) -> None:
+        for old in (*self._actions.values(), *self._menus_shown):
+            old.setObjectName("")
+            old.deleteLater()
+        self.menuBar().clear()
+        self._actions = fill_menu_bar(self, self._menus([one.menus() for one in self._workspaces]))
+        menus = (action.menu() for action in self.menuBar().actions())
+        self._menus_shown = [menu for menu in menus if isinstance(menu, QMenu)]
         # Whatever window is in front; the others have their own keys.
         self._actions["stop"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
         schemes = QActionGroup(self)
         for scheme in SCHEMES:
             schemes.addAction(self._actions[scheme])
 
+    def _connect(self) -> None:
         self._connection.connecting.connect(self._notifier.cleared)
         self._connection.line_settings_requested.connect(self._edit_line_settings)
         self._connection.interruption_wanted.connect(self._on_interruption_wanted)
@@ -117,9 +140,6 @@ class MainWindow(QMainWindow):
         app = QApplication.instance()
         if isinstance(app, QApplication):
             self._escape = EscapeWatch(app, self._manager.press_stop, self)
-        self._restore()
-        self._on_device_changed()
-        self._on_theme_changed()
 
     @property
     def pages(self) -> QTabWidget:
@@ -291,12 +311,12 @@ class MainWindow(QMainWindow):
             ).format(__version__),
         )
 
-    def _restore(self) -> None:
-        restore_geometry(self, "window", 1100, 760)
+    def _restore(self, added: Sequence[Workspace]) -> None:
         self.restoreState(self._store.data("window/state"))
-        for workspace in self._workspaces:
+        for workspace in added:
             page = self._store.integer(f"{workspace.key}/page", 0, 0, workspace.pages.count() - 1)
             workspace.pages.setCurrentIndex(page)
+        for workspace in self._workspaces:
             workspace.take_actions(self._actions)
         wanted = self._store.text("window/scheme", "system")
         for scheme in SCHEMES:

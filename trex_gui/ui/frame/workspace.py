@@ -6,7 +6,7 @@ from enum import Enum, auto
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
@@ -63,7 +63,7 @@ class PageInfo:
 
     key: str  # names it in code and in the key of its action, `workspace_key`
     title: str  # of its tab, with the mnemonic of its menu entry
-    page: QWidget
+    make: Callable[[], QWidget]  # called once: when it is first shown, or soon after the start
 
 
 class Workspace(QWidget):
@@ -89,12 +89,34 @@ class Workspace(QWidget):
         self.pages = QTabWidget(self)
         self.pages.setDocumentMode(True)
         self._infos: tuple[PageInfo, ...] = ()
+        self._missing: set[int] = set()  # pages that are not made yet
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
         """Add a tab for each page; the tab is found by the object name of the page."""
         self._infos = tuple(infos)
+        self._missing = set(range(len(infos)))
         for info in infos:
-            self.pages.addTab(ScrollBox(info.page, self), info.title.replace("&", ""))
+            self.pages.addTab(QWidget(self), info.title.replace("&", ""))
+        self._make_page(self.pages.currentIndex())
+        self.pages.currentChanged.connect(self._make_page)
+
+    def make_pages(self) -> None:
+        """Make the pages that were not shown yet."""
+        for index in sorted(self._missing):
+            self._make_page(index)
+
+    def _make_page(self, index: int) -> None:
+        if index not in self._missing:
+            return
+        self._missing.remove(index)
+        current, placeholder = self.pages.currentIndex(), self.pages.widget(index)
+        box = ScrollBox(self._infos[index].make(), self)
+        with QSignalBlocker(self.pages):  # the current page stays the same
+            self.pages.insertTab(index, box, self.pages.tabText(index))
+            self.pages.removeTab(index + 1)
+            self.pages.setCurrentIndex(current)
+        if placeholder is not None:
+            placeholder.deleteLater()
 
     def show_page(self, key: str) -> None:
         keys = [info.key for info in self._infos]

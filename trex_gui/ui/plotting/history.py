@@ -38,7 +38,7 @@ class Column:
     more memory than the values, and summing 64 rows costs little.
     """
 
-    def __init__(self, kind: type[np.floating[Any]], levels: int, max_gap: float) -> None:
+    def __init__(self, kind: str, levels: int, max_gap: float) -> None:
         self._kind = kind
         self._levels = levels
         self._max_gap = max_gap
@@ -189,19 +189,19 @@ class SampleHistory:
     a row does not depend on their number.
 
     Args:
-        columns: how many, or the types of their values. Half precision holds whole numbers up to
+        columns: how many, or numpy's types of their values. "float16" holds whole numbers up to
             2048 in a quarter of the memory.
         max_gap: seconds.
     """
 
     def __init__(
         self,
-        columns: int | Sequence[type[np.floating[Any]]],
+        columns: int | Sequence[str],
         capacity: int = CAPACITY,
         max_gap: float = MAX_GAP,
     ) -> None:
         self.capacity = capacity
-        self._kinds = [np.float64] * columns if isinstance(columns, int) else columns
+        self._kinds = ["float64"] * columns if isinstance(columns, int) else columns
         self.columns = len(self._kinds)
         self._max_gap = max_gap
         # Rows are dropped in steps that hold whole blocks of every level, and are short beside

@@ -4,9 +4,12 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from operator import attrgetter
+from typing import TYPE_CHECKING
 
 from trex_gui.ui.event_log import Event
-from trex_gui.ui.plotting.history import Floats, Points, SampleHistory, Statistics
+
+if TYPE_CHECKING:  # numpy takes as long to load as the window
+    from trex_gui.ui.plotting.history import Floats, Points, SampleHistory, Statistics
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +36,7 @@ class Traces:
     def __init__(
         self,
         traces: Sequence[TraceInfo],
-        history: SampleHistory,
+        history: "SampleHistory",
         events: Sequence[Event] = (),
         limits: Mapping[str, float] | None = None,
     ) -> None:
@@ -59,17 +62,17 @@ class Traces:
         """Empty for plain counts, or without a right axis."""
         return next((t.unit for t in self.traces if t.unit != self.left_unit), "")
 
-    def points(self, name: str, start: float, end: float, bins: int) -> Points:
+    def points(self, name: str, start: float, end: float, bins: int) -> "Points":
         return self._history.points(self._columns[name], start, end, bins)
 
-    def statistics(self, name: str, start: float, end: float) -> Statistics:
+    def statistics(self, name: str, start: float, end: float) -> "Statistics":
         return self._history.statistics(self._columns[name], start, end)
 
     def value_at(self, name: str, time: float) -> float:
         """Return a curve's last value before or at a time, else NaN."""
         return self._history.value_at(self._columns[name], time)
 
-    def samples(self, start: float, end: float) -> tuple[Floats, Sequence[Floats]]:
+    def samples(self, start: float, end: float) -> "tuple[Floats, Sequence[Floats]]":
         """Return the times and every curve's values: views, valid until the next row."""
         rows = self._history.rows(start, end)
         columns = [self._history.values(column)[rows] for column in range(len(self.traces))]

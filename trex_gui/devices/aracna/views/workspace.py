@@ -92,10 +92,10 @@ class AracnaWorkspace(Workspace):
         )
         self.add_pages(
             (
-                PageInfo("robot", self.tr("R&obot"), page),
-                PageInfo("poses", self.tr("Pos&es"), self._poses),
-                PageInfo("log", self.tr("Lo&g"), LogPage(robot, self)),
-                PageInfo("transcript", self.tr("&Traffic"), traffic),
+                PageInfo("robot", self.tr("R&obot"), lambda: page),
+                PageInfo("poses", self.tr("Pos&es"), lambda: self._poses),
+                PageInfo("log", self.tr("Lo&g"), lambda: LogPage(robot, self)),
+                PageInfo("transcript", self.tr("&Traffic"), lambda: traffic),
             )
         )
         self.recordings = AracnaRecordings(robot, self)

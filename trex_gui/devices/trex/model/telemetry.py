@@ -1,9 +1,11 @@
 """Polled values: inputs, currents, source of control."""
 
 import math
+from collections.abc import Sequence
 from enum import IntEnum
+from functools import cached_property
+from typing import TYPE_CHECKING
 
-import numpy as np
 from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
 from trex_gui.core.timing import TEXT_INTERVAL
@@ -11,8 +13,10 @@ from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remap
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.session.messages import Batch
-from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import TraceInfo
+
+if TYPE_CHECKING:
+    from trex_gui.ui.plotting.history import SampleHistory
 
 _CURRENT_HISTORY = 288_000  # samples of the currents kept: an hour at 80 a second
 _INPUT_HISTORY = 3_000  # samples of the inputs kept: a minute at 50 a second
@@ -27,7 +31,7 @@ Series = IntEnum(
 )
 """The columns of `Telemetry.currents`."""
 
-_TYPES = [np.float64 if one in {Series.CURRENT1, Series.CURRENT2} else np.float16 for one in Series]
+_TYPES = ["float64" if one in {Series.CURRENT1, Series.CURRENT2} else "float16" for one in Series]
 """The other values are whole numbers from -127 to 127."""
 
 
@@ -53,6 +57,12 @@ def board_traces() -> list[TraceInfo]:
     return [*currents, *setpoints, *channels]
 
 
+def _new_history(columns: Sequence[str], capacity: int) -> "SampleHistory":
+    from trex_gui.ui.plotting.history import SampleHistory  # noqa: PLC0415 - numpy takes long
+
+    return SampleHistory(columns, capacity=capacity)
+
+
 class Telemetry(QObject):
     """The newest values, the currents of the last hour and the inputs of the last minute.
 
@@ -69,8 +79,6 @@ class Telemetry(QObject):
 
     def __init__(self, motors: Motors, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.currents = SampleHistory(_TYPES, capacity=_CURRENT_HISTORY)
-        self.inputs = SampleHistory(len(CHANNELS), capacity=_INPUT_HISTORY)
         self.raw: tuple[int | None, ...] | None = None
         self.remapped: tuple[int, ...] | None = None
         self.motor_currents: tuple[float, float] | None = None
@@ -81,6 +89,14 @@ class Telemetry(QObject):
         self._text_at = -math.inf
         self._ampere = 1.0
         self._motors = motors
+
+    @cached_property
+    def currents(self) -> "SampleHistory":
+        return _new_history(_TYPES, _CURRENT_HISTORY)
+
+    @cached_property
+    def inputs(self) -> "SampleHistory":
+        return _new_history(["float64"] * len(CHANNELS), _INPUT_HISTORY)
 
     def begin(self, ampere_per_count: float) -> None:
         """Start with an empty history for a board with this current unit (A a count)."""

@@ -15,7 +15,6 @@ from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
-from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.recorder import Recorder
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
@@ -25,11 +24,8 @@ from trex_gui.devices.trex.views.demo_panel import DemoPanel
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
-from trex_gui.devices.trex.views.pages.calibration.page import CalibrationPage
 from trex_gui.devices.trex.views.pages.channels import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
-from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
-from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
 from trex_gui.devices.trex.views.pages.status import StatusPage
 from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
@@ -38,7 +34,6 @@ from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
 from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
-from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import PromptAnswer
@@ -66,6 +61,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
 
     def make_window(self, recording: Recording[Header, Record]) -> "PlaybackWindow":
         # The plotting library takes as long to load as all of Qt: not before it is needed.
+        from trex_gui.devices.trex.model.playback import Playback  # noqa: PLC0415
         from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
 
         window = PlaybackWindow(Playback(recording), self._device)
@@ -75,6 +71,8 @@ class Recordings(RecordingManager["PlaybackWindow"]):
 
 class TrexWorkspace(Workspace):
     """Everything of the window that is about a TReX; it holds no state of the device."""
+
+    _parameter_shown = Signal(object)  # its key, on the parameters page
 
     def __init__(self, controller: TrexController, frame: MainWindow) -> None:
         device = controller.device
@@ -90,21 +88,15 @@ class TrexWorkspace(Workspace):
         tabs = self.pages
         tabs.setObjectName("tabs")
         tabs.setAccessibleName(self.tr("Pages"))
-        parameters_page = ParametersPage(device, self)
-        calibration_page = CalibrationPage(device, self)
-        motors_page = MotorsPage(device, self)
-        transcript_page = TrafficPage(
-            device.connection.traffic, "transcript", self.tr("a board"), self.notifier, self
-        )
         self.add_pages(
             (
-                PageInfo("status", self.tr("S&tatus"), StatusPage(device, self)),
-                PageInfo("channels", self.tr("&Channels"), ChannelsPage(device, self)),
-                PageInfo("calibration", self.tr("Cali&bration"), calibration_page),
-                PageInfo("motors", self.tr("&Motors"), motors_page),
-                PageInfo("currents", self.tr("C&urrents"), CurrentsPage(device, self)),
-                PageInfo("parameters", self.tr("&Parameters"), parameters_page),
-                PageInfo("transcript", self.tr("T&raffic"), transcript_page),
+                PageInfo("status", self.tr("S&tatus"), partial(StatusPage, device, self)),
+                PageInfo("channels", self.tr("&Channels"), partial(ChannelsPage, device, self)),
+                PageInfo("calibration", self.tr("Cali&bration"), self._make_calibration_page),
+                PageInfo("motors", self.tr("&Motors"), self._make_motors_page),
+                PageInfo("currents", self.tr("C&urrents"), partial(CurrentsPage, device, self)),
+                PageInfo("parameters", self.tr("&Parameters"), self._make_parameters_page),
+                PageInfo("transcript", self.tr("T&raffic"), self._make_traffic_page),
             )
         )
 
@@ -126,7 +118,6 @@ class TrexWorkspace(Workspace):
         self._bench = BenchDialog(device, Bench(device, self), frame)
 
         frame.seen_changed.connect(device.set_seen)
-        frame.seen_changed.connect(transcript_page.set_window_seen)
         self.files.staged.connect(lambda: self.show_page("parameters"))
         self.recordings.accept_drops(frame, self)
         self.recordings.settings_wanted.connect(self.files.open_editor)
@@ -139,12 +130,6 @@ class TrexWorkspace(Workspace):
         ):
             reviewed.connect(self._review.review)
         self._defaults.reset_requested.connect(device.reset_to_factory)
-        parameters_page.reload_requested.connect(self._on_reload_requested)
-        parameters_page.power_cycle_requested.connect(self._power.guide)
-        calibration_page.power_cycle_requested.connect(self._power.guide)
-        calibration_page.learn_requested.connect(self._learn.learn)
-        motors_page.parameter_wanted.connect(parameters_page.table.show_parameter)
-        motors_page.parameter_wanted.connect(lambda: self.show_page("parameters"))
         controller.demo_board.rejected.connect(self.notifier.error)
         device.applied.connect(self._on_applied)
         device.applied.connect(self._question.reconsider)
@@ -160,6 +145,51 @@ class TrexWorkspace(Workspace):
         ):
             changed.connect(self._on_actions_changed)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
+
+    # --- Pages --------------------------------------------------------------------------
+
+    # The first window is shown without these pages, and without what they import.
+
+    def _make_calibration_page(self) -> QWidget:
+        from trex_gui.devices.trex.views.pages.calibration.page import (  # noqa: PLC0415
+            CalibrationPage,
+        )
+
+        page = CalibrationPage(self._device, self)
+        page.power_cycle_requested.connect(self._power.guide)
+        page.learn_requested.connect(self._learn.learn)
+        return page
+
+    def _make_motors_page(self) -> QWidget:
+        from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415
+
+        page = MotorsPage(self._device, self)
+        page.parameter_wanted.connect(self._show_parameter)
+        return page
+
+    def _make_parameters_page(self) -> QWidget:
+        from trex_gui.devices.trex.views.pages.parameters.page import (  # noqa: PLC0415
+            ParametersPage,
+        )
+
+        page = ParametersPage(self._device, self)
+        page.reload_requested.connect(self._on_reload_requested)
+        page.power_cycle_requested.connect(self._power.guide)
+        self._parameter_shown.connect(page.table.show_parameter)
+        return page
+
+    def _make_traffic_page(self) -> QWidget:
+        from trex_gui.ui.traffic.page import TrafficPage  # noqa: PLC0415
+
+        traffic = self._device.connection.traffic
+        page = TrafficPage(traffic, "transcript", self.tr("a board"), self.notifier, self)
+        self._frame.seen_changed.connect(page.set_window_seen)
+        return page
+
+    @Slot(object)
+    def _show_parameter(self, key: object) -> None:
+        self.show_page("parameters")
+        self._parameter_shown.emit(key)
 
     # --- What its menus do --------------------------------------------------------------
 

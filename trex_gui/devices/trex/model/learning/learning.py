@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from enum import Enum, auto
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -17,7 +17,9 @@ from trex_gui.devices.trex.model.learning.preconditions import (
 )
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
 from trex_gui.devices.trex.protocol.flags import CHANNELS
-from trex_gui.ui.plotting.history import Floats
+
+if TYPE_CHECKING:
+    from trex_gui.ui.plotting.history import Floats
 
 
 class LearningStep(Enum):
@@ -130,7 +132,7 @@ class Learning(QObject):
         settings = self._device.settings
         return 0 if settings is None else settings.line.baud
 
-    def trace(self, number: int) -> tuple[Floats, Floats, float]:
+    def trace(self, number: int) -> "tuple[Floats, Floats, float]":
         """Return the input of the last minute: times, counts, and the present time."""
         telemetry = self._device.telemetry
         column = CHANNELS.index(number)
