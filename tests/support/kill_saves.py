@@ -114,12 +114,16 @@ def _find_bound(folder: Path) -> int:
 
 
 def _save_edits(folder: Path, version: int) -> None:
-    EditFiles(folder / "edits").save(BOARD, _settings_of(version))
+    high, low = divmod(version, 100)
+    edits = {"serial_timeout": low, "motor1_acceleration": high}
+    EditFiles(folder / "edits").save(BOARD, Settings(BOARD.product, BOARD.firmware, edits))
 
 
 def _find_edits(folder: Path) -> int:
-    found = EditFiles(folder / "edits").load(BOARD)
-    return 0 if found is None else found.settings.parameters["serial_timeout"]
+    if (found := EditFiles(folder / "edits").load(BOARD)) is None:
+        return 0
+    edits = found.settings.parameters
+    return 100 * edits["motor1_acceleration"] + edits["serial_timeout"]
 
 
 def _header(version: int) -> Header:
