@@ -1,6 +1,8 @@
 """No input ends in an error that is not documented, hangs, or makes memory grow."""
 
 import gc
+import logging
+import signal
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -13,7 +15,8 @@ from typing import Any
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.fuzz.fuzzing import Target, attempt, run
+from tests.fuzz import fuzzing
+from tests.fuzz.fuzzing import Finding, Target, attempt, run
 from tests.fuzz.targets import TARGETS
 from tests.fuzz.wire import PACKETS, REPLIES
 from tests.support.matrix import LONG_FACTOR
@@ -52,6 +55,7 @@ def test_input_that_failed_once_is_taken(qtbot: QtBot, target: Target, path: Pat
         pytest.fail(str(finding))
 
 
+@pytest.mark.timeout(600)
 @pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)
 def test_random_input_is_taken_as_documented(
     qtbot: QtBot, request: pytest.FixtureRequest, target: Target, seed: int
@@ -73,22 +77,41 @@ def test_same_seed_makes_same_inputs() -> None:
         assert first != [target.random_input(8, number) for number in range(5)]
 
 
-def test_faults_of_each_kind_are_found_and_repeated(tmp_path: Path) -> None:
+def test_faults_of_each_kind_are_found_and_repeated(monkeypatch: pytest.MonkeyPatch) -> None:
     kept: list[bytes] = []
 
     def check(data: bytes, folder: Path) -> None:
         kept.append(data)  # grows
-        if data[:1] == b"\x07":
-            raise KeyError("seven")
+        if data[0] < 20:
+            raise KeyError("few")
+        if data[0] < 40:
+            logging.getLogger("session").exception("failed")
 
+    monkeypatch.setattr(fuzzing, "GROWTH_EVERY", 20)
     target = Target("nothing", lambda random: random.randbytes(3000), check)
-    found = run(2000, 1, [target], lambda finding: None, map(float, count()).__next__)
-    errors = {finding.error.strip().splitlines()[-1].partition(":")[0] for finding in found}
-    assert errors == {"KeyError", "Growth"}
+    reports: list[Finding | str] = []
+    ticks = map(float, count())
+    found = run(100, 1, [target], reports.append, ticks.__next__)
+    assert reports == [*found, "Tried 50 inputs: nothing 50."]
+    errors = {finding.error.splitlines()[0].partition(":")[0] for finding in found}
+    assert errors == {"Traceback (most recent call last)", "failed", "Growth"}
     first = next(finding for finding in found if finding.data)
     number = int(first.origin.rpartition(" ")[2])
     assert target.random_input(1, number) == first.data
     assert attempt(target, first.data, "again") is not None
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs a timer of processor time")
+def test_hang_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    def check(data: bytes, folder: Path) -> None:
+        while True:
+            with suppress(Exception):
+                len(data)
+
+    monkeypatch.setattr(fuzzing, "LONGEST_CASE", 0.05)
+    finding = attempt(Target("nothing", lambda random: b"", check), b"x", "once")
+    assert finding is not None
+    assert finding.error.rstrip().endswith("Hang")
 
 
 # --- Objects that live as long as the program -------------------------------------------
