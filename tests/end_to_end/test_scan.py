@@ -59,7 +59,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert not dialog.is_enabled("findStartButton")
     dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
     at_115200 = [most for text, most in progress if text.startswith("Looking for TReX at 115200")]
-    assert set(at_115200) == {93}
+    assert set(at_115200) == {102}
     assert dialog.text("findText0").startswith(f"TReX 1.2 on {url} at 57600 8N1, device 7.")
     dialog.wait_for_end()
     assert dialog.text("findProgressText") == "1 board found."
