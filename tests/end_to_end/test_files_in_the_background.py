@@ -90,3 +90,20 @@ def test_two_recordings_open_at_the_same_time(window: WindowDriver, recording: P
     window.wait_for_files()
     assert [each.player.path for each in recordings.windows] == [recording, other]
     recordings.close_all()
+
+
+def test_settings_file_is_opened_while_the_window_goes_on(
+    window: WindowDriver, tmp_path: Path
+) -> None:
+    path, files = tmp_path / "a.txt", trex(window.program).workspace.files
+    path.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
+    files.open_file(path)
+    files.open_file(path)
+    assert files.editors == []
+    window.wait_for_files()
+    assert [editor.document.path for editor in files.editors] == [path]
+    files.close_all()
+    files.open_file(path)
+    window.window.close()
+    window.wait_for_files()
+    assert files.editors == []

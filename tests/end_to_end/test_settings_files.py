@@ -89,6 +89,7 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
 
     (snapshot,) = device.history.snapshots()
     files.files.open_file(snapshot.path)
+    window.wait_for_files()
     files.load_dialog().click("takeChangesButton")
     assert device.parameters.pending == (("serial_timeout", 0),)
     apply(window)
@@ -120,6 +121,7 @@ def test_invalid_files_change_nothing_and_findings_name_lines(
     for bad in BAD_FILES:
         path.write_bytes(bad.data)
         files.files.open_file(path)
+        connected_window.wait_for_files()
         if bad.is_text:
             dialog = files.load_dialog()
             assert "Nothing was changed" in dialog.text("loadTrouble"), bad.name
@@ -136,6 +138,7 @@ def test_invalid_files_change_nothing_and_findings_name_lines(
         assert connected_window.device.draft.pending == 0, bad.name
 
     files.files.open_file(tmp_path / "nowhere.txt")
+    connected_window.wait_for_files()
     assert "nowhere.txt was not opened" in connected_window.text("bannerText")
 
 
@@ -159,6 +162,7 @@ def test_load_dialog_explains_mismatches_with_the_board(
     assert "for a TReX Jr" in message
     assert not dialog.is_enabled("takeChangesButton")
     dialog.click("editFileButton")
+    connected_window.wait_for_files()
     assert files.editor().document.name == "junior.txt"
     assert device.draft.pending == 0
     files.files.close_all()
@@ -186,6 +190,7 @@ def test_editor_compares_with_the_board_and_sends_to_it(
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\nserial_timeout: 0\n", encoding="utf-8")
     files.files.edit_file(path)
+    window.wait_for_files()
     editor = files.editor()
     editor.editor.compare_with_board()
     comparison = ComparisonDialog(editor.find(QDialog, "compareDialog"), window.qtbot)
@@ -243,11 +248,13 @@ def test_settings_are_exported_as_code_and_printed(
     for language in Language:
         path = tmp_path / f"board{language.suffix}"
         files.files.export_file(path, language)
+        window.wait_for_files()
         text = path.read_text(encoding="utf-8")
         assert "Serial Timeout" in text, language
         assert "0.5 s" in text, language
         assert f"{path} applies and checks" in window.text("bannerText")
     files.files.export_file(tmp_path / "missing" / "board.py", Language.PYTHON)
+    window.wait_for_files()
     assert "was not written" in window.text("bannerText")
 
     window.trigger("print")

@@ -50,11 +50,13 @@ def test_file_is_opened_edited_saved_and_closed(
 ) -> None:
     assert window.action("open").isEnabled()
     files.files.open_file(rover)
+    window.wait_for_files()
     editor = files.editor()
     assert editor.root.isVisible()
     assert editor.document.text == TEXT
     assert not editor.action("Send").isEnabled()
     files.files.open_file(rover)
+    window.wait_for_files()
     assert len(files.files.editors) == 1, "it is open already"
 
     editor.edit("serial_timeout", 15)
@@ -65,6 +67,7 @@ def test_file_is_opened_edited_saved_and_closed(
     other = tmp_path / "other.txt"
     other.write_text(TEXT, encoding="utf-8")
     files.files.open_file(other)
+    window.wait_for_files()
     assert len(files.files.editors) == 2
     editor.action("Close").trigger()
     window.wait(lambda: not isValid(editor.root))
@@ -78,6 +81,7 @@ def test_invalid_file_opens_as_text_or_is_rejected(
     for bad in BAD_FILES:
         path.write_bytes(bad.data)
         files.files.open_file(path)
+        window.wait_for_files()
         if bad.is_text:
             findings = files.editor().document.findings
             assert any(bad.words in each.message and each.line == bad.line for each in findings), (
@@ -116,6 +120,7 @@ def test_closing_the_program_asks_about_unsaved_files(
     window: WindowDriver, files: SettingsFiles, rover: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     files.files.open_file(rover)
+    window.wait_for_files()
     editor = files.editor()
     editor.edit("serial_timeout", 15)
     questions = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)

@@ -30,6 +30,7 @@ def open_editor(window: WindowDriver, folder: Path) -> QWidget:
     save(folder / "a.txt", write_settings(shown))
     files = trex(window.program).workspace.files
     files.edit_file(folder / "a.txt")
+    window.wait_for_files()
     return files.editors[-1]
 
 

@@ -17,7 +17,7 @@ from tests.devices.trex.recording import samples
 from tests.fuzz.fuzzing import Target, mutations
 from tests.support.bad_files import BAD_FILES
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import Finding, SettingsError, Severity
+from trex_gui.core.files import Finding, SettingsError, Severity, load
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import Recording
@@ -74,7 +74,7 @@ def check_settings(data: bytes, folder: Path) -> None:
     path = folder / "any.txt"
     path.write_bytes(data)
     try:
-        document = SettingsDocument.open(path)
+        document = SettingsDocument.of_file(path, load(path))
     except SettingsError as error:
         _check_findings(error.findings, data)
     else:

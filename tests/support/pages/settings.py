@@ -118,6 +118,7 @@ class SettingsFiles:
         if data is not None:
             path.write_bytes(data if isinstance(data, bytes) else data.encode())
         self.files.open_file(path)
+        self._window.wait_for_files()
         return self.load_dialog()
 
     def load_dialogs(self) -> list[LoadDialog]:

@@ -108,8 +108,10 @@ def test_file_arguments_open_while_robot_connects(window: RobotWindow, make: Mak
     program.connect_to_demo("aracna")
     program.open_named(make("walk.ppr", POSES), connecting=True)
     program.open_named(make("rover.txt", SETTINGS), connecting=True)
+    window.wait_for_files()
     assert len(trex(program).workspace.files.editors) == 1
     window.wait_until_up()
+    window.wait_for_files()
     assert poses(window) == ["low"]
     trex(program).workspace.files.close_all()
 
@@ -125,5 +127,6 @@ def test_pose_file_argument_opens_only_without_trex(window: RobotWindow, make: M
     window.press_disconnect()
     assert not shows_robot(window)
     program.open_named(make("walk.ppr", POSES), connecting=False)
+    window.wait_for_files()
     assert poses(window) == ["low"]
     assert shows_robot(window)

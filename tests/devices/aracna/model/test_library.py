@@ -7,11 +7,11 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import SettingsError
+from trex_gui.core.files import Finding, SettingsError
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.aracna.model.library import ItemKind, Library
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, STAND_UP
-from trex_gui.devices.aracna.poses.ppr import write_ppr
+from trex_gui.devices.aracna.poses.ppr import read_file, write_ppr
 from trex_gui.devices.aracna.poses.project import SequenceStep
 
 EIGHT = (1, 2, 3, 4, 5, 6, 7, 8)
@@ -20,6 +20,13 @@ EIGHT = (1, 2, 3, 4, 5, 6, 7, 8)
 @pytest.fixture
 def library() -> Library:
     return Library()
+
+
+def opened(library: Library, path: Path) -> tuple[Finding, ...]:
+    """Show a pose file, and return its findings."""
+    file = read_file(path)
+    library.take_file(path, file)
+    return file.findings
 
 
 def names(library: Library) -> list[str]:
@@ -162,7 +169,7 @@ def test_saved_library_is_read_back_equal(library: Library, tmp_path: Path) -> N
     assert not library.modified
     assert (library.path, library.name) == (path, "mine.ppr")
     other = Library()
-    assert other.open(path) == ()
+    assert opened(other, path) == ()
     assert other.project == library.project
     assert not other.undo.canUndo()
 
@@ -179,7 +186,7 @@ def test_undo_after_save_marks_library_modified(library: Library, tmp_path: Path
 def test_unreadable_lines_are_reported_and_saved_again(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "odd.ppr"
     path.write_text("Aracna:8\nPose=a:1, x\nsomething else\n", encoding="utf-8")
-    assert [finding.line for finding in library.open(path)] == [1, 2, 3]
+    assert [finding.line for finding in opened(library, path)] == [1, 2, 3]
     library.add_pose(EIGHT, "b")
     library.save()
     text = path.read_text(encoding="utf-8")
@@ -196,7 +203,7 @@ def test_invalid_pose_file_is_rejected_and_library_kept(
     library.add_pose(EIGHT)
     before = library.project
     with pytest.raises(SettingsError):
-        library.open(path)
+        opened(library, path)
     assert library.project == before
     assert library.undo.canUndo()
 
@@ -204,7 +211,7 @@ def test_invalid_pose_file_is_rejected_and_library_kept(
 def test_latin_1_file_is_read_with_finding(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "old.ppr"
     path.write_bytes("Aracna:8\nPose=Füße:1\n".encode("latin-1"))
-    findings = library.open(path)
+    findings = opened(library, path)
     assert library.project.poses[0].name == "Füße"
     assert any("UTF-8" in finding.message for finding in findings)
 
@@ -232,7 +239,7 @@ def test_change_by_other_program_is_detected(library: Library, tmp_path: Path) -
 
 def test_sample_file_opens_without_findings(library: Library) -> None:
     path = resource("aracna/sample.ppr")
-    assert library.open(path) == ()
+    assert opened(library, path) == ()
     assert write_ppr(library.project).encode() == path.read_bytes()
     assert [one.name for one in library.project.sequences] == [
         "stand up",

@@ -42,7 +42,8 @@ def test_file_is_saved_and_reopened_and_folder_remembered(
     assert driver.text("aracnaPoseFile") == "mine.ppr"
     driver.find(QAction, "aracnaNewFileAction").trigger()
     assert "mine" not in driver.pose_names()
-    assert driver.page.files.open_file(path)
+    driver.page.files.open_file(path)
+    driver.wait_for_files()
     assert "mine" in driver.pose_names()
     assert "was opened" in driver.messages[-1]
     assert driver.page.files.folder() == tmp_path
@@ -55,11 +56,13 @@ def test_open_asks_about_unsaved_edits(
     path.write_text("Aracna:8\nPose=only:1\n", encoding="utf-8")
     driver.library.add_pose(EIGHT, "mine")
     names = answering(monkeypatch, file_questions.SaveAnswer.CANCEL)
-    assert not driver.page.files.open_file(path)
+    driver.page.files.open_file(path)
+    driver.wait_for_files()
     assert names == ["poses.ppr"]
     assert "mine" in driver.pose_names()
     answering(monkeypatch, file_questions.SaveAnswer.DISCARD)
-    assert driver.page.files.open_file(path)
+    driver.page.files.open_file(path)
+    driver.wait_for_files()
     assert driver.pose_names() == ["only"]
 
 
@@ -67,6 +70,7 @@ def test_open_reports_findings_with_line_numbers(driver: StagedPageDriver, tmp_p
     path = tmp_path / "odd.ppr"
     path.write_text("Aracna:2:1024:1024\nPose=a:1, x\n", encoding="utf-8")
     driver.page.files.open_file(path)
+    driver.wait_for_files()
     assert "line 2" in driver.messages[-1]
     assert "'x'" in driver.messages[-1]
 
@@ -86,7 +90,8 @@ def test_save_asks_before_overwriting_external_change(
 def test_unreadable_or_unwritable_file_is_reported(
     driver: StagedPageDriver, tmp_path: Path
 ) -> None:
-    assert not driver.page.files.open_file(tmp_path / "none.ppr")
+    driver.page.files.open_file(tmp_path / "none.ppr")
+    driver.wait_for_files()
     assert "no such file" in driver.messages[-1]
     assert not driver.page.files.save_to(tmp_path / "gone" / "a.ppr")
     assert driver.messages[-1].startswith("Not saved.")
@@ -98,6 +103,7 @@ def test_only_first_findings_of_invalid_file_are_reported(
     path = tmp_path / "novel.ppr"
     path.write_text("It was a dark night\n" * 1000, encoding="utf-8")
     driver.page.files.open_file(path)
+    driver.wait_for_files()
     assert "And 992 more." in driver.messages[-1]
     assert len(driver.messages[-1].splitlines()) == 10
 
@@ -122,6 +128,7 @@ def test_pose_with_comma_in_name_is_not_offered_for_steps(
     path = tmp_path / "comma.ppr"
     path.write_text("Aracna:8\nPose=a, b:512\nPose=c:512\nSeq=s: c|500\n", encoding="utf-8")
     driver.page.files.open_file(path)
+    driver.wait_for_files()
     driver.choose_row("aracnaMotions", "s")
     driver.choose_row("aracnaPoses", "a, b")
     assert not driver.button("aracnaAddStep").isEnabled()
@@ -142,11 +149,13 @@ def test_step_finds_pose_with_blanks_around_its_name(
     path = tmp_path / "blanks.ppr"
     path.write_text("Aracna:8\nPose= sp :512\nSeq=s: \n", encoding="utf-8")
     driver.page.files.open_file(path)
+    driver.wait_for_files()
     driver.choose_row("aracnaMotions", "s")
     driver.choose_row("aracnaPoses", "sp")
     driver.click("aracnaAddStep")
     driver.page.files.save()
     driver.page.files.open_file(path)
+    driver.wait_for_files()
     assert "not in the file" not in driver.messages[-1]
     assert (
         driver.library.project.pose(driver.library.project.sequences[0].steps[0].pose_name)

@@ -333,22 +333,27 @@ def test_calibrations_are_saved_to_a_file_and_loaded(page: CalibrationPage, tmp_
     page.type_into("minimumEdit", "1100")
     edited = page.shown()
     files.save_file(path)
+    page.wait_for_files()
     page.device.draft.discard_edits()
     with page.qtbot.waitSignal(page.device.notifier.info) as notice:
         files.load_file(path)
+        page.wait_for_files()
     assert notice.args[0].startswith("Calibrations loaded from mine.txt as edits: 1.")
     assert page.shown() == edited
 
     page.type_into("minimumEdit", "1150")
     page.action("copyToAll").trigger()
     files.save_file(path)
+    page.wait_for_files()
     page.device.draft.discard_edits()
     with page.qtbot.waitSignal(page.device.notifier.info) as notice:
         files.load_file(path)
+        page.wait_for_files()
     assert notice.args[0].startswith("Calibrations loaded from mine.txt as edits: 5.")
     assert page.shown(5).minimum == 2875
     with page.qtbot.waitSignal(page.device.notifier.error) as notice:
         files.load_file(tmp_path / "none.txt")
+        page.wait_for_files()
     assert "none.txt could not be loaded" in notice.args[0]
 
 

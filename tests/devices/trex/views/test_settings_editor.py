@@ -21,6 +21,7 @@ from shiboken6 import isValid
 from tests.support.bad_files import BAD_FILES, BadFile
 from tests.support.pages.settings import SettingsEditorWindow, answer_questions
 from tests.support.window import LEFT, WidgetDriver
+from trex_gui.core.files import load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -127,7 +128,7 @@ def open_text(device: Device, tmp_path: Path, qtbot: QtBot) -> Iterator[Open]:
     def opened(data: str | bytes) -> EditorDriver:
         path = tmp_path / "rover.txt"
         path.write_bytes(data if isinstance(data, bytes) else data.encode())
-        editor = SettingsEditor(SettingsDocument.open(path), device)
+        editor = SettingsEditor(SettingsDocument.of_file(path, load(path)), device)
         editors.append(editor)
         editor.show()
         return EditorDriver(editor, qtbot)
@@ -345,11 +346,13 @@ def test_edits_are_kept_until_saved_or_dropped(
 
 def test_files_are_compared_and_values_taken(editor: EditorDriver, tmp_path: Path) -> None:
     editor.editor.compare_with_file(tmp_path / "nowhere.txt")
+    editor.wait_for_files()
     assert "no such file" in editor.banner
 
     other = tmp_path / "other.txt"
     other.write_text("product: TReX\nmotor_mode: 1\nserial_timeout: 5\n", encoding="utf-8")
     editor.editor.compare_with_file(other)
+    editor.wait_for_files()
     dialog = editor.compare_dialog()
     assert "3 settings differ, 0 match" in dialog.text("comparisonSummary")
     dialog.click("takeValuesButton")
@@ -366,6 +369,7 @@ def test_other_models_give_no_values(open_text: Open, tmp_path: Path) -> None:
     other = tmp_path / "junior.txt"
     other.write_text("product: TReX Jr\nmotor_mode: 1\n", encoding="utf-8")
     editor.editor.compare_with_file(other)
+    editor.wait_for_files()
     dialog = editor.compare_dialog()
     assert "TReX Jr" in dialog.text("compareTrouble")
     assert not dialog.has("takeValuesButton")
@@ -415,16 +419,18 @@ def test_pages_are_saved_as_pdf_and_previewed(open_text: Open, tmp_path: Path) -
     editor = open_text(resource("samples/tank_with_mix.txt").read_bytes())
     path = tmp_path / "tank.pdf"
     editor.editor.save_pdf(path)
+    editor.wait_for_files()
     data = path.read_bytes()
     assert data.startswith(b"%PDF")
     assert data.rstrip().endswith(b"%%EOF")
     assert data.count(b"/Type /Page\n") >= 1
     editor.editor.save_pdf(tmp_path / "gone" / "tank.pdf")
+    editor.wait_for_files()
     assert "Not saved" in editor.banner
 
     long = tmp_path / "long.pdf"
     findings = [f"finding {n}" for n in range(200)]
-    PrintedSettings(settings_in(TEXT), "long.txt", findings).save_pdf(long)
+    long.write_bytes(PrintedSettings(settings_in(TEXT), "long.txt", findings).pdf())
     assert long.read_bytes().count(b"/Type /Page\n") > 2
 
     dialog = editor.editor.preview()

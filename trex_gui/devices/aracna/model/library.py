@@ -12,7 +12,7 @@ from PySide6.QtGui import QUndoStack
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError, open_ordinary
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait
-from trex_gui.devices.aracna.poses.ppr import read_file, write_file
+from trex_gui.devices.aracna.poses.ppr import PoseFile, write_file
 from trex_gui.devices.aracna.poses.project import (
     Pose,
     Project,
@@ -86,11 +86,9 @@ class Library(QObject):
         """Start with the built-in poses and no file."""
         self._load(Project(poses=BUILT_IN_POSES), None, None)
 
-    def open(self, path: Path) -> tuple[Finding, ...]:
-        """Open a pose file, and return its findings; after a SettingsError nothing has changed."""
-        file = read_file(path)
+    def take_file(self, path: Path, file: PoseFile) -> None:
+        """Show a pose file that was read."""
         self._load(file.project, path, file.data)
-        return file.findings
 
     def save(self, path: Path | None = None) -> None:
         """Write the file, here or elsewhere; after a SettingsError the old one is still there."""

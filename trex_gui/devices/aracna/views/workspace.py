@@ -107,7 +107,9 @@ class AracnaWorkspace(Workspace):
         self.stop_text = self.tr("&Stop sequence")  # this robot has no stop
         self.help_title = self.tr("&Help on the Aracna…")  # there is no documentation to link to
         self.docks = (self._demo,)
-        poses = FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), self._open_poses)
+        pose_files = self._poses.files
+        pose_files.opened.connect(lambda: self.show_page("poses"))
+        poses = FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), pose_files.open_file)
         self.file_kinds = (poses,)
 
         controller.demo_robot.rejected.connect(self.notifier.error)
@@ -123,10 +125,6 @@ class AracnaWorkspace(Workspace):
 
     def help_text(self) -> str:
         return help_text(self.menus(), self._actions)
-
-    def _open_poses(self, path: Path) -> None:
-        if self._poses.files.open_file(path):
-            self.show_page("poses")
 
     # --- Menus --------------------------------------------------------------------------
 

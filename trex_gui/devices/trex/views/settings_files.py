@@ -9,8 +9,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QDialog, QFileDialog, QInputDialog, QListView, QWidget
 
-from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import SettingsError, load, save
+from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.core.files import SettingsError, load, reason_of, save
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument, text_of
@@ -23,6 +23,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.devices.trex.views.settings_editor.compare_dialogs import LoadDialog
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
+from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import named
 
@@ -121,29 +122,55 @@ class SettingsFiles(QObject):
         """Show what a file would change of the board; with no board, the file itself."""
         if self._device.state is None:
             self.edit_file(path)
-        elif document := self._opened(path):
+        else:
+            self._open(path, self._offer_or_edit)
+
+    def _offer_or_edit(self, document: SettingsDocument) -> None:
+        if self._device.state is None:  # meanwhile
+            self.open_editor(document)
+        elif document.path is not None:
             dialog = self._offer(document)
-            dialog.edit_wanted.connect(partial(self.edit_file, path))
+            dialog.edit_wanted.connect(partial(self.edit_file, document.path))
 
     def edit_file(self, path: Path) -> None:
         """Open a file in a window of its own, or the window that has it already."""
+        if not self._raise_editor_of(path):
+            self._open(path, self._edit)
+
+    def _edit(self, document: SettingsDocument) -> None:
+        if document.path is None or not self._raise_editor_of(document.path):
+            self.open_editor(document)
+
+    def _raise_editor_of(self, path: Path) -> bool:
+        """Raise the window that has a file; return whether there is one."""
         for editor in self.editors:
             if editor.document.path == path:
                 _raise(editor)
-                return
-        if document := self._opened(path):
-            self.open_editor(document)
+                return True
+        return False
 
-    def _opened(self, path: Path) -> SettingsDocument | None:
+    def _open(self, path: Path, then: Callable[[SettingsDocument], object]) -> None:
+        in_background(
+            self,
+            partial(load, path),
+            partial(self._on_read, path, then),
+            partial(self._on_not_opened, path),
+        )
+
+    def _on_read(self, path: Path, then: Callable[[SettingsDocument], object], data: bytes) -> None:
+        if not self._window.isVisible():  # closed meanwhile
+            return
         try:
-            document = SettingsDocument.open(path)
+            document = SettingsDocument.of_file(path, data)
         except SettingsError as error:
-            reasons = "; ".join(str(finding) for finding in error.findings)
-            text = self.tr("{0} was not opened: {1}.")
-            self._notifier.error.emit(text.format(path.name, reasons))
-            return None
+            self._on_not_opened(path, error)
+            return
         file_questions.remember_folder(path)
-        return document
+        then(document)
+
+    def _on_not_opened(self, path: Path, error: StudioError) -> None:
+        text = self.tr("{0} was not opened: {1}.")
+        self._notifier.error.emit(text.format(path.name, reason_of(error)))
 
     @Slot(object)
     def open_editor(self, document: SettingsDocument) -> None:
@@ -203,10 +230,21 @@ class SettingsFiles(QObject):
         if settings is None or link is None:
             return
         try:
-            save(path, export_code(settings, link, language))
-        except (SettingsError, BadRequest) as error:
-            self._notifier.error.emit(self.tr("{0} was not written: {1}").format(path.name, error))
+            code = export_code(settings, link, language)
+        except BadRequest as error:
+            self._on_not_exported(path, error)
             return
+        in_background(
+            self,
+            partial(save, path, code),
+            lambda _: self._on_exported(path),
+            partial(self._on_not_exported, path),
+        )
+
+    def _on_not_exported(self, path: Path, error: StudioError) -> None:
+        self._notifier.error.emit(self.tr("{0} was not written: {1}").format(path.name, error))
+
+    def _on_exported(self, path: Path) -> None:
         file_questions.remember_folder(path)
         text = self.tr("{0} applies and checks the settings shown; read its first lines.")
         self._notifier.info.emit(text.format(path))

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import SettingsError
+from trex_gui.core.files import SettingsError, load
 from trex_gui.devices.trex.model.settings.document import put_calibrations, take_calibrations
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import (
@@ -56,7 +56,7 @@ def test_import_takes_only_calibrations_of_the_input_source(
     }
     there = replace(factory, parameters=parameters, calibrations=calibrations)
     path.write_text(write_settings(there), encoding="utf-8")
-    count, left_out = take_calibrations(draft, path, "a file")
+    count, left_out = take_calibrations(draft, read_settings(load(path), path.name)[0], "a file")
     assert count == 1
     assert draft.calibrations.pending == ((CalibrationKey.RC_CHANNEL_2, OTHER),)
     assert draft.parameters.pending == ()
@@ -70,7 +70,7 @@ def test_import_rejects_file_of_another_model(draft: SettingsDraft, tmp_path: Pa
     junior = Settings(_model("trexjr"), None, {}, {CalibrationKey.RC_CHANNEL_1: OTHER})
     path.write_text(write_settings(junior), encoding="utf-8")
     with pytest.raises(BadRequest, match="TReX Jr"):
-        take_calibrations(draft, path, "a file")
+        take_calibrations(draft, read_settings(load(path), path.name)[0], "a file")
     assert draft.pending == 0
 
 
@@ -78,7 +78,7 @@ def test_import_rejects_file_without_calibrations(draft: SettingsDraft, tmp_path
     path = tmp_path / "none.txt"
     path.write_text("product: TReX\nserial_timeout: 15\n", encoding="utf-8")
     with pytest.raises(BadRequest, match="no calibrations"):
-        take_calibrations(draft, path, "a file")
+        take_calibrations(draft, read_settings(load(path), path.name)[0], "a file")
 
 
 def test_export_to_new_file_writes_only_calibrations(factory: Settings, tmp_path: Path) -> None:

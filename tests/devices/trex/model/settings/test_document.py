@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.settings.samples import any_settings, factory
 from tests.support.bad_files import BAD_FILES, BadFile
 from tests.support.matrix import examples
-from trex_gui.core.files import SettingsError
+from trex_gui.core.files import SettingsError, load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
@@ -42,14 +42,14 @@ def changed_lines(before: str, after: str) -> list[str]:
 
 
 def test_opening_and_saving_changes_no_byte(rover: Path) -> None:
-    document = SettingsDocument.open(rover)
+    document = SettingsDocument.of_file(rover, load(rover))
     assert not document.modified
     document.save()
     assert rover.read_bytes() == ROVER.encode()
 
 
 def test_edit_changes_only_its_value_and_comment(rover: Path) -> None:
-    document = SettingsDocument.open(rover)
+    document = SettingsDocument.of_file(rover, load(rover))
     document.draft.parameters.edit("serial_timeout", 15)
     before = document.modified, document.draft.pending
     document.save()
@@ -60,7 +60,7 @@ def test_edit_changes_only_its_value_and_comment(rover: Path) -> None:
 
 
 def test_undoing_all_edits_after_a_save_restores_all_bytes(rover: Path) -> None:
-    document = SettingsDocument.open(rover)
+    document = SettingsDocument.of_file(rover, load(rover))
     document.draft.parameters.edit("motor_mode", 1)
     document.draft.parameters.edit("aux_acceleration", 7)
     document.draft.parameters.leave_out("serial_timeout")
@@ -77,7 +77,7 @@ def test_undoing_all_edits_after_a_save_restores_all_bytes(rover: Path) -> None:
 
 
 def test_edits_are_undone_and_redone_one_by_one(rover: Path) -> None:
-    document = SettingsDocument.open(rover)
+    document = SettingsDocument.of_file(rover, load(rover))
     texts = [document.text]
     document.draft.parameters.edit("motor_mode", 1)
     texts.append(document.text)
@@ -95,7 +95,7 @@ def test_edits_are_undone_and_redone_one_by_one(rover: Path) -> None:
 
 
 def test_several_edits_emit_changed_once(rover: Path, qtbot: QtBot) -> None:
-    document = SettingsDocument.open(rover)
+    document = SettingsDocument.of_file(rover, load(rover))
     heard = []
     document.changed.connect(lambda: heard.append(document.text))
     with qtbot.waitSignal(document.changed):
@@ -111,9 +111,9 @@ def test_file_with_errors_opens_as_text_with_findings(bad: BadFile, tmp_path: Pa
     path.write_bytes(bad.data)
     if not bad.is_text:
         with pytest.raises(SettingsError, match=bad.words):
-            SettingsDocument.open(path)
+            SettingsDocument.of_file(path, load(path))
         return
-    document = SettingsDocument.open(path)
+    document = SettingsDocument.of_file(path, load(path))
     assert not document.readable
     assert document.settings is None
     assert not document.modified
@@ -123,7 +123,7 @@ def test_file_with_errors_opens_as_text_with_findings(bad: BadFile, tmp_path: Pa
 def test_corrected_text_gives_settings_and_keeps_comments(tmp_path: Path) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\n# mine\nmotor_mode: 9\n", encoding="utf-8")
-    document = SettingsDocument.open(path)
+    document = SettingsDocument.of_file(path, load(path))
     document.set_text(document.text.replace("9", "1"))
     assert document.modified
     assert not document.readable
@@ -137,7 +137,7 @@ def test_corrected_text_gives_settings_and_keeps_comments(tmp_path: Path) -> Non
 def test_text_with_errors_can_be_saved(tmp_path: Path) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\nmotor_mode: 9\n", encoding="utf-8")
-    document = SettingsDocument.open(path)
+    document = SettingsDocument.of_file(path, load(path))
     document.set_text("product: TReX\nmotor_mode: 8\n")
     document.save()
     assert path.read_text(encoding="utf-8") == "product: TReX\nmotor_mode: 8\n"
@@ -147,7 +147,7 @@ def test_text_with_errors_can_be_saved(tmp_path: Path) -> None:
 def test_cp1252_text_needs_a_check_and_is_saved_as_utf8(tmp_path: Path) -> None:
     path = tmp_path / "rover.txt"
     path.write_bytes("product: TReX\n# für 5 µs\nmotor_mode: 0\n".encode("cp1252"))
-    document = SettingsDocument.open(path)
+    document = SettingsDocument.of_file(path, load(path))
     assert not document.readable
     assert "für 5 µs" in document.text
     assert document.check()
@@ -156,7 +156,7 @@ def test_cp1252_text_needs_a_check_and_is_saved_as_utf8(tmp_path: Path) -> None:
 
 
 def test_change_by_another_program_is_detected(rover: Path) -> None:
-    document = SettingsDocument.open(rover)
+    document = SettingsDocument.of_file(rover, load(rover))
     assert not document.changed_on_disk()
     rover.write_text("product: TReX\n", encoding="utf-8")
     assert document.changed_on_disk()
@@ -170,7 +170,7 @@ def test_file_not_editable_in_place_is_rewritten_on_request(tmp_path: Path) -> N
     path = tmp_path / "odd.txt"
     # The block of text ends where the file ends; with a line behind it, it would end in a break.
     path.write_text("product: TReX\nfirmware: |\n  1.2", encoding="utf-8")
-    document = SettingsDocument.open(path)
+    document = SettingsDocument.of_file(path, load(path))
     assert not document.trouble
     document.draft.parameters.edit("motor_mode", 1)
     assert "cannot be changed in place" in document.trouble
@@ -193,7 +193,7 @@ def test_new_file_needs_a_path(tmp_path: Path) -> None:
 
 
 def test_missing_folder_is_reported_and_keeps_the_path(rover: Path, tmp_path: Path) -> None:
-    document = SettingsDocument.open(rover)
+    document = SettingsDocument.of_file(rover, load(rover))
     with pytest.raises(SettingsError, match="no folder"):
         document.save(tmp_path / "gone" / "rover.txt")
     assert document.path == rover
@@ -201,7 +201,7 @@ def test_missing_folder_is_reported_and_keeps_the_path(rover: Path, tmp_path: Pa
 
 @pytest.mark.parametrize("path", sorted(resource("samples").glob("*.txt")), ids=lambda p: p.stem)
 def test_edit_of_a_sample_changes_one_line(path: Path) -> None:
-    document = SettingsDocument.open(path)
+    document = SettingsDocument.of_file(path, load(path))
     before = document.text
     document.draft.parameters.edit("device_number", 9)
     assert len(changed_lines(before, document.text)) == 2

@@ -1,13 +1,17 @@
 """New, open, save and save as for pose files."""
 
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QStandardPaths, Slot
+from PySide6.QtCore import QObject, QStandardPaths, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from trex_gui.core.errors import StudioError
 from trex_gui.core.files import SettingsError, Severity
 from trex_gui.devices.aracna.model.library import Library
-from trex_gui.devices.aracna.poses.ppr import SUFFIX
+from trex_gui.devices.aracna.poses.ppr import SUFFIX, PoseFile, read_file
+from trex_gui.devices.aracna.poses.project import Project
+from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets import file_questions
@@ -20,6 +24,8 @@ _MOST_FINDINGS = 8  # findings in a message, which has to fit into the window
 
 class PoseFiles(QObject):
     """Opens and saves the file of a library, and asks before data is lost."""
+
+    opened = Signal()
 
     def __init__(self, library: Library, notifier: Notifier, window: QWidget) -> None:
         super().__init__(window)
@@ -40,22 +46,29 @@ class PoseFiles(QObject):
         if chosen:
             self.open_file(Path(chosen))
 
-    def open_file(self, path: Path) -> bool:
-        if not self.may_close():
-            return False
-        try:
-            findings = self._library.open(path)
-        except SettingsError as error:
-            self._report_error(self.tr("Not opened. {0}."), error)
-            return False
+    def open_file(self, path: Path) -> None:
+        """Open a pose file, after a question about edits that are not saved; then `opened`."""
+        if self.may_close():
+            in_background(
+                self,
+                partial(read_file, path),
+                partial(self._on_read, path, self._library.project),
+                partial(self._report_error, self.tr("Not opened. {0}.")),
+            )
+
+    def _on_read(self, path: Path, before: Project, file: PoseFile) -> None:
+        if self._library.project != before and not self.may_close():  # edited meanwhile
+            return
+        self._library.take_file(path, file)
         self._remember_folder(path)
+        findings = file.findings
         lines = [self.tr("{0} was opened.").format(path.name)]
         lines += [f"{str(finding).rstrip('. ')}." for finding in findings[:_MOST_FINDINGS]]
         if (more := len(findings) - _MOST_FINDINGS) > 0:
             lines.append(self.tr("And {0} more.").format(more))
         has_errors = any(finding.severity is Severity.ERROR for finding in findings)
         (self._notifier.error if has_errors else self._notifier.info).emit("\n".join(lines))
-        return True
+        self.opened.emit()
 
     @Slot()
     def save(self) -> bool:
@@ -103,7 +116,7 @@ class PoseFiles(QObject):
         documents = QStandardPaths.StandardLocation.DocumentsLocation
         return self._store.path(_FOLDER, QStandardPaths.writableLocation(documents))
 
-    def _report_error(self, text: str, error: SettingsError) -> None:
+    def _report_error(self, text: str, error: StudioError) -> None:
         self._notifier.error.emit(text.format(str(error).rstrip(". ")))
 
     def _remember_folder(self, path: Path) -> None:

@@ -52,13 +52,12 @@ class SettingsDocument(QObject):
         self.draft.calibrations.changed.connect(self._on_edited)
 
     @classmethod
-    def open(cls, path: Path) -> "SettingsDocument":
-        """Open a file, also one with errors.
+    def of_file(cls, path: Path, data: bytes) -> "SettingsDocument":
+        """Show a file that was read, also one with errors.
 
         Raises:
-            SettingsError: it cannot be read, is too large, or not a text.
+            SettingsError: it is too large, or not a text.
         """
-        data = load(path)
         text, doubt = text_of(data, path.name)
         document = cls(text, path.name, path=path, doubt=doubt)
         document._on_disk = data
@@ -208,16 +207,16 @@ def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
     return (BYTE_ORDER_MARK + text if data.startswith(BYTE_ORDER_MARK.encode()) else text), None
 
 
-def take_calibrations(draft: SettingsDraft, path: Path, text: str) -> tuple[int, tuple[str, ...]]:
+def take_calibrations(
+    draft: SettingsDraft, settings: Settings, text: str
+) -> tuple[int, tuple[str, ...]]:
     """Make the calibrations of a file edits, in one undo step with the name `text`.
 
     Returns how many differ, and a sentence for each that was left out.
 
     Raises:
-        SettingsError: the file cannot be read.
         BadRequest: it has no calibrations, or is for another model.
     """
-    settings, _ = read_settings(load(path), path.name)
     if not settings.calibrations:
         raise BadRequest("it contains no calibrations")
     comparison = diff_against_draft(draft, replace(settings, parameters={}))

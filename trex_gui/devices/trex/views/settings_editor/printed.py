@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterable, Mapping
 from datetime import datetime
 from html import escape
 from itertools import groupby
-from pathlib import Path
 
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QObject, QRectF, Qt
 from PySide6.QtGui import (
@@ -19,7 +18,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QDialog, QWidget
 
-from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS
 from trex_gui.devices.trex.settings.document import Settings
 
@@ -140,12 +138,8 @@ class PrintedSettings(QObject):
             painter.drawText(below, corner, text)
         painter.end()
 
-    def save_pdf(self, path: Path) -> None:
-        """Write the pages into a PDF file.
-
-        Raises:
-            SettingsError: it cannot be written.
-        """
+    def pdf(self) -> bytes:
+        """Return the pages as the content of a PDF file."""
         buffer = QBuffer()
         buffer.open(QIODevice.OpenModeFlag.WriteOnly)
         writer = QPdfWriter(buffer)
@@ -155,11 +149,7 @@ class PrintedSettings(QObject):
         writer.setTitle(self._name)
         self.print_to(writer)
         del writer  # ends the file
-        try:
-            path.write_bytes(bytes(buffer.data().data()))
-        except OSError as error:
-            reason = f"it cannot be written: {error.strerror or error}"
-            raise SettingsError.of(path, reason) from error
+        return bytes(buffer.data().data())
 
     def preview(self, window: QWidget, report: Callable[[str], object]) -> QDialog | None:
         """Show the pages in a dialog that can print them; report if Qt cannot print here."""

@@ -1,13 +1,14 @@
 """A window for one settings file; it works with and without a board."""
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtGui import QAction, QCloseEvent, QKeySequence
 from PySide6.QtWidgets import QDialog, QMainWindow, QTabWidget, QToolBar, QWidget
 
-from trex_gui.core.files import SettingsError, load
+from trex_gui.core.files import SettingsError, load, save
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -20,6 +21,7 @@ from trex_gui.devices.trex.views.settings_editor.compare_dialogs import CompareD
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
+from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
@@ -189,12 +191,12 @@ class SettingsEditor(QMainWindow):
         printed = self._printed()
         if printed is None:
             return
-        try:
-            printed.save_pdf(path)
-        except SettingsError as error:
-            self._banner.show_problem(self.tr("Not saved. {0}").format(error))
-            return
-        self._banner.show_news(self.tr("The pages were saved in {0}.").format(path))
+        in_background(
+            self,
+            partial(save, path, printed.pdf()),
+            lambda _: self._banner.show_news(self.tr("The pages were saved in {0}.").format(path)),
+            lambda error: self._banner.show_problem(self.tr("Not saved. {0}").format(error)),
+        )
 
     def _folder(self) -> Path:
         path = self.document.path
@@ -208,12 +210,12 @@ class SettingsEditor(QMainWindow):
             self.compare_with_file(path)
 
     def compare_with_file(self, path: Path) -> None:
-        try:
-            other, _ = read_settings(load(path), path.name)
-        except SettingsError as error:
-            self._banner.show_problem(self.tr("Not compared. {0}").format(error))
-            return
-        self._compare(lambda: other, path.name)
+        in_background(
+            self,
+            lambda: read_settings(load(path), path.name)[0],
+            lambda other: self._compare(lambda: other, path.name),
+            lambda error: self._banner.show_problem(self.tr("Not compared. {0}").format(error)),
+        )
 
     def compare_with_board(self) -> None:
         """Compare with the settings of the board as shown, edits included."""

@@ -9,14 +9,17 @@ from PySide6.QtCore import QObject, Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
-from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import SettingsError
+from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.core.files import load
 from trex_gui.devices.trex.model.calibration_moves import symmetric, why_not_symmetric
 from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import put_calibrations, take_calibrations
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.ui.files import in_background
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import file_questions
@@ -135,13 +138,24 @@ class CalibrationFiles(QObject):
 
     def load_file(self, path: Path) -> None:
         """Make the calibrations of a file edits."""
+        in_background(
+            self,
+            lambda: read_settings(load(path), path.name)[0],
+            partial(self._on_read, path),
+            partial(self._on_not_loaded, path),
+        )
+
+    def _on_not_loaded(self, path: Path, error: StudioError) -> None:
+        text = self.tr("{0} could not be loaded: {1}")
+        self._notifier.error.emit(text.format(path.name, error_sentence(error)))
+
+    def _on_read(self, path: Path, settings: Settings) -> None:
         try:
             count, left_out = take_calibrations(
-                self._device.draft, path, self.tr("Calibrations of {0}").format(path.name)
+                self._device.draft, settings, self.tr("Calibrations of {0}").format(path.name)
             )
-        except (SettingsError, BadRequest) as error:
-            text = self.tr("{0} could not be loaded: {1}")
-            self._notifier.error.emit(text.format(path.name, error_sentence(error)))
+        except BadRequest as error:
+            self._on_not_loaded(path, error)
             return
         file_questions.remember_folder(path)
         text = self.tr("{0} has the same calibrations.")
@@ -155,11 +169,17 @@ class CalibrationFiles(QObject):
             return
         now = datetime.now().astimezone().strftime("%Y-%m-%d %H:%M")
         title = f"Calibrations, saved by TReX Studio, {now}."
-        try:
-            put_calibrations(shown, path, title)
-        except (SettingsError, BadRequest) as error:
-            text = self.tr("{0} could not be saved: {1}")
-            self._notifier.error.emit(text.format(path.name, error_sentence(error)))
-            return
+        in_background(
+            self,
+            partial(put_calibrations, shown, path, title),
+            lambda _: self._on_saved(path),
+            partial(self._on_not_saved, path),
+        )
+
+    def _on_not_saved(self, path: Path, error: StudioError) -> None:
+        text = self.tr("{0} could not be saved: {1}")
+        self._notifier.error.emit(text.format(path.name, error_sentence(error)))
+
+    def _on_saved(self, path: Path) -> None:
         file_questions.remember_folder(path)
         self._notifier.info.emit(self.tr("The calibrations shown were saved in {0}.").format(path))
