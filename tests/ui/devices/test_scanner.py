@@ -70,7 +70,7 @@ def test_scan_reports_progress_until_cancelled(
     assert texts[0] == f"Opening {quick_simulator.url} …"
     assert f"Looking for TReX at 19200 8N1 on {quick_simulator.url} …" in texts
     assert f"Looking for TReX at 115200 8N1 on {quick_simulator.url} …" in texts
-    assert (1, 176) in [(done, total) for done, total, _ in seen]
+    assert (1, 194) in [(done, total) for done, total, _ in seen]
     assert finder.findings == ()
     assert finder.summary == "Search cancelled."
     assert finder.text == ""
