@@ -191,3 +191,14 @@ def test_moved_channel_that_fails_is_offered_for_relearning(
     inputs.push(2)
     inputs.hold(2, 1700)  # it was good: nothing is wrong with its values
     assert inputs.to_learn_again() == ()
+
+
+def test_single_wild_pulses_are_no_position_of_the_switch() -> None:
+    test = StickTest(5)
+    for number in range(60):
+        test.feed(number * 0.02, 0, switched=number % 10 == 9)
+    assert (test.off, test.on) == (True, False)
+    for number in range(60, 63):
+        test.feed(number * 0.02, 127, switched=True)
+    assert test.on
+    assert test.passed

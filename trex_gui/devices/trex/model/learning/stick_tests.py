@@ -18,7 +18,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 translate = QCoreApplication.translate
 
-_HELD = 3  # samples in a row (60 ms) that make an end reached
+_HELD = 3  # samples in a row (60 ms) that make an end, or a position of a switch, reached
 _REST_SECONDS = 0.5  # how long a channel has to give 0 to be at rest
 
 
@@ -60,8 +60,9 @@ class StickTest:
         self.forward |= self._full[1] >= _HELD
         self.reverse |= self._full[-1] >= _HELD
         if output is not None:
-            self._switched[switched] += 1
-        self.on, self.off = (self._switched[state] >= _HELD for state in (True, False))
+            self._switched = {switched: self._switched[switched] + 1, not switched: 0}
+        self.on |= self._switched[True] >= _HELD
+        self.off |= self._switched[False] >= _HELD
         if output != 0:
             self._zero_since = None
         elif self._zero_since is None:
