@@ -6,8 +6,13 @@ import os
 import sys
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from trex_gui import __version__, composition
+
+if TYPE_CHECKING:
+    from trex_gui.ui.program import Program
+    from trex_gui.ui.workers.threads import GuiThreadCollector
 
 _FIRST_PAINT_MS = 100
 """Milliseconds in which the window is painted for the first time."""
@@ -60,6 +65,16 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     return parser.parse_args(argv)
 
 
+def complete(program: "Program", collector: "GuiThreadCollector") -> None:
+    """Load what the window does not show at first.
+
+    That blocks this thread for half a second: before a motor can be armed.
+    """
+    program.complete()
+    import_module("trex_gui.ui.plotting.panel")
+    collector.exempt_present()
+
+
 def main(argv: list[str] | None = None) -> int:
     """Run the window until it is closed; return the exit code."""
     words = sys.argv[1:] if argv is None else argv
@@ -99,12 +114,7 @@ def main(argv: list[str] | None = None) -> int:
     program.window.show()
     watching = SafetySupervisor(program, app)
 
-    def complete() -> None:
-        """Do what blocks this thread for half a second, before a motor can be armed."""
-        program.complete()
-        import_module("trex_gui.ui.plotting.panel")
-
-    QTimer.singleShot(_FIRST_PAINT_MS, complete)
+    QTimer.singleShot(_FIRST_PAINT_MS, lambda: complete(program, collector))
 
     if arguments.tour is not None:
         from trex_gui.ui.tour import Tour  # noqa: PLC0415

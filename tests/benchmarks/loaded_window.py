@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 from tests.support.program import trex
 from trex_gui import composition
+from trex_gui.app import complete
 from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -41,13 +42,12 @@ def _run_loop(seconds: float) -> None:
     loop.exec()
 
 
-def _connected(url: str) -> Program:
+def _connected(url: str, collector: GuiThreadCollector) -> Program:
     """Return the program as it is started, with a board connected and every module loaded."""
     program = composition.build()
     program.window.show()
     _run_loop(0.2)
-    import trex_gui.ui.plotting.panel  # noqa: F401 - the program loads it here, too
-
+    complete(program, collector)
     device = trex(program).device
     device.connect_to(ConnectionSettings(url, LineSettings(BAUD)))
     while device.link is not ConnectionState.CONNECTED:
@@ -152,8 +152,7 @@ def main(what: str, url: str, seconds: float) -> None:
     QCoreApplication.setOrganizationName("TReX Studio benchmark")
     QSettings().clear()
     theme().install(app)
-    GuiThreadCollector(app)
-    program = _connected(url)
+    program = _connected(url, GuiThreadCollector(app))
     supervisor = SafetySupervisor(program, app)
     found = {"load": _cpu, "gaps": _gaps, "memory": _memory}[what](program, seconds)
     sys.stdout.write(json.dumps(found) + "\n")

@@ -25,6 +25,7 @@ class Cycle:
 @pytest.fixture
 def collector(qtbot: QtBot) -> Iterator[GuiThreadCollector]:
     yield GuiThreadCollector()
+    gc.unfreeze()
     gc.collect()
 
 
@@ -39,3 +40,12 @@ def test_cycles_stay_until_collected_in_gui_thread(collector: GuiThreadCollector
 
 def test_automatic_garbage_collection_is_disabled(collector: GuiThreadCollector) -> None:
     assert not gc.isenabled()
+
+
+def test_full_collection_leaves_out_what_is_exempt(collector: GuiThreadCollector) -> None:
+    collector.exempt_present()
+    assert len(gc.get_objects()) < gc.get_freeze_count() / 10
+    kept = Cycle.alive
+    Cycle()
+    gc.collect()
+    assert Cycle.alive == kept
