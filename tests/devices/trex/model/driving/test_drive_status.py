@@ -20,6 +20,8 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.flags import Mode, UartError
 from trex_gui.ui.devices.connection import ConnectionState
 
+pytestmark = pytest.mark.usefixtures("qapp")  # plural forms
+
 
 @pytest.mark.parametrize(
     ("situation", "kind", "said"),
