@@ -17,7 +17,6 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import serial
-from serial import rfc2217
 from serial.tools import list_ports
 
 from trex_gui.core.errors import BadReply, BadRequest, PortUnavailable
@@ -217,7 +216,7 @@ def _is_file(url: str) -> bool:
 
 def _shared(port: serial.Serial) -> SharedPort:
     if (remote := getattr(port, "_socket", None)) is not None:
-        kind = "telnet" if isinstance(port, rfc2217.Serial) else "socket"
+        kind = "telnet" if str(port.port).startswith("rfc2217://") else "socket"
         return SharedPort(kind, remote.fileno())
     if sys.platform == "win32":
         return SharedPort("serial", int(port._port_handle))  # noqa: SLF001 - has no public name
