@@ -8,7 +8,6 @@ import logging
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
-from functools import partial
 from typing import TypeVar
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
@@ -224,18 +223,18 @@ def write_all(
     far as it was read.
 
     Without a CRC one corrupted bit can turn a write into that of another setting. So if one had to
-    be repeated, every other setting is compared with its value `before`, and restored.
+    be repeated or failed, every other setting is compared with its value `before`, and restored.
     """
     total = len(parameters) + len(calibrations)
     work = _Work(request, specs, total, progress, has_crc, cancelled, stored)
     for calibration_key, wanted in calibrations:
-        work.store_calibration(calibration_key, wanted)
+        work.store(calibration_key, wanted)
     ordered = sorted(parameters, key=lambda item: _write_order(specs, item[0]))
     for key, wire in ordered:
         if key not in {_LINE, _POLYNOMIAL}:
             work.store(key, wire)
     work.store_serial([item for item in ordered if item[0] in {_LINE, _POLYNOMIAL}])
-    may_have_strayed = work.repeated is not None and work.fatal_error is None and not has_crc
+    may_have_strayed = work.doubtful is not None and work.fatal_error is None and not has_crc
     if before is not None and may_have_strayed:
         work.undo_stray_writes(before)
     progress(total, total, "done")
@@ -273,7 +272,7 @@ class _Work:
 
     Attributes:
         fatal_error: why nothing more is attempted.
-        repeated: index of the last result whose write was sent more than once.
+        doubtful: index of the last result whose write was repeated or failed.
     """
 
     request: Requester
@@ -285,64 +284,77 @@ class _Work:
     stored: Callable[[WriteResult], None]
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None
-    repeated: int | None = None
+    doubtful: int | None = None
     _sent: int = 0
 
     def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
         self._sent += isinstance(command, (SetParameter, SetCalibration))
         return self.request(command)
 
-    def store_calibration(self, key: CalibrationKey, wanted: Calibration) -> None:
-        self._check_cancelled()
-        write = partial(write_calibration, self._request, key, wanted, has_crc=self.has_crc)
-        self._try(key, write)
-
-    def store(self, key: str, wire: int, *, may_cancel: bool = True) -> None:
+    def store(self, key: str, value: int | Calibration, *, may_cancel: bool = True) -> None:
         if may_cancel:
             self._check_cancelled()
-        self._try(key, lambda: self._write_parameter(key, wire))
+        self._try(key, lambda: self._write(key, value))
 
-    def _write_parameter(self, key: str, wire: int) -> int:
-        return write_parameter(self._request, self.specs[key], wire, has_crc=self.has_crc)
+    def _write(self, key: str, value: int | Calibration) -> int | Calibration:
+        if isinstance(value, int):
+            return write_parameter(self._request, self.specs[key], value, has_crc=self.has_crc)
+        calibration_key = CALIBRATION_KEYS[key]
+        return write_calibration(self._request, calibration_key, value, has_crc=self.has_crc)
 
     def undo_stray_writes(self, before: DeviceState) -> None:
         """Restore what was stored besides what was to be written.
 
-        If that fails, so has the write that was sent more than once.
+        If that fails, so has the write that was repeated or has failed.
         """
-        assert self.repeated is not None  # noqa: S101 - or nothing can have strayed
+        assert self.doubtful is not None  # noqa: S101 - or nothing can have strayed
         failed = {result.key for result in self.results if result.error is not None}
         after = after_writing(before, [one for one in self.results if one.error is None])
-        try:
-            for key, wire in after.parameters.items():
-                if key not in failed and self._stored_parameter(key) != wire:
-                    log.warning("%s was changed by a corrupted packet and is restored", key)
-                    self._write_parameter(key, wire)
-            for channel, wanted in after.calibrations.items():
-                calibration_key = CalibrationKey.of(after.source, channel)
-                if calibration_key not in failed and self._stored_calibration(channel) != wanted:
-                    log.warning("%s was changed by a corrupted packet", calibration_key)
-                    write_calibration(self.request, calibration_key, wanted, has_crc=self.has_crc)
-        except _FAILURES as error:
-            key = self.results[self.repeated].key
+        wanted: dict[str, int | Calibration] = {**after.parameters}
+        for channel, calibration in after.calibrations.items():
+            wanted[CalibrationKey.of(after.source, channel)] = calibration
+        keys = [key for key in wanted if key not in failed]
+        error: StudioError | None = None
+        for _ in range(ATTEMPTS):
+            error, keys = self._restore({key: wanted[key] for key in keys})
+            if error is None or _if_fatal(error) is not None:
+                break
+        if error is not None:
+            key = self.results[self.doubtful].key
             stray = TrexBadReplyError(ErrorCode.STRAY_WRITE, self._name(key), error)
-            self.results[self.repeated] = WriteResult(key, error=stray)
+            self.results[self.doubtful] = WriteResult(key, error=stray)
+
+    def _restore(
+        self, wanted: Mapping[str, int | Calibration]
+    ) -> tuple[StudioError | None, list[str]]:
+        """Write what is stored otherwise; return the last error, and the keys that had one."""
+        last: StudioError | None = None
+        keys: list[str] = []
+        for key, value in wanted.items():
+            try:
+                if self._stored(key) != value:
+                    log.warning("%s was changed by a corrupted packet and is restored", key)
+                    self._write(key, value)
+            except _FAILURES as error:
+                last = error
+                keys.append(key)
+                if _if_fatal(error) is not None:
+                    break
+        return last, keys
 
     def _note_stored(self, key: str) -> None:
         """Read what a write that could not be verified has left."""
         with contextlib.suppress(*_FAILURES):
-            if isinstance(key, CalibrationKey):
-                result = WriteResult(key, self._stored_calibration(key.channel))
-            else:
-                result = WriteResult(key, self._stored_parameter(key))
-            self.stored(result)
+            self.stored(WriteResult(key, self._stored(key)))
+
+    def _stored(self, key: str) -> int | Calibration:
+        if isinstance(key, CalibrationKey):
+            return agreed(self.request, GetCalibration(key.channel), has_crc=self.has_crc)
+        return self._stored_parameter(key)
 
     def _stored_parameter(self, key: str) -> int:
         command = GetParameter(self.specs[key].number)
         return agreed(self.request, command, has_crc=self.has_crc)
-
-    def _stored_calibration(self, channel: int) -> Calibration:
-        return agreed(self.request, GetCalibration(channel), has_crc=self.has_crc)
 
     def _name(self, key: str) -> str:
         if key in CALIBRATION_KEYS:
@@ -357,7 +369,7 @@ class _Work:
             try:
                 route = self._route(dict(serial))
                 if route is _Route.VIA_DEFAULT:
-                    self._write_parameter(_LINE, self.specs[_LINE].default)
+                    self._write(_LINE, self.specs[_LINE].default)
             except _FAILURES as error:
                 self.fatal_error = error
         if route is _Route.LINE_FIRST:
@@ -410,8 +422,8 @@ class _Work:
                     self._note_stored(key)
             else:
                 self.stored(result)
-            if self._sent > 1:
-                self.repeated = len(self.results)
+            if self._sent > 1 or (self._sent and result.error is not None):
+                self.doubtful = len(self.results)
         self.results.append(result)
 
 
