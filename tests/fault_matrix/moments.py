@@ -198,6 +198,6 @@ MOMENTS: dict[str, Moment] = {
     "recording": Moment(_record, _end_recording),
     "export": Moment(_export),
     "find": Moment(_find, _end_finding),
-    # Closing waits for the line, which stops the motors first.
-    "closing": Moment(_close, longest_gap=1.0),
+    # Closing waits up to a second for the line, which stops the motors first.
+    "closing": Moment(_close, longest_gap=1.2),
 }

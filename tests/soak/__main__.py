@@ -14,11 +14,16 @@ from collections.abc import Callable, Mapping, Sequence
 
 from tests.fuzz import targets
 from tests.soak import faults
+from tests.support import kill_saves
 
 Part = Callable[[float, int], Sequence[object]]
 """Gets seconds and a seed; returns what fell short."""
 
-PARTS: dict[str, Part] = {"fuzz": targets.run, "faults": faults.run}
+PARTS: dict[str, Part] = {
+    "fuzz": targets.run,
+    "kill_saves": kill_saves.run,
+    "faults": faults.run,
+}
 
 
 def run_parts(parts: Mapping[str, Part], seconds: float, seed: int) -> list[str]:
@@ -27,8 +32,10 @@ def run_parts(parts: Mapping[str, Part], seconds: float, seed: int) -> list[str]
     found: list[str] = []
     for number, (name, run) in enumerate(parts.items()):
         share = (end - time.monotonic()) / (len(parts) - number)
-        print(f"\n--- {name}, seed {seed}", flush=True)
-        found += [f"{name}: {one}" for one in run(max(share, 0.0), seed)]
+        print(f"\n--- {name} for {share:.0f} s, seed {seed}", flush=True)
+        fell_short = run(max(share, 0.0), seed)
+        print(f"{name}: {len(fell_short)} fell short", flush=True)
+        found += [f"{name}: {one}" for one in fell_short]
     return found
 
 

@@ -12,7 +12,7 @@ before = time.monotonic()
 while True:
     time.sleep({_STEP})
     now = time.monotonic()
-    if now - before > {2 * _STEP}:
+    if now - before > {1.2 * _STEP}:
         print(before + {_STEP}, now, flush=True)
     before = now
 """
