@@ -241,6 +241,7 @@ def check_statements(data: bytes, folder: Path) -> None:
             # A schema that is changed takes effect when the file is opened again.
             with contextlib.closing(sqlite3.connect(path, isolation_level=None)) as database:
                 database.execute("PRAGMA writable_schema = ON")
+                database.execute("PRAGMA synchronous = OFF")
                 with contextlib.suppress(sqlite3.Error, sqlite3.Warning):
                     database.execute(statement)
     _play(path)
