@@ -5,7 +5,7 @@ from collections.abc import Collection
 import pytest
 
 from tests.support.guardian import VirtualGuardian
-from trex_gui.core.errors import NoReply
+from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.settings import SerialFormat
@@ -62,9 +62,14 @@ class Session:
     def __init__(self) -> None:
         self.line = Line()
         self.stop: StopSequence | None = None
+        self.stop_is_due = False
         self.taken_over: list[bool] = []
         self.transport = GuardedTransport(
-            self.line, SILENCE, lambda: self.stop, self.taken_over.append
+            self.line,
+            SILENCE,
+            lambda: self.stop,
+            self.taken_over.append,
+            lambda: self.stop_is_due,
         )
 
     @property
@@ -126,8 +131,61 @@ def test_setpoint_is_not_sent_by_a_session_that_was_held_up(session: Session) ->
         session.transport.write(SETPOINT)
     assert (session.taken_over, session.line.written) == ([False], [])
     assert session.line.guardians[0].has_ended
-    session.transport.write(SETPOINT)  # it is up to the session what it sends from now on
-    assert session.line.written == [SETPOINT]
+    with pytest.raises(NoReply):
+        session.transport.write(SETPOINT)
+    session.transport.write(STOP.packets[:2])
+    session.transport.write(SETPOINT)  # from now on it is up to the session what it sends
+    assert session.line.written == [STOP.packets[:2], SETPOINT]
+
+
+@pytest.mark.parametrize("use", ["wait", "read", "discard"])
+def test_take_over_that_is_noticed_otherwise_keeps_setpoints_back_too(
+    use: str, session: Session
+) -> None:
+    session.stop = STOP
+    session.transport.beat()
+    session.line.now += SILENCE
+    uses = {
+        "wait": lambda: session.transport.wait(0.1),
+        "read": lambda: session.transport.read(1, 0.1),
+        "discard": session.transport.discard,
+    }
+    uses[use]()
+    session.stop = None  # as after the lock-out
+    with pytest.raises(NoReply):
+        session.transport.write(SETPOINT)
+    assert (session.taken_over, session.line.written) == ([False], [])
+
+
+def test_port_that_fails_under_the_guardian_is_no_lost_line(session: Session) -> None:
+    """Both read from it for a moment, and one of them gets nothing."""
+    session.stop = STOP
+    session.transport.beat()
+    guardian = session.line.guardians[0]
+
+    def read(size: int, seconds: float) -> bytes:
+        del size, seconds
+        guardian.has_acted = True
+        session.line.now += 0.01
+        raise PortUnavailable("gone")
+
+    session.line.read = read  # type: ignore[method-assign]
+    with pytest.raises(PortUnavailable):  # the new guardian has not acted
+        session.transport.read(1, 1.0)
+    assert session.taken_over == [False]
+
+
+def test_reply_is_not_awaited_for_long_when_a_stop_is_due(session: Session) -> None:
+    session.stop = STOP
+    session.stop_is_due = True
+    session.transport.read(1, 60.0)
+    assert session.line.now < 0.5
+
+
+def test_reply_is_awaited_while_no_motor_may_move(session: Session) -> None:
+    session.stop_is_due = True
+    session.transport.read(1, 60.0)
+    assert session.line.now >= 60.0
 
 
 def test_stop_is_sent_by_a_session_that_was_held_up(session: Session) -> None:

@@ -1,5 +1,6 @@
 """The program's end of the guardian process."""
 
+import contextlib
 import logging
 import os
 import subprocess
@@ -9,12 +10,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
+if sys.platform != "win32":
+    import fcntl
+
 log = logging.getLogger(__name__)
 
 HEARTBEAT_INTERVAL = 0.1
 """Longest time in seconds between two heartbeats while motors may be moving."""
 
 _ENDING_S = 0.5  # seconds that the process may take to end
+
+_MOST_UNREAD = 20
+"""Messages that the process may leave unread: two seconds of heartbeats."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,36 +86,49 @@ class Guardian(Protocol):
 class GuardianProcess:
     """Starts the process; where that is impossible `is_ready` stays false."""
 
-    def __init__(self, port: SharedPort, silence: float) -> None:
-        """Make it act after so many seconds of `silence`."""
+    def __init__(self, port: SharedPort | None, silence: float) -> None:
+        """Make it act after so many seconds of `silence`; `None` is a port without descriptor."""
         self._sent: StopSequence | None = None
         self._is_confirmed = False
         self._started, self._ended = threading.Event(), threading.Event()
+        self._unread = 0
+        self._writing = threading.Lock()
         self.has_acted = False
         self._process: subprocess.Popen[bytes] | None = None
         try:
-            self._process = _start(port, silence)
+            self._process = None if port is None else _start(port, silence)
         except (OSError, ValueError) as error:
             log.warning("the guardian process cannot be started: %s", error)
+        if self._process is None:
             self._ended.set()
             return
         threading.Thread(target=self._listen, args=(self._process,), daemon=True).start()
 
     def _listen(self, process: "subprocess.Popen[bytes]") -> None:
-        with process:  # closes the pipes and waits for its end
-            for line in process.stdout or ():
-                match line.strip():
-                    case b"ready":
-                        self._started.set()
-                    case b"stopping":
-                        self.has_acted = True
-                    case b"confirmed":
-                        self._is_confirmed = True
-        self._ended.set()
+        for line in process.stdout or ():
+            match line.strip():
+                case b"read":
+                    self._unread = 0
+                case b"ready":
+                    self._started.set()
+                case b"stopping":
+                    self.has_acted = True
+                case b"confirmed":
+                    self._is_confirmed = True
+        with self._writing:  # not into a descriptor of the same number
+            self._ended.set()
+            if process.stdin is not None:
+                process.stdin.close()
+        with process:  # closes the other pipe and waits for its end
+            pass
 
     @property
     def is_ready(self) -> bool:
         return self._started.is_set() and not self.has_acted and not self._ended.is_set()
+
+    @property
+    def has_ended(self) -> bool:
+        return self._ended.is_set()
 
     def wait_until_ready(self, seconds: float) -> None:
         if not self._ended.is_set():
@@ -133,17 +153,18 @@ class GuardianProcess:
         return self._is_confirmed
 
     def _send(self, message: str) -> None:
-        """Send a message; one that does not fit into the pipe ends the process that reads none."""
+        """Send a message, or end a process that does not read its messages."""
         process = self._process
         if process is None or process.stdin is None:
             return
-        try:
-            os.write(process.stdin.fileno(), f"{message}\n".encode("ascii"))
-        except BlockingIOError:
+        with self._writing, contextlib.suppress(OSError, ValueError):  # it may have ended
+            if not self._ended.is_set() and self._unread < _MOST_UNREAD:
+                self._unread += 1
+                os.write(process.stdin.fileno(), f"{message}\n".encode("ascii"))
+                return
+        if not self._ended.is_set():
             log.warning("the guardian process does not respond")
             process.kill()
-        except (OSError, ValueError):
-            pass  # it has ended
 
 
 def _message(stop: StopSequence) -> str:
@@ -159,24 +180,26 @@ def _start(port: SharedPort, silence: float) -> "subprocess.Popen[bytes]":
     else:
         # -I, -S: nothing of the user's Python set-up is imported.
         command = [sys.executable, "-I", "-S", str(Path(__file__).with_name("process.py"))]
-    command += [port.kind, str(port.number), str(silence)]
     pipe = subprocess.PIPE
     if sys.platform == "win32":
+        command += [port.kind, str(port.number), str(silence)]
         os.set_handle_inheritable(port.number, True)
         startup = subprocess.STARTUPINFO(lpAttributeList={"handle_list": [port.number]})
         flags = subprocess.CREATE_NO_WINDOW | subprocess.CREATE_NEW_PROCESS_GROUP
         return subprocess.Popen(  # noqa: S603 - our own program
             command, bufsize=0, stdin=pipe, stdout=pipe, startupinfo=startup, creationflags=flags
         )
-    # In a session of its own the signals of a terminal do not reach it.
-    process = subprocess.Popen(  # noqa: S603 - our own program
-        command,
-        bufsize=0,
-        stdin=pipe,
-        stdout=pipe,
-        pass_fds=[port.number],
-        start_new_session=True,
-    )
-    if process.stdin is not None:
-        os.set_blocking(process.stdin.fileno(), False)
-    return process
+    # Not one of the first three, which would become a pipe: a program may be started without them.
+    number = fcntl.fcntl(port.number, fcntl.F_DUPFD_CLOEXEC, 3)
+    try:
+        # In a session of its own the signals of a terminal do not reach it.
+        return subprocess.Popen(  # noqa: S603 - our own program
+            [*command, port.kind, str(number), str(silence)],
+            bufsize=0,
+            stdin=pipe,
+            stdout=pipe,
+            pass_fds=[number],
+            start_new_session=True,
+        )
+    finally:
+        os.close(number)

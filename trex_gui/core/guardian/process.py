@@ -11,7 +11,8 @@ It reads one message per line from its standard input:
     end    the program needs the line again, or has closed it
 
 Bytes are hexadecimal; `StopSequence` in `guardian.py` explains the fields. It replies with `ready`,
-then, if the motors have to be stopped, `stopping` and at last `confirmed` or `unconfirmed`.
+with `read` to each message, and if the motors have to be stopped with `stopping` and at last
+`confirmed` or `unconfirmed`.
 """
 
 import os
@@ -27,24 +28,29 @@ from contextlib import suppress
 from io import FileIO
 from typing import Protocol
 
+if sys.platform != "win32":
+    import termios
+
 _GIVE_UP_S = 5.0  # seconds for which a stop is repeated
 _GRACE_S = 0.02  # seconds for a heartbeat that was sent in time and not read yet
 _SUSPENDED_S = 0.2  # a wait that is so much too long: this process was suspended itself
 _CLEAN_ROUNDS = 2  # stops with a clean status in a row that confirm it
 _QUIET_S = 0.03
-"""Seconds without a byte that end a reply, so that bytes that come back are none: two at 1200 baud,
-or the latency of a usual adapter."""
+"""Seconds of silence that end a reply: more than three bytes at 1200 baud take, and more than a
+usual adapter delays. A request that comes back goes on after the first byte, so it is no reply."""
 
 _MOST = 4096  # bytes of one read
 
 
 class Port(Protocol):
-    """Both methods raise OSError when the line is gone."""
+    """Writing and reading raise OSError when the line is gone."""
 
     def write(self, data: bytes) -> None: ...
 
     def receive(self, seconds: float) -> bytes:
         """Return what has come; wait for the first byte."""
+
+    def close(self) -> None: ...
 
 
 class FilePort:
@@ -52,6 +58,21 @@ class FilePort:
 
     def __init__(self, descriptor: int) -> None:
         self._descriptor = descriptor
+        self.remember_settings()
+
+    def remember_settings(self) -> None:
+        self._settings = self._read_settings()
+
+    def restore_settings(self) -> None:
+        """Undo what a search for a silent board may have changed."""
+        if self._settings is not None and self._settings != self._read_settings():
+            with suppress(termios.error):
+                termios.tcsetattr(self._descriptor, termios.TCSANOW, self._settings)
+
+    def _read_settings(self) -> "list[int | list[bytes | int]] | None":
+        with suppress(termios.error):
+            return termios.tcgetattr(self._descriptor)
+        return None
 
     def write(self, data: bytes) -> None:
         while data:
@@ -64,8 +85,11 @@ class FilePort:
         ready, _, _ = select.select([self._descriptor], [], [], max(0.0, seconds))
         data = os.read(self._descriptor, _MOST) if ready else b""
         if ready and not data:
-            raise OSError("the line is gone")
+            time.sleep(_GRACE_S)  # the program was faster; a line that is gone fails when written
         return data
+
+    def close(self) -> None:
+        os.close(self._descriptor)
 
 
 class SocketPort:
@@ -85,6 +109,9 @@ class SocketPort:
         if not data:
             raise OSError("the line is gone")
         return data
+
+    def close(self) -> None:
+        self._socket.close()
 
 
 class TelnetPort(SocketPort):
@@ -145,6 +172,9 @@ if sys.platform == "win32":
                 if data or time.monotonic() >= end:
                     return data
 
+        def close(self) -> None:
+            _winapi.CloseHandle(self._handle)
+
 
 def open_port(kind: str, number: int) -> Port:
     if kind == "telnet":
@@ -193,13 +223,15 @@ class Guardian:
         try:
             confirmed = self._stop(stop)
         except OSError as error:
-            confirmed, result = False, f"No stop could be sent ({error})."
+            confirmed, result = False, f"The line failed ({error}): the stop is not confirmed."
         else:
             result = "The stop was sent and is confirmed."
             if not confirmed:
                 result = "The stop was sent, but the board did not confirm it."
             if self._is_called_off:
                 result = "A stop was sent; the program responds again and repeats it."
+        with suppress(OSError):
+            self._port.close()  # before the log, which may block
         self._reply("confirmed" if confirmed else "unconfirmed")
         _log(f"{reason} while motors could move. {result}")
 
@@ -208,15 +240,19 @@ class Guardian:
         stop: Stop | None = None
         while True:
             message = self._next(None if stop is None else self._silence)
+            if message:
+                self._reply("read")
             match message.split() if message is not None else None:
                 case None if stop is not None:
                     return stop, "The program did not respond"
                 case ["watch", *fields]:
+                    if stop is None and isinstance(self._port, FilePort):
+                        self._port.remember_settings()
                     stop = Stop(fields)
                 case ["idle"]:
                     stop = None
                 case ["stop"] if stop is not None:
-                    return stop, "The program could not stop the motors"
+                    return stop, "The program lost the line"
                 case [] if stop is not None:
                     return stop, "The program ended"
                 case _:
@@ -235,6 +271,8 @@ class Guardian:
 
     def _stop(self, stop: Stop) -> bool:
         """Repeat the stop until the board confirms it; return whether it did."""
+        if isinstance(self._port, FilePort):
+            self._port.restore_settings()
         self._port.write(stop.packets)
         end = time.monotonic() + _GIVE_UP_S
         self._read_until_quiet(stop.seconds)  # a reply to the program: the board was deaf

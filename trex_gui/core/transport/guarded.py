@@ -3,7 +3,7 @@
 import contextlib
 from collections.abc import Callable
 
-from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import SerialFormat
@@ -13,6 +13,10 @@ _READY_S = 1.0
 
 _RESTART_S = 5.0
 """Seconds after which a guardian that has ended by itself is started again."""
+
+_PATIENCE_S = 0.2
+"""Seconds for which a reply is awaited although a stop is due: the board is deaf while it replies,
+and a late reply would be taken for another one."""
 
 _LAST_STOP_S = 0.4
 """Seconds for the guardian to stop the motors on a line that the session cannot use any more."""
@@ -24,13 +28,15 @@ class GuardedTransport:
     A session that was held up (suspended, or hung) for `silence` seconds must expect that the
     guardian has stopped the motors and still uses the line. Before it uses the line again the
     guardian is ended, another one started, and `taken_over` called with whether the stop was
-    confirmed. A write that is no stop then raises `NoReply`: it may be a setpoint from before.
+    confirmed. Until the session has sent a stop, writing anything else raises `NoReply`: it may be
+    a setpoint from before. While motors may move, a read ends early when `stop_is_due`.
 
     Args:
         below: the line.
         silence: see `Timeouts.guardian`.
         stop_sequence: returns the present stop, or `None` if no motor may be moving.
         taken_over: called in the thread of the session; must not use the line.
+        stop_is_due: whether the session has to stop the motors as soon as it can.
     """
 
     def __init__(
@@ -39,15 +45,18 @@ class GuardedTransport:
         silence: float,
         stop_sequence: Callable[[], StopSequence | None],
         taken_over: Callable[[bool], None],
+        stop_is_due: Callable[[], bool],
     ) -> None:
         self._below = below
         self._silence = silence
         self._stop_sequence = stop_sequence
         self._taken_over = taken_over
+        self._stop_is_due = stop_is_due
         self._sequence: StopSequence | None = None
         self._beat_at = self._started_at = below.clock()
         self._guardian = below.start_guardian(silence)
-        self._was_ready = False
+        self._was_ready = self._is_left = False
+        self._stop_to_send = b""  # nothing else is written before this
         self.rates = below.rates
         self.clock = below.clock
         self.start_guardian = below.start_guardian
@@ -62,22 +71,29 @@ class GuardedTransport:
 
     @property
     def is_guarded(self) -> bool:
-        return self._guardian.is_ready
+        """Whether a guardian is ready, or is starting in place of another one."""
+        is_starting = self._was_ready and self.clock() - self._started_at < _READY_S
+        return self._guardian.is_ready or is_starting
 
     def wait_for_guardian(self) -> None:
         self._guardian.wait_until_ready(_READY_S)
-        self._was_ready = self._guardian.is_ready
+        self._was_ready = self._was_ready or self._guardian.is_ready
 
-    def beat(self) -> bool:
-        """Send a heartbeat if one is due; return whether the guardian had taken over."""
-        now = self.clock()
-        is_late = self._sequence is not None and now - self._beat_at >= self._silence
-        if is_late or self._guardian.has_acted:
+    @property
+    def _has_taken_over(self) -> bool:
+        is_late = self._sequence is not None and self.clock() - self._beat_at >= self._silence
+        return is_late or self._guardian.has_acted
+
+    def beat(self) -> None:
+        """Send a heartbeat if one is due; take the line back if the guardian has taken over."""
+        if self._has_taken_over:
             self._take_back()
-            return True
+            return
+        now = self.clock()
+        self._was_ready = self._was_ready or self._guardian.is_ready
         sequence = self._stop_sequence()
         if sequence is None and self._sequence is None:
-            return False
+            return
         has_died = self._was_ready and not self._guardian.is_ready
         if has_died and now - self._started_at >= _RESTART_S:
             self._restart()
@@ -85,9 +101,9 @@ class GuardedTransport:
             self._guardian.watch(sequence)
             self._sequence = sequence
             self._beat_at = now
-        return False
 
     def _take_back(self) -> None:
+        self._stop_to_send = self._sequence.packets if self._sequence is not None else b""
         confirmed = self._guardian.end()
         self._restart()
         with contextlib.suppress(BadReply):
@@ -105,20 +121,28 @@ class GuardedTransport:
         self._below.reconfigure(line)
 
     def write(self, data: bytes) -> None:
-        has_lost_line = self.beat()
-        sequence = self._stop_sequence()
-        if has_lost_line and (sequence is None or data not in sequence.packets):
-            raise NoReply("The guardian has stopped the motors.")
+        self.beat()
+        if self._stop_to_send and data not in self._stop_to_send:
+            raise NoReply("The motors have to be stopped first.")
+        self._stop_to_send = b""
         self._below.write(data)
 
     def read(self, size: int, seconds: float) -> bytes:
-        deadline = self.clock() + seconds
+        begun = self.clock()
+        deadline = begun + seconds
         received = b""
         while True:
             self.beat()
             left = deadline - self.clock()
-            received += self._below.read(size - len(received), min(left, HEARTBEAT_INTERVAL))
-            if len(received) >= size or self.clock() >= deadline:
+            try:
+                received += self._below.read(size - len(received), min(left, HEARTBEAT_INTERVAL))
+            except PortUnavailable:
+                if not self._has_taken_over:  # the guardian may have read these bytes
+                    raise
+            now = self.clock()
+            if len(received) >= size or now >= deadline:
+                return received
+            if self._sequence is not None and now - begun >= _PATIENCE_S and self._stop_is_due():
                 return received
 
     def discard(self) -> bytes:
@@ -133,10 +157,11 @@ class GuardedTransport:
 
     def stop_by_guardian(self) -> bool:
         """Let the guardian stop motors that the session could not stop; whether it is confirmed."""
+        self._is_left = True
         return self._guardian.stop(_LAST_STOP_S)
 
     def close(self) -> None:
         """Close the line; a guardian that is stopping the motors goes on."""
-        if not self._guardian.has_acted:
+        if not self._guardian.has_acted and not self._is_left:
             self._guardian.end()
         self._below.close()

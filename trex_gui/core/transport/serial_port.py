@@ -10,6 +10,7 @@ import logging
 import os
 import re
 import select
+import socket
 import sys
 import time
 from collections.abc import Callable, Collection
@@ -96,6 +97,7 @@ class SerialTransport:
         self._name = settings.label
         self.clock = clock
         self._port = _open(settings, clock)
+        self._guardian: GuardianProcess | None = None
         self.latency = latency_of(settings.url)
         # The rate behind a plain network port is set at its other end.
         self.is_configurable = not settings.url.startswith("socket://")
@@ -164,11 +166,15 @@ class SerialTransport:
             time.sleep(seconds)
 
     def start_guardian(self, silence: float) -> Guardian:
-        return GuardianProcess(_shared(self._port), silence)
+        self._guardian = GuardianProcess(_shared(self._port), silence)
+        return self._guardian
 
     def close(self) -> None:
         # pyserial does not close the socket of a remote port that the other side has closed.
         remote = getattr(self._port, "_socket", None)
+        if remote is not None and self._guardian is not None and not self._guardian.has_ended:
+            # pyserial would end the connection for the guardian, too.
+            remote = socket.socket(fileno=remote.detach())
         with contextlib.suppress(*PORT_ERRORS):
             self._port.close()
         if remote is not None:
@@ -214,7 +220,14 @@ def _is_file(url: str) -> bool:
     return "://" not in url and sys.platform != "win32"
 
 
-def _shared(port: serial.Serial) -> SharedPort:
+def _shared(port: serial.Serial) -> SharedPort | None:
+    """Return what a child process needs; `None` for a port without a descriptor (`loop://`)."""
+    with contextlib.suppress(*PORT_ERRORS):
+        return _descriptor(port)
+    return None
+
+
+def _descriptor(port: serial.Serial) -> SharedPort:
     if (remote := getattr(port, "_socket", None)) is not None:
         kind = "telnet" if str(port.port).startswith("rfc2217://") else "socket"
         return SharedPort(kind, remote.fileno())

@@ -1,12 +1,13 @@
 """motor: a motor runs and stops in every situation."""
 
 import signal
+import subprocess
 import sys
 from collections.abc import Sequence
 
 import pytest
 
-from tests.devices.trex.cli.conftest import StartProcess, becomes, comes_true, outputs
+from tests.devices.trex.cli.conftest import LONG_TIMEOUT, StartProcess, becomes, comes_true, outputs
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 from tests.support.virtual_devices import VirtualSimulator
@@ -331,6 +332,20 @@ def test_guardian_stops_motor_of_killed_process(
     assert comes_true(lambda: braked(quick_simulator))
     _, errors = process.communicate()
     assert "The program ended while motors could move. The stop was sent" in errors
+
+
+@pytest.mark.realtime
+@pytest.mark.skipif(sys.platform == "win32", reason="the guardian shares a descriptor")
+def test_guardian_works_without_standard_streams(quick_simulator: SimulatedDevice) -> None:
+    """The port then has the number of a standard stream in the program."""
+    motor = [sys.executable, "-m", "trex_gui.cli", "motor", "1", "60", "--port"]
+    command = ["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", *motor, quick_simulator.url]
+    with subprocess.Popen([*command, f"--timeout={LONG_TIMEOUT:g}"]) as process:
+        assert comes_true(lambda: outputs(quick_simulator) == [60, 0, 0])
+        errors = quick_simulator.show()["counters"]["uart_errors"]
+        process.kill()
+    assert comes_true(lambda: braked(quick_simulator))
+    assert quick_simulator.show()["counters"]["uart_errors"] == errors
 
 
 def test_missing_guardian_is_reported_where_nothing_else_stops_the_motor(

@@ -80,6 +80,7 @@ class MotorDriver:
     def _send_stop(self) -> None:
         for command in STOP:
             self.client.send(command)
+        self.output.note_stop_sent()
 
     def _stop(
         self,
@@ -101,11 +102,9 @@ class MotorDriver:
         rounds = _CAREFUL_ROUNDS if careful else _CLEAN_ROUNDS
         latched: list[LatchedStatus] = []
         clean = 0
-        for attempt in range(attempts):
+        for _ in range(attempts):
             try:
                 self._send_stop()
-                if attempt == 0:
-                    self.output.note_stop_sent()
                 status = self._status.read(self.client.request)
             except (NoReply, BadReply):
                 clean = 0

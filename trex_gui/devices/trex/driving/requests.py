@@ -72,7 +72,7 @@ class Heartbeat:
 
 @dataclass(frozen=True, slots=True)
 class StopSent:
-    """A stop has left for the first time; its confirmation follows."""
+    """A stop has left, requested or not; its confirmation follows."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -150,16 +150,16 @@ class DriveController(QObject):
 
     @Slot()
     def _on_stop_not_sent(self) -> None:
-        """Warn that the session hangs; its guardian, which misses the heartbeat too, stops."""
+        """Warn that the session does not respond; its guardian, which gets no heartbeat, stops."""
         if self._connection.is_guarded:
             text = self.tr(
-                "The connection hangs, so the stop could not be sent. The guardian process sends "
-                "it now. If a motor still turns, cut its power."
+                "The connection is not responding, so the stop could not be sent. The guardian "
+                "process sends it now. If a motor still turns, cut its power."
             )
         else:
             text = self.tr(
-                "The connection hangs, so the stop could not be sent. If a motor still turns, cut "
-                "its power."
+                "The connection is not responding, so the stop could not be sent. If a motor still "
+                "turns, cut its power."
             )
         self._notifier.error.emit(text)
 

@@ -78,10 +78,13 @@ and no line that works is silent for so long."""
 
 @dataclass(frozen=True, slots=True)
 class TimeoutWarning:
-    """What is wrong with the serial timeout, in sentences, and how many seconds would be better."""
+    """What is wrong with the serial timeout, in sentences, and how many seconds would be better.
+
+    `seconds` is `None` if another timeout is no remedy.
+    """
 
     text: str
-    seconds: float
+    seconds: float | None
 
 
 def timeout_warning(device: Device) -> TimeoutWarning | None:
@@ -112,7 +115,13 @@ def timeout_warning_on(
             "turning if the cable, this computer or this program fails."
         )
     elif timeout >= better or can_keep(timeout):
-        return None
+        if is_guarded:
+            return None
+        text = _tr(
+            "The guardian process could not be started: if this program fails, motors keep turning "
+            "for the serial timeout of {0:g} s."
+        )
+        return TimeoutWarning(text.format(timeout), None)
     elif "://" in settings.url:
         text = _tr(
             "Serial timeout of {0:g} s is short for a network port: one late reply stops the "

@@ -69,8 +69,8 @@ class ErrorCode(Enum):
     NO_HEARTBEAT = QT_TRANSLATE_NOOP(
         "TrexErrors", "The window did not respond for more than half a second."
     )
-    HELD_UP = QT_TRANSLATE_NOOP(
-        "TrexErrors", "The program was held up for more than half a second."
+    PROGRAM_NOT_RESPONDING = QT_TRANSLATE_NOOP(
+        "TrexErrors", "The program did not respond for more than half a second."
     )
     LOCKED_OUT = QT_TRANSLATE_NOOP(
         "TrexErrors", "The motors are locked for a while after a stop; nothing was sent."

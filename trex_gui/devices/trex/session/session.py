@@ -140,6 +140,7 @@ class TrexSession:
             self._settings.timeouts.guardian,
             self._stop_sequence,
             self._on_taken_over,
+            self._is_stop_due,
         )
         client = self._client = TrexClient(transport, self._settings)
         self._port_rates = transport.rates(baud_rates())
@@ -169,7 +170,13 @@ class TrexSession:
         """Drop the setpoints; the motors are stopped again before the line is used for more."""
         self._was_held_up = True
         self._motors.handle(OutputEvent.LOCK_OUT, self._now())
-        self._emit(MotorsStopped(ErrorCode.HELD_UP, confirmed))
+        self._emit(MotorsStopped(ErrorCode.PROGRAM_NOT_RESPONDING, confirmed))
+
+    def _is_stop_due(self) -> bool:
+        self._queue.collect()
+        return (
+            bool(self._motors.stops) or self._motors.seconds_to_heartbeat_timeout(self._now()) <= 0
+        )
 
     def _report_guardian(self) -> None:
         if self._transport.is_guarded != self._is_guarded:

@@ -52,8 +52,11 @@ class TimeoutNotice(QWidget):
         self._button.setEnabled(not self._device.applying)
         if warning is None:
             return
-        seconds = f"{warning.seconds:g}"
         self._text.setText(warning.text)
+        self._button.setVisible(warning.seconds is not None)
+        if warning.seconds is None:
+            return
+        seconds = f"{warning.seconds:g}"
         self._button.setText(self.tr("Set {0} s").format(seconds))
         self._button.setAccessibleName(self.tr("Set the serial timeout to {0} s").format(seconds))
         self._button.setToolTip(
@@ -65,7 +68,7 @@ class TimeoutNotice(QWidget):
 
     @Slot()
     def _on_clicked(self) -> None:
-        if self._warning is not None:
+        if self._warning is not None and self._warning.seconds is not None:
             self._device.set_serial_timeout(self._warning.seconds)
 
 

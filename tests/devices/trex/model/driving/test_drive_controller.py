@@ -161,23 +161,23 @@ def test_stop_that_a_hanging_session_cannot_send_is_reported(
     driven.motors.press_stop()
     qtbot.waitUntil(lambda: bool(said))
     assert now() - pressed < 0.6
-    assert said[0].startswith("The connection hangs, so the stop could not be sent.")
+    assert said[0].startswith("The connection is not responding, so the stop could not be sent.")
     assert remedy in said[0]
     qtbot.waitUntil(lambda: not driven.may_move)
     assert is_braked(simulator)
 
 
-def test_session_that_was_held_up_disarms_the_motors(
+def test_session_that_did_not_respond_disarms_the_motors(
     driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    """What the window had sent before the hold-up does not start a motor after it."""
+    """What the window had sent before does not start a motor afterwards."""
     said: list[str] = []
     driven.notifier.error.connect(said.append)
     hang(simulator, 0.55, qtbot)
     driven.motors.set_speed(1, 90)
     qtbot.waitUntil(lambda: not driven.motors.armed)
     qtbot.waitUntil(lambda: not driven.may_move)
-    assert driven.motors.stop_reason == "The program was held up for more than half a second."
+    assert driven.motors.stop_reason == "The program did not respond for more than half a second."
     assert len(said) == 1
     assert is_braked(simulator)
 

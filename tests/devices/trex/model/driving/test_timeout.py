@@ -48,3 +48,10 @@ def test_warning_names_the_program_only_if_no_guardian_watches_it(
     assert warning is not None
     assert fails in warning.text
     assert ("guardian" in warning.text) == (not is_guarded)
+
+
+def test_missing_guardian_is_reported_although_the_serial_timeout_is_set() -> None:
+    warning = timeout_warning_on(ConnectionSettings("/dev/ttyUSB0"), 12.5, is_guarded=False)
+    assert warning is not None
+    assert "serial timeout of 12.5 s" in warning.text
+    assert warning.seconds is None
