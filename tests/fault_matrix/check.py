@@ -81,6 +81,7 @@ SAID_OF: dict[tuple[str, str], tuple[Words, ...]] = {
     ("other_uart", "apply_line_settings"): ((WRITTEN, NOT_STORED),),
     # Requests that come back can pass for measurements.
     ("echo", "driving"): ((NOT_RESPONDING,), (MAY_TURN,)),
+    ("changed_files", "recording"): ((RECORDED, UNWRITABLE),),
     ("full_disk", "apply_snapshot"): ((NOTHING_WRITTEN,),),
     ("full_disk", "recording"): ((UNWRITABLE,),),
     ("full_disk", "export"): ((NOT_EXPORTED,),),
