@@ -4,12 +4,11 @@ from trex_gui.core.guardian.guardian import StopSequence
 
 
 class VirtualGuardian:
-    """Is ready, notes what it is told, and acts when a test says so.
+    """Is ready, records its messages, and acts when a test sets `has_acted`.
 
     Attributes:
-        watched: every stop that it was told, `None` while no motor may move.
+        watched: every stop that it received, `None` while no motor may move.
         confirms: whether the board confirms its stops.
-        running: the guardians that were started and not ended.
     """
 
     def __init__(self) -> None:

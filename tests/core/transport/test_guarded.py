@@ -1,4 +1,4 @@
-"""When heartbeats go to the guardian, and what a session that was held up may still send."""
+"""When heartbeats go to the guardian, and what a session that did not respond may still send."""
 
 from collections.abc import Collection
 
@@ -82,7 +82,7 @@ def session() -> Session:
     return Session()
 
 
-def test_guardian_hears_nothing_while_no_motor_may_move(session: Session) -> None:
+def test_no_heartbeat_is_sent_while_no_motor_may_move(session: Session) -> None:
     session.transport.write(b"\x84")
     session.transport.read(1, 3.0)
     assert session.watched == []
@@ -106,7 +106,7 @@ def test_heartbeats_go_on_during_a_long_wait(session: Session, wait: str) -> Non
     assert session.taken_over == []
 
 
-def test_changed_stop_is_told_at_once(session: Session) -> None:
+def test_changed_stop_is_sent_at_once(session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
     session.stop = StopSequence(b"\xc1\x00\x07", b"\x84\x01", 2, 1, has_echo=False, seconds=0.1)
@@ -114,7 +114,7 @@ def test_changed_stop_is_told_at_once(session: Session) -> None:
     assert session.watched == [STOP, session.stop]
 
 
-def test_guardian_is_told_once_that_no_motor_may_move(session: Session) -> None:
+def test_end_of_motion_is_sent_once(session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
     session.stop = None
@@ -123,7 +123,7 @@ def test_guardian_is_told_once_that_no_motor_may_move(session: Session) -> None:
     assert session.watched == [STOP, None]
 
 
-def test_setpoint_is_not_sent_by_a_session_that_was_held_up(session: Session) -> None:
+def test_setpoint_is_not_sent_by_a_session_that_did_not_respond(session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
     session.line.now += SILENCE
@@ -188,7 +188,7 @@ def test_reply_is_awaited_while_no_motor_may_move(session: Session) -> None:
     assert session.line.now >= 60.0
 
 
-def test_stop_is_sent_by_a_session_that_was_held_up(session: Session) -> None:
+def test_stop_is_sent_by_a_session_that_did_not_respond(session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
     session.line.now += SILENCE

@@ -42,7 +42,7 @@ usual adapter delays. A request that comes back goes on after the first byte, so
 _MOST = 4096  # bytes of one read
 
 
-class Port(Protocol):
+class PortIO(Protocol):
     """Writing and reading raise OSError when the line is gone."""
 
     def write(self, data: bytes) -> None: ...
@@ -176,7 +176,7 @@ if sys.platform == "win32":
             _winapi.CloseHandle(self._handle)
 
 
-def open_port(kind: str, number: int) -> Port:
+def open_port(kind: str, number: int) -> PortIO:
     if kind == "telnet":
         return TelnetPort(number)
     if kind == "socket":
@@ -186,7 +186,7 @@ def open_port(kind: str, number: int) -> Port:
     return FilePort(number)
 
 
-class Stop:
+class StopMessage:
     """What `watch` says; see `StopSequence`."""
 
     def __init__(self, fields: list[str]) -> None:
@@ -197,10 +197,10 @@ class Stop:
         self.seconds = float(seconds)
 
 
-class Guardian:
+class Watchdog:
     """Waits for messages, and stops the motors if none comes for `silence` seconds."""
 
-    def __init__(self, port: Port, silence: float, messages: FileIO, replies: FileIO) -> None:
+    def __init__(self, port: PortIO, silence: float, messages: FileIO, replies: FileIO) -> None:
         self._port = port
         self._silence = silence
         self._replies = replies
@@ -235,9 +235,9 @@ class Guardian:
         self._reply("confirmed" if confirmed else "unconfirmed")
         _log(f"{reason} while motors could move. {result}")
 
-    def _supervise(self) -> tuple[Stop, str] | None:
+    def _supervise(self) -> tuple[StopMessage, str] | None:
         """Return the stop that is due and why; `None` if the program has ended properly."""
-        stop: Stop | None = None
+        stop: StopMessage | None = None
         while True:
             message = self._next(None if stop is None else self._silence)
             if message:
@@ -248,7 +248,7 @@ class Guardian:
                 case ["watch", *fields]:
                     if stop is None and isinstance(self._port, FilePort):
                         self._port.remember_settings()
-                    stop = Stop(fields)
+                    stop = StopMessage(fields)
                 case ["idle"]:
                     stop = None
                 case ["stop"] if stop is not None:
@@ -269,7 +269,7 @@ class Guardian:
                     return self._messages.get(timeout=_GRACE_S)
                 return None
 
-    def _stop(self, stop: Stop) -> bool:
+    def _stop(self, stop: StopMessage) -> bool:
         """Repeat the stop until the board confirms it; return whether it did."""
         if isinstance(self._port, FilePort):
             self._port.restore_settings()
@@ -325,7 +325,7 @@ def main(arguments: list[str]) -> int:
     kind, number, silence = arguments
     port = open_port(kind, int(number))
     # Unbuffered: a buffer that a thread reads keeps the interpreter from ending.
-    Guardian(port, float(silence), FileIO(0), FileIO(1, "w")).run()
+    Watchdog(port, float(silence), FileIO(0), FileIO(1, "w")).run()
     return 0
 
 

@@ -14,7 +14,7 @@ _READY_S = 1.0
 _RESTART_S = 5.0
 """Seconds after which a guardian that has ended by itself is started again."""
 
-_PATIENCE_S = 0.2
+_SHORT_TIMEOUT_S = 0.2
 """Seconds for which a reply is awaited although a stop is due: the board is deaf while it replies,
 and a late reply would be taken for another one."""
 
@@ -25,8 +25,8 @@ _LAST_STOP_S = 0.4
 class GuardedTransport:
     """Sends heartbeats to the guardian as the session uses the line.
 
-    A session that was held up (suspended, or hung) for `silence` seconds must expect that the
-    guardian has stopped the motors and still uses the line. Before it uses the line again the
+    A session that did not respond for `silence` seconds (suspended, or blocked) must expect that
+    the guardian has stopped the motors and still uses the line. Before it uses the line again the
     guardian is ended, another one started, and `taken_over` called with whether the stop was
     confirmed. Until the session has sent a stop, writing anything else raises `NoReply`: it may be
     a setpoint from before. While motors may move, a read ends early when `stop_is_due`.
@@ -142,7 +142,11 @@ class GuardedTransport:
             now = self.clock()
             if len(received) >= size or now >= deadline:
                 return received
-            if self._sequence is not None and now - begun >= _PATIENCE_S and self._stop_is_due():
+            if (
+                self._sequence is not None
+                and now - begun >= _SHORT_TIMEOUT_S
+                and self._stop_is_due()
+            ):
                 return received
 
     def discard(self) -> bytes:

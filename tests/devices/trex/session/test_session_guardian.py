@@ -1,4 +1,4 @@
-"""What a session tells its guardian, and what it leaves to it."""
+"""What a session sends to its guardian, and which stops it leaves to it."""
 
 from dataclasses import replace
 
@@ -84,10 +84,10 @@ def test_guardian_watches_while_the_board_is_silent_and_motors_may_move() -> Non
 def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
     confirms: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    asked: list[float] = []
+    requested: list[float] = []
 
     def stop(_guardian: VirtualGuardian, seconds: float) -> bool:
-        asked.append(seconds)
+        requested.append(seconds)
         return confirms
 
     monkeypatch.setattr(VirtualGuardian, "stop", stop)
@@ -97,11 +97,11 @@ def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
     reports = run_for(stage, 2.0, settings)
     (closed,) = among(reports, Closed)
     assert isinstance(closed.error, PortUnavailable)
-    assert len(asked) == 1
+    assert len(requested) == 1
     assert closed.may_move != confirms
 
 
-def test_guardian_is_not_asked_if_no_motor_was_driven(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_guardian_stops_nothing_if_no_motor_was_driven(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(VirtualGuardian, "stop", lambda *_: pytest.fail("nothing to stop"))
     stage, settings = staged()
     stage.script.at(1.0, lambda: setattr(stage.transport, "fail", PortUnavailable("gone")))
@@ -115,5 +115,5 @@ def test_stop_follows_a_changed_device_number() -> None:
     settings = replace(settings, device_number=7)
     stage.script.at(0.5, SETPOINT).at(1.0, Write(1, (("device_number", 9),)))
     run_for(stage, 3.0, settings)
-    told = {one.packets[1] for one in stage.transport.guardian.watched if one is not None}
-    assert told == {7, 9}
+    numbers = {one.packets[1] for one in stage.transport.guardian.watched if one is not None}
+    assert numbers == {7, 9}
