@@ -129,7 +129,7 @@ def test_end_frees_the_line_without_a_byte(ends: Ends) -> None:
     guardian = started(ends[0])
     guardian.watch(STOP)
     assert not guardian.end()
-    assert has_ended(guardian)
+    wait_until(lambda: has_ended(guardian))
     assert board.received == b""
 
 
@@ -165,7 +165,7 @@ def test_silent_board_gets_the_stop_repeated_until_the_session_is_back(ends: End
     assert not guardian.stop(0)
     wait_until(lambda: board.received.count(STOP.packets) > 3)
     assert not guardian.end()
-    assert has_ended(guardian)
+    wait_until(lambda: has_ended(guardian))
 
 
 def test_line_that_is_gone_ends_the_guardian(ends: Ends) -> None:
@@ -173,7 +173,7 @@ def test_line_that_is_gone_ends_the_guardian(ends: Ends) -> None:
     guardian.watch(STOP)
     ends[1].close()
     assert not guardian.stop(LONG_TIMEOUT)
-    assert has_ended(guardian)
+    wait_until(lambda: has_ended(guardian))
 
 
 def test_echo_is_not_taken_for_the_status(ends: Ends) -> None:
@@ -201,7 +201,7 @@ def test_request_that_comes_back_byte_by_byte_confirms_nothing(ends: Ends) -> No
     guardian = started(ends[0])
     guardian.watch(STOP)
     assert not guardian.stop(LONG_TIMEOUT)
-    assert has_ended(guardian)
+    wait_until(lambda: has_ended(guardian))
 
 
 def test_telnet_commands_are_no_status(ends: Ends) -> None:
