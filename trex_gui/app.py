@@ -140,7 +140,10 @@ def main(argv: list[str] | None = None) -> int:
     if watching.report_unconfirmed_stop():
         code = code or UNCONFIRMED_STOP
     if not have_ended:
-        # A thread hangs in a port or a disk. Qt would abort on destroying it.
+        if sys.stderr is not None:
+            sys.stderr.write("A port or a disk does not respond: a file may not be saved.\n")
+            sys.stderr.flush()
+        # Qt would abort on destroying a thread that runs.
         os._exit(code)
     watching.close()
     program.close()

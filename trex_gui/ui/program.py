@@ -17,7 +17,7 @@ from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.workers.threads import wait_for_orphans
 
-_FILES_TIMEOUT_MS = 1000
+_FILES_TIMEOUT_MS = 5000  # a slow disk takes seconds to save a file; reading is cancelled
 
 
 class Program:

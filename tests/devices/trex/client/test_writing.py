@@ -534,6 +534,25 @@ def test_setting_that_was_hit_and_cannot_be_restored_fails_the_write(stage: Stag
     assert "another setting may have been changed" in str(result.error)
 
 
+@pytest.mark.parametrize(
+    "others",
+    [{"device_number": 9}, {"motor1_acceleration": 3, "motor2_acceleration": 4}],
+    ids=["number", "two settings"],
+)
+def test_nothing_is_restored_that_one_corrupted_write_cannot_have_changed(
+    stage: Stage, others: dict[str, int]
+) -> None:
+    """Another board may be connected, whose settings are its own."""
+    before = read_everything(stage.client().request)
+    for key, wire in others.items():
+        stage.board.eeprom.write(key, wire)
+    stage.board.memory.load()
+    divert(stage, bytes([0xAF, TIMEOUT.number]), bytes([0xAF, 0x7E]))
+    (result,) = write_all(stage.client().request, SPECS, [(TIMEOUT.key, 1)], before=before)
+    assert "none was restored: another board may be connected" in str(result.error)
+    assert others.items() <= stage.board.memory.stored().items()
+
+
 def test_write_that_needs_no_repetition_reads_nothing_else(stage: Stage) -> None:
     before = read_everything(stage.client().request)
     stage.transport.sent.clear()

@@ -273,6 +273,7 @@ class _Work:
     Attributes:
         fatal_error: why nothing more is attempted.
         doubtful: index of the last result whose write was repeated or failed.
+        repeated: how often writes were repeated or failed: no more settings can have changed.
     """
 
     request: Requester
@@ -285,6 +286,7 @@ class _Work:
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None
     doubtful: int | None = None
+    repeated: int = 0
     _sent: int = 0
 
     def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
@@ -305,7 +307,8 @@ class _Work:
     def undo_stray_writes(self, before: DeviceState) -> None:
         """Restore what was stored besides what was to be written.
 
-        If that fails, so has the write that was repeated or has failed.
+        If that fails, so has the write that was repeated or has failed. Nothing is restored if more
+        differs than corrupted writes can have changed: then another board may be connected.
         """
         assert self.doubtful is not None  # noqa: S101 - or nothing can have strayed
         failed = {result.key for result in self.results if result.error is not None}
@@ -313,9 +316,12 @@ class _Work:
         wanted: dict[str, int | Calibration] = {**after.parameters}
         for channel, calibration in after.calibrations.items():
             wanted[CalibrationKey.of(after.source, channel)] = calibration
-        keys = [key for key in wanted if key not in failed]
+        keys = self._differing({key: wanted[key] for key in wanted if key not in failed})
         error: StudioError | None = None
-        for _ in range(ATTEMPTS):
+        if len(keys) > self.repeated or ParameterKey.DEVICE_NUMBER in keys:
+            error = TrexBadReplyError(ErrorCode.TOO_MANY_DIFFER, len(keys))
+            keys = []
+        for _ in range(ATTEMPTS if keys else 0):
             error, keys = self._restore({key: wanted[key] for key in keys})
             if error is None or _if_fatal(error) is not None:
                 break
@@ -323,6 +329,18 @@ class _Work:
             key = self.results[self.doubtful].key
             stray = TrexBadReplyError(ErrorCode.STRAY_WRITE, self._name(key), error)
             self.results[self.doubtful] = WriteResult(key, error=stray)
+
+    def _differing(self, wanted: Mapping[str, int | Calibration]) -> list[str]:
+        """Return the keys of what is stored otherwise, or cannot be read."""
+        keys = []
+        for key, value in wanted.items():
+            try:
+                differs = self._stored(key) != value
+            except _FAILURES:
+                differs = True
+            if differs:
+                keys.append(key)
+        return keys
 
     def _restore(
         self, wanted: Mapping[str, int | Calibration]
@@ -424,6 +442,7 @@ class _Work:
                 self.stored(result)
             if self._sent > 1 or (self._sent and result.error is not None):
                 self.doubtful = len(self.results)
+                self.repeated += max(1, self._sent - 1)
         self.results.append(result)
 
 

@@ -303,7 +303,9 @@ class Device(QObject):
         self.telemetry.serial_controls = state.serial_controls
         self.edit_backup.leave_board()
         self.draft.take_state(state, report.settings, power_cycled=occasion.power_cycled)
-        self.edit_backup.take_board(ask=occasion is ReadReason.OPENED)
+        self.edit_backup.take_board(
+            ask=occasion is ReadReason.OPENED, is_simulated=bool(report.settings.name)
+        )
 
     @Slot(object)
     def _on_written(self, written: Written) -> None:

@@ -103,6 +103,11 @@ class ErrorCode(Enum):
         "{0} was written, but the line corrupts bytes, and another setting may have been changed "
         "instead at first. Read the board again and compare it with the last snapshot. {1}",
     )
+    TOO_MANY_DIFFER = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "{0} settings differ from what was read before, so none was restored: another board may be "
+        "connected.",
+    )
     WRITE_CANCELLED = QT_TRANSLATE_NOOP(
         "TrexErrors", "The writing was cancelled before this was tried."
     )

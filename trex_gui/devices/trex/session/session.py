@@ -5,6 +5,7 @@ one motor command that is sent unprompted.
 """
 
 import logging
+import math
 from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
@@ -34,6 +35,7 @@ from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped, Sto
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     GetMode,
+    GetParameter,
     GetSignature,
     ReplyT_co,
     Signature,
@@ -48,7 +50,7 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexRequestError,
 )
 from trex_gui.devices.trex.protocol.line_settings import baud_rates
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
@@ -68,6 +70,9 @@ from trex_gui.devices.trex.session.polling import Polling, SampleBatcher, Topic,
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 log = logging.getLogger(__name__)
+
+_STALE_READS = 3
+_STALE_READ_INTERVAL = 2.0  # seconds; telemetry goes on between two of these readings
 
 
 class TrexSession:
@@ -104,7 +109,9 @@ class TrexSession:
         self._queue = TrexRequestQueue(inbox, self._motors, self._liveness, emit, self._now)
         self._batcher = SampleBatcher(emit)
         self._polling = Polling()
-        self._is_stale = False  # whether the board may store something else than `_state`
+        # How often to read again what the board may store otherwise than `_state` says, and when:
+        self._stale_reads = 0
+        self._stale_read_at = -math.inf
         self._is_guarded = False
         self._was_held_up = False
         self._port_rates: frozenset[int] | None = None
@@ -216,15 +223,20 @@ class TrexSession:
             log.exception("the last samples could not be reported")
         client.close()
 
-    def _is_another_board(self, request: Requester) -> bool:
-        """Whether the board that answers now cannot be the one that was read.
+    def _is_another_board(self, request: Requester, number: int | None = None) -> bool:
+        """Whether the board that replies now cannot be the one that was read.
 
-        It asks twice: damaged bytes can be those of another model.
+        It is queried twice: damaged bytes can be those of another model or number.
         """
+        query_number = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
+
+        def differs() -> bool:
+            if query(request, GetSignature()) != self._signature:
+                return True
+            return number is not None and query(request, query_number) != number
+
         try:
-            return self._signature is not None and all(
-                query(request, GetSignature()) != self._signature for _ in range(2)
-            )
+            return self._signature is not None and all(differs() for _ in range(2))
         except (NoReply, BadReply, PortUnavailable):
             return False
 
@@ -337,6 +349,7 @@ class TrexSession:
         behind it, nothing counts as written.
         """
         before, stop_is_due = self._state, True
+        changes_number = any(key == ParameterKey.DEVICE_NUMBER for key, _ in job.parameters)
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
             nonlocal stop_is_due
@@ -346,7 +359,7 @@ class TrexSession:
             self._serve_motors()
             return self._line.request(command)
 
-        self._require_same_board(request)
+        self._require_same_board(request, before)
         results = write_all(
             request,
             self._state.specs,
@@ -359,20 +372,23 @@ class TrexSession:
             stored=self._note_stored,
         )
         if any(isinstance(result.error, NoReply | BadReply | Rejected) for result in results):
-            self._is_stale = True  # what failed may be stored all the same
+            self._stale_reads = _STALE_READS  # what failed may be stored all the same
         written = Written(results, self._state, self._line.settings)
         self._state = before
-        self._require_same_board(request)
+        self._require_same_board(request, None if changes_number else before)
         self._state = written.state
         return written
 
-    def _require_same_board(self, request: Requester) -> None:
+    def _require_same_board(self, request: Requester, stored: DeviceState | None) -> None:
         """Read another board that answers instead of the one that was read.
+
+        It may be of the same kind; then the device number in `stored` can tell it apart.
 
         Raises:
             BadReply: there is one.
         """
-        if self._is_another_board(request):
+        number = None if stored is None else stored.parameters.get(ParameterKey.DEVICE_NUMBER)
+        if self._is_another_board(request, number):
             self._read_everything(ReadReason.RETURNED)
             raise TrexBadReplyError(ErrorCode.OTHER_BOARD, str(self._state.signature))
 
@@ -392,7 +408,7 @@ class TrexSession:
         self._state = read_everything(
             self._request, self._report_progress, has_crc=self._line.has_crc
         )
-        self._is_stale = False
+        self._stale_reads = 0
         self._signature = self._state.signature
         if occasion is not ReadReason.RELOADED:
             if occasion.power_cycled or self._motors.is_armed:
@@ -440,7 +456,9 @@ class TrexSession:
                 # The power was off and a jumper was moved: everything may have changed.
                 self._stop_if_moving()
                 self._read_everything(ReadReason.MODE_CHANGED)
-            elif self._is_stale:
+            elif self._stale_reads and self._now() >= self._stale_read_at:
+                self._stale_reads -= 1
+                self._stale_read_at = self._now() + _STALE_READ_INTERVAL
                 self._read_everything(ReadReason.RELOADED)
         except (NoReply, BadReply) as error:
             self._note_failure(error, topic)

@@ -20,15 +20,18 @@ class BoardIdentity:
     product: Model
     firmware: str
     device_number: int | None
+    is_simulated: bool = False
 
     @classmethod
-    def of(cls, stored: Settings) -> "BoardIdentity":
+    def of(cls, stored: Settings, *, is_simulated: bool = False) -> "BoardIdentity":
         firmware = stored.firmware or stored.product.firmware[-1]
-        return cls(stored.product, firmware, stored.parameters.get(ParameterKey.DEVICE_NUMBER))
+        number = stored.parameters.get(ParameterKey.DEVICE_NUMBER)
+        return cls(stored.product, firmware, number, is_simulated)
 
     def __str__(self) -> str:
         number = "" if self.device_number is None else f"-{self.device_number}"
-        return f"{self.product.key}-{self.firmware}{number}"
+        simulated = "demo-" if self.is_simulated else ""
+        return f"{simulated}{self.product.key}-{self.firmware}{number}"
 
 
 @dataclass(frozen=True, slots=True)

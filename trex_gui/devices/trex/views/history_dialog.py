@@ -372,7 +372,7 @@ class _BoundField(QWidget):
         self._question = question
         self.problem = ""  # why the bound is not known, as a sentence; empty if it is
         self._stored: int | None = KEPT
-        self._total = 0  # snapshots that there are
+        self._total: int | None = None  # snapshots that there are, once they were counted
 
         self._which = ui.combo_box(
             self,
@@ -416,12 +416,13 @@ class _BoundField(QWidget):
     @Slot()
     def _on_edited(self) -> None:
         self._count.setEnabled(self._which.currentIndex() == 0)
-        self._set.setEnabled(bool(self.problem) or self._wanted != self._stored)
+        is_edited = bool(self.problem) or self._wanted != self._stored
+        self._set.setEnabled(is_edited and self._total is not None)
 
     @Slot()
     def _on_set_clicked(self) -> None:
         wanted = self._wanted
-        removed = 0 if wanted is None else max(0, self._total - wanted)
+        removed = 0 if wanted is None or self._total is None else max(0, self._total - wanted)
         if not removed:
             self._keep(wanted)
             return

@@ -17,6 +17,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
@@ -58,7 +59,7 @@ class Run:
         backup = self.backup
         self.wait(
             lambda: (
-                not backup._due
+                (not backup._due or backup._is_failing)
                 and not backup._task.is_running
                 and not backup._timer.isActive()
                 and backup._is_read
@@ -326,6 +327,26 @@ def test_failing_disk_is_reported_once(
     assert len(files()) == 1
     with pytest.raises(SettingsError):
         EditFiles(files()[0]).save(TREX, None)
+
+
+def test_edits_that_could_not_be_saved_are_saved_at_the_end(
+    run: Start, quick_simulator: SimulatedDevice
+) -> None:
+    first = run(quick_simulator.url)
+    folder = EditFiles().folder
+    folder.write_text("in the way")
+    first.edit(serial_timeout=15)
+    folder.unlink()
+    assert first.backup.shut_down()
+    saved = EditFiles().load(TREX)
+    assert saved is not None
+    assert saved.settings.parameters["serial_timeout"] == 15
+
+
+def test_edits_of_a_simulated_board_are_kept_apart() -> None:
+    stored = factory_settings(device_table().model("trex"), "1.2")
+    real, simulated = BoardIdentity.of(stored), BoardIdentity.of(stored, is_simulated=True)
+    assert EditFiles().path(real) != EditFiles().path(simulated)
 
 
 def test_edits_are_saved_within_a_second_while_they_go_on(

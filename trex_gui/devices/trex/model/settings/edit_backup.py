@@ -41,6 +41,7 @@ class _Result:
     board: BoardIdentity | None  # whose file was read
     found: SavedEdits | None
     failure: SettingsError | None
+    unsaved: Mapping[BoardIdentity, Settings | None]
 
 
 class EditBackup(QObject):
@@ -86,16 +87,17 @@ class EditBackup(QObject):
         self._edits_left = None if stored is None else self._edits(stored)
         self._board = None
 
-    def take_board(self, *, ask: bool) -> None:
+    def take_board(self, *, ask: bool, is_simulated: bool = False) -> None:
         """Keep the edits of the board in the draft, and look for those of an earlier run.
 
+        Edits of a simulated board are kept apart from those of real boards.
         If it is the same board as before, an offer is made again only with `ask`. Edits that the
         draft has dropped since their setting could not be read this time stay saved.
         """
         stored = self._draft.stored
         if stored is None:
             return
-        self._board = BoardIdentity.of(stored)
+        self._board = BoardIdentity.of(stored, is_simulated=is_simulated)
         if (self._board, True) != self._left:
             self._is_read = self._has_file = False
             self._undecided = None
@@ -158,7 +160,9 @@ class EditBackup(QObject):
         stored = self._draft.stored
         if self._board is None or stored is None or not self._is_read:
             return
-        board, edits = BoardIdentity.of(stored), self._edits(stored)
+        is_simulated = self._board.is_simulated
+        board = BoardIdentity.of(stored, is_simulated=is_simulated)
+        edits = self._edits(stored)
         if board != self._board:  # its number was written
             self._due[self._board] = None
             self._board = board
@@ -196,10 +200,12 @@ class EditBackup(QObject):
             text = self.tr("Edits that are not applied yet cannot be kept for the next start. {0}")
             self.failed.emit(text.format(error_sentence(result.failure)))
         self._is_failing = result.failure is not None
+        self._due = {**result.unsaved, **self._due}  # newer edits replace them
         if result.board is not None and result.board == self._board and not self._is_read:
             self._is_read = True
             self._take(result.found)
-        if self._due or (self._board is not None and not self._is_read):
+        has_new = self._due.keys() - result.unsaved.keys()  # the others wait for the next change
+        if has_new or (self._board is not None and not self._is_read):
             self._timer.start()
 
     def _take(self, found: SavedEdits | None) -> None:
@@ -246,13 +252,15 @@ def _work(
 ) -> _Result:
     """Save what is due, then read what is saved for a board."""
     failure = found = None
+    unsaved: dict[BoardIdentity, Settings | None] = {}
     for each, edits in due.items():
         try:
             files.save(each, edits)
         except SettingsError as error:
             failure = error
+            unsaved[each] = edits
     try:
         found = None if board is None else files.load(board)
     except SettingsError as error:
         log.warning("saved edits are left out: %s", error)
-    return _Result(board, found, failure)
+    return _Result(board, found, failure, unsaved)
