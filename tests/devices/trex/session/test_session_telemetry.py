@@ -14,8 +14,10 @@ from tests.devices.trex.session.helpers import (
     timed_run,
 )
 from tests.support.virtual import Stage
+from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.session import Close
 from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
+from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
@@ -25,10 +27,12 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
     Sample,
 )
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.requests import Arm, SetMotor
 from trex_gui.devices.trex.protocol.commands import GetMode, GetStatus
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
+from trex_gui.devices.trex.session import session
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -325,3 +329,27 @@ def test_mode_change_adjusts_poll_rate_of_currents(stage: Stage) -> None:
     stage.script.at(1.0, rearrange)
     run_for(stage, 4.6)
     assert rates_seen(stage, 2.0)[Topic.CURRENTS] == pytest.approx(50, rel=0.03)
+
+
+def test_board_is_read_again_three_times_at_most_after_a_failed_write(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Where one value cannot be read, telemetry goes on."""
+    readings: list[float] = []
+    stage, settings = staged()
+
+    def fail(*_: object, **_options: object) -> DeviceState:
+        readings.append(stage.line.now)
+        raise BadReply("readings differ")
+
+    def begin_to_fail() -> None:
+        error = NoReply("no reply")
+        results = (WriteResult("serial_timeout", error=error),)
+        monkeypatch.setattr(session, "write_all", lambda *_, **_options: results)
+        monkeypatch.setattr(session, "read_everything", fail)
+
+    stage.script.at(1.0, begin_to_fail).at(1.0, Write(1, (("serial_timeout", 5),)))
+    reports = run_for(stage, 20.0, settings)
+    assert len(readings) == 3
+    assert all(later - earlier >= 2.0 for earlier, later in itertools.pairwise(readings))
+    assert len([one for one in samples(reports, Raw) if one.time > 10.0]) > 100

@@ -339,3 +339,18 @@ def test_bound_set_elsewhere_appears_on_refresh(
     history.keep(77)
     dialog.refresh()
     assert dialog.find(QSpinBox, "keptField").value() == 77
+
+
+def test_bound_is_set_only_once_the_snapshots_are_counted(
+    dialog: HistoryDialog, history: SettingsHistory
+) -> None:
+    """Otherwise it would remove snapshots without a question."""
+    take(history, MINUTE)
+    take(history)
+    dialog._action.trigger()
+    dialog.find(QSpinBox, "keptField").setValue(1)
+    assert not dialog.is_enabled("keptButton")
+    dialog.wait_for_files()
+    dialog.click("keptButton")
+    dialog.answer(yes=False)
+    assert len(history.snapshots()) == 2
