@@ -55,6 +55,13 @@ def test_input_that_failed_once_is_taken(qtbot: QtBot, target: Target, path: Pat
         pytest.fail(str(finding))
 
 
+def test_settings_file_of_many_lines_is_taken(qtbot: QtBot) -> None:
+    (settings,) = (target for target in TARGETS if target.name == "settings")
+    lines = b"product: TReX\nmotor_mode: 1\n" + b"\n" * 100_000
+    if finding := attempt(settings, lines, "100,000 lines"):
+        pytest.fail(str(finding))
+
+
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)
 def test_random_input_is_taken_as_documented(
