@@ -13,8 +13,11 @@ from threading import Thread
 
 import pytest
 
+from tests.support.simulator import StartSimulator
 from trex_gui.core.guardian import process
 from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence
+from trex_gui.core.transport.serial_port import SerialTransport
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 pytestmark = [
     pytest.mark.realtime,
@@ -213,6 +216,28 @@ def test_telnet_commands_are_no_status(ends: Ends) -> None:
     guardian.watch(StopSequence(escaped, STOP.query, 1, 0x01, has_echo=False, seconds=0.05))
     assert guardian.stop(LONG_TIMEOUT)
     assert board.received.startswith(escaped + b"\xff" + escaped + b"\xff" + STOP.query)
+
+
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial's, not ours
+@pytest.mark.parametrize("place", ["--link", "--tcp", "--rfc2217"])
+def test_replies_go_to_the_guardian_of_a_session_that_hangs(
+    place: str, start_simulator: StartSimulator, tmp_path: Path
+) -> None:
+    where = str(tmp_path / "port") if place == "--link" else "127.0.0.1:0"
+    simulator = start_simulator(place, where, "--unpaced")
+    line = SerialTransport(PortSettings(simulator.url, SerialFormat(19200)))
+    try:
+        guardian = line.start_guardian(0.3)
+        assert isinstance(guardian, GuardianProcess)
+        guardian.wait_until_ready(LONG_TIMEOUT)
+        guardian.watch(STOP)
+        wait_until(lambda: guardian.has_ended)  # the session does nothing meanwhile
+        assert guardian.end(), "confirmed"
+        assert line.discard() == b""
+        line.write(STOP.query)
+        assert len(line.read(STOP.reply_size, LONG_TIMEOUT)) == STOP.reply_size
+    finally:
+        line.close()
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])

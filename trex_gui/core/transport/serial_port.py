@@ -15,9 +15,10 @@ import sys
 import time
 from collections.abc import Callable, Collection
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
 import serial
+from serial import rfc2217
 from serial.tools import list_ports
 
 from trex_gui.core.errors import BadReply, BadRequest, PortUnavailable
@@ -89,6 +90,45 @@ class Transport(Protocol):
 
     def close(self) -> None:
         """Close the port; never raises."""
+
+
+class _LentSocket:
+    """The socket of a remote port for pyserial's thread, which would read all that arrives.
+
+    Replies to a guardian that is stopping the motors are left to it.
+    """
+
+    def __init__(self, below: socket.socket, is_lent: Callable[[], bool]) -> None:
+        self._below = below
+        self._is_lent = is_lent
+
+    def recv(self, size: int) -> bytes:
+        """Raise TimeoutError when nothing came, so that pyserial's thread tries again."""
+        if self._below.fileno() < 0:
+            raise ConnectionAbortedError("closed")
+        if self._is_lent():
+            time.sleep(_SLICE)
+            raise TimeoutError
+        ready, _, _ = select.select([self._below], [], [], _SLICE)
+        if not ready or self._is_lent():
+            raise TimeoutError
+        return self._below.recv(size)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._below, name)
+
+
+class _Rfc2217Port(rfc2217.Serial):
+    guardian: GuardianProcess | None = None
+    _socket: Any
+
+    def _is_lent(self) -> bool:
+        guardian = self.guardian
+        return guardian is not None and guardian.has_acted and not guardian.has_ended
+
+    def _telnet_read_loop(self) -> None:
+        self._socket = _LentSocket(self._socket, self._is_lent)
+        super()._telnet_read_loop()  # type: ignore[misc] # not in the stubs
 
 
 class SerialTransport:
@@ -167,6 +207,8 @@ class SerialTransport:
 
     def start_guardian(self, silence: float) -> Guardian:
         self._guardian = GuardianProcess(_shared(self._port), silence)
+        if isinstance(self._port, _Rfc2217Port):
+            self._port.guardian = self._guardian
         return self._guardian
 
     def close(self) -> None:
@@ -229,7 +271,7 @@ def _shared(port: serial.Serial) -> SharedPort | None:
 
 def _descriptor(port: serial.Serial) -> SharedPort:
     if (remote := getattr(port, "_socket", None)) is not None:
-        kind = "telnet" if str(port.port).startswith("rfc2217://") else "socket"
+        kind = "telnet" if isinstance(port, _Rfc2217Port) else "socket"
         return SharedPort(kind, remote.fileno())
     if sys.platform == "win32":
         return SharedPort("serial", int(port._port_handle))  # noqa: SLF001 - has no public name
@@ -239,11 +281,7 @@ def _descriptor(port: serial.Serial) -> SharedPort:
 def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
     try:
         options = _options(settings.url, settings.line)
-        port = serial.serial_for_url(settings.url, do_not_open=True, timeout=_SLICE, **options)
-        if settings.url.startswith("socket://") or _is_file(settings.url):
-            port.write_timeout = 0  # see `_write_as_there_is_room`
-        elif not settings.url.startswith("rfc2217://"):  # which cannot do it
-            port.write_timeout = _NO_ROOM
+        port = _unopened(settings.url, timeout=_SLICE, **options)
         if _is_file(settings.url):
             port.exclusive = True
         _open_when_free(port, settings.url, clock)
@@ -252,6 +290,17 @@ def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
     # FTDI adapters delay bytes by up to 16 ms; the Linux driver can turn that off.
     with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):
         port.set_low_latency_mode(True)
+    return port
+
+
+def _unopened(url: str, **options: Any) -> serial.Serial:
+    if url.lower().startswith("rfc2217://"):  # it has no write timeout
+        remote = _Rfc2217Port(None, **options)
+        remote.port = url
+        return cast("serial.Serial", remote)
+    port = serial.serial_for_url(url, do_not_open=True, **options)
+    # 0: see `_write_as_there_is_room`.
+    port.write_timeout = 0 if url.startswith("socket://") or _is_file(url) else _NO_ROOM
     return port
 
 
