@@ -9,6 +9,7 @@ from tests.support.program import new_controller, new_ports
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.power_cycle import PowerCycle
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -118,6 +119,25 @@ def test_board_reconnects_at_a_new_baud_rate(
     quick_simulator.do("power on")
     until(lambda: device.link is ConnectionState.CONNECTED)
     assert line_of(device) == LineSettings(baud)
+
+
+def test_failed_write_of_line_settings_keeps_candidates(
+    connector: TrexController,
+    device: Device,
+    ports: Ports,
+    quick_simulator: SimulatedDevice,
+    until: Until,
+) -> None:
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is ConnectionState.CONNECTED)
+    device.expect((ConnectionSettings("", NEW),))
+    PowerCycle(device).begin(failed=[UART])
+    quick_simulator.do("power off")
+    until(lambda: device.link is ConnectionState.NOT_RESPONDING)
+    quick_simulator.do(f"eeprom uart_settings {NEW.to_wire()}")
+    quick_simulator.do("power on")
+    until(lambda: device.link is ConnectionState.CONNECTED)
+    assert line_of(device) == NEW
 
 
 def test_simulated_board_reconnects_at_its_last_settings(

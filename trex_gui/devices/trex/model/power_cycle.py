@@ -1,12 +1,13 @@
 """Switching a board off and on so that its stored settings become active, step by step."""
 
+from collections.abc import Collection
 from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.reconnecting import after_power_cycle
+from trex_gui.devices.trex.session.reconnecting import REACH, after_power_cycle
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
@@ -45,8 +46,11 @@ class PowerCycle(QObject):
         """Names of the settings that are stored and not active."""
         return self._device.parameters.waiting_for_power
 
-    def begin(self) -> None:
-        """Wait until the board is switched off, and on again."""
+    def begin(self, failed: Collection[str] = ()) -> None:
+        """Wait until the board is switched off, and on again.
+
+        After a `failed` write of how the board is reached, it may also be where Apply looks for it.
+        """
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None or not self._device.is_connected:
             return
@@ -55,7 +59,8 @@ class PowerCycle(QObject):
             stored = factory_settings(signature.model, signature.firmware).parameters
         expected = after_power_cycle(settings, stored, signature.firmware)
         self.expected = None if expected == settings else expected
-        self._device.expect(() if self.expected is None else (self.expected,))
+        if not any(key in REACH for key in failed):
+            self._device.expect(() if self.expected is None else (self.expected,))
         self._go(PowerCycleStage.OFF_WANTED)
 
     def confirm(self) -> None:

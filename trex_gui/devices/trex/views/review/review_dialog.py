@@ -151,7 +151,7 @@ class ReviewDialog(QDialog):
         self._rows.table.set_outcomes(dict(zip(keys, self._outcomes(results), strict=True)))
         self._problem = self._problem_text(results)
         if self._device.parameters.waiting_for_power:
-            self._cycle.begin()
+            self._cycle.begin([result.key for result in results if result.error is not None])
         self._enter(_Phase.DONE)
 
     def _outcomes(self, results: tuple[WriteResult, ...]) -> Iterator[str]:
