@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.fault_matrix.cases import CASES, KNOWN, name_of
+from tests.fault_matrix.cases import CASES, name_of
 from tests.fault_matrix.check import always, run_case
 from tests.fault_matrix.faults import FAULTS
 from tests.fault_matrix.scene import Scene
@@ -24,10 +24,7 @@ EVERY = 11
         pytest.param(
             *case,
             id=name_of(*case),
-            marks=[
-                *([pytest.mark.slow] if number % EVERY else []),
-                *([pytest.mark.xfail(reason=KNOWN[case])] if case in KNOWN else []),
-            ],
+            marks=[pytest.mark.slow] if number % EVERY else [],
         )
         for number, case in enumerate(CASES)
     ],

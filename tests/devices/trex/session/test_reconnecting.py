@@ -33,7 +33,7 @@ from trex_gui.devices.trex.session.messages import (
 )
 from trex_gui.devices.trex.session.reconnecting import (
     after_power_cycle,
-    is_board_at,
+    client_at,
     reconnect_places,
 )
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -180,6 +180,19 @@ def test_board_reconnects_on_rs232_side() -> None:
     new = replace(OLD, line=CRC)
     back = the_return(Place(echo=True).go(new, new=new))
     assert (back.settings, back.echo) == (new, True)
+
+
+@pytest.mark.parametrize("expected", [(), (replace(OLD, line=CRC),)], ids=["here", "anywhere"])
+@pytest.mark.parametrize("echo", [False, True])
+def test_board_reconnects_when_echo_changes(
+    expected: tuple[ConnectionSettings, ...], *, echo: bool
+) -> None:
+    place = Place(echo=echo)
+    place.script.at(OFF - 0.1, SetReconnectCandidates(expected))
+    place.script.at(OFF, lambda: setattr(place.line, "echo", not echo))
+    back = the_return(place)
+    assert (back.settings, back.echo) == (OLD, not echo)
+    assert among(place.reports, Batch)[-1].samples
 
 
 def test_board_reconnects_at_settings_derived_from_stored_ones() -> None:
@@ -427,12 +440,12 @@ def test_fixed_rate_port_probes_only_its_own_settings() -> None:
 
 def test_probe_finds_board_only_at_its_line_settings() -> None:
     place = Place(replace(OLD, line=CRC))
-    assert is_board_at(place.transport, place.old, echo=False)
-    assert not is_board_at(place.transport, OLD, echo=False)
+    assert client_at(place.transport, place.old)
+    assert not client_at(place.transport, OLD)
 
 
 def test_probe_ignores_board_with_wrong_device_number() -> None:
     place = Place()
     number = place.board.eeprom["device_number"]
-    assert is_board_at(place.transport, replace(OLD, device_number=number), echo=False)
-    assert not is_board_at(place.transport, replace(OLD, device_number=number + 1), echo=False)
+    assert client_at(place.transport, replace(OLD, device_number=number))
+    assert not client_at(place.transport, replace(OLD, device_number=number + 1))

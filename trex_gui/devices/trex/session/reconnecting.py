@@ -111,20 +111,20 @@ class LivenessMonitor:
 def _probe(client: TrexClient, place: ConnectionSettings) -> TrexClient | None:
     transport = client.transport
     try:
-        found = is_board_at(transport, place, echo=client.echo)
+        found = client_at(transport, place)
     except BadRequest as error:
         log.info("%s: %s", place.text(), error)
-        found = False
-    if not found:
+        found = None
+    if found is None:
         # A stop must be sent at the settings at which the board last replied.
         transport.reconfigure(client.settings.line)
         return None
     if place == client.settings:
+        client.echo = found.echo
         return client
     log.info("the board came back at %s", place.text())
-    there = TrexClient(transport, place, echo=client.echo)
-    there.counters = client.counters
-    return there
+    found.counters = client.counters
+    return found
 
 
 # --- Settings to probe ------------------------------------------------------------------
@@ -214,8 +214,8 @@ def _may_mishear(line: LineSettings, places: Iterable[ConnectionSettings]) -> bo
     )
 
 
-def is_board_at(wire: Transport, settings: ConnectionSettings, *, echo: bool) -> bool:
-    """Return whether the board responds at these settings; the line is set to them then.
+def client_at(wire: Transport, settings: ConnectionSettings) -> TrexClient | None:
+    """Return a client if the board responds at these settings; the line is set to them then.
 
     Without a reply it takes about 0.3 s on a local port. A board that is addressed by number gets
     a second query with its number.
@@ -228,9 +228,10 @@ def is_board_at(wire: Transport, settings: ConnectionSettings, *, echo: bool) ->
     wire.reconfigure(settings.line)
     reply = send_probe(wire, Attempt.at(settings), settings.timeouts.extra)
     if reply.kind not in {ReplyKind.BOARD, ReplyKind.SEVERAL}:
-        return False
+        return None
+    client = TrexClient(wire, settings, echo=reply.echo)
     try:
-        query(TrexClient(wire, settings, echo=echo).request, GetSignature())
+        query(client.request, GetSignature())
     except (NoReply, BadReply):
-        return False
-    return True
+        return None
+    return client

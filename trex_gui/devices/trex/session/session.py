@@ -482,11 +482,11 @@ class TrexSession:
             self._emit(NotResponding(str(error), replace(self._line.counters)))
 
     def _try_to_reconnect(self) -> None:
-        """Query the board once, or probe the next candidate."""
+        """Query the board, or probe the next candidate."""
         try:
             self._driver.stop_without_reply()
             if not self._liveness.is_scanning(self._line):
-                self._line.request(GetMode())
+                self._request_mode(self._line)
             elif (found := self._liveness.look(self._line)) is not None:
                 self._client = self._driver.client = found
             else:
@@ -495,6 +495,16 @@ class TrexSession:
             self._read_everything(ReadReason.RETURNED)
         except (NoReply, BadReply):
             self._liveness.retry_later(self._now())
+
+    def _request_mode(self, client: TrexClient) -> None:
+        """Query the board; an echo that has begun or ended makes its replies unreadable."""
+        try:
+            client.request(GetMode())
+        except (NoReply, BadReply) as error:
+            if isinstance(error, TrexError) and error.code is ErrorCode.NO_REPLY:
+                raise
+            client.detect_echo()
+            client.request(GetMode())
 
 
 class TrexRequestQueue:
