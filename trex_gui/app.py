@@ -146,5 +146,5 @@ def main(argv: list[str] | None = None) -> int:
         # Qt would abort on destroying a thread that runs.
         os._exit(code)
     watching.close()
-    program.close()
+    program.destroy()
     return code

@@ -129,14 +129,22 @@ class Program:
         return all(ends) and wait_for_orphans()
 
     def close(self) -> bool:
-        """Shut down, then destroy the window and its models; for whoever runs the event loop.
+        """Shut down and destroy everything; for whoever runs the event loop.
 
-        Nothing is left to the end of the interpreter, which destroys objects in any order while
-        their event handlers can no longer run: Qt crashes. Return whether every thread has ended;
-        otherwise nothing is destroyed, and only `os._exit` ends the process.
+        Return whether every thread has ended; otherwise nothing is destroyed, and only `os._exit`
+        ends the process.
         """
         if not self.shut_down():
             return False
+        self.destroy()
+        return True
+
+    def destroy(self) -> None:
+        """Destroy the window and its models, once everything is shut down.
+
+        Nothing is left to the end of the interpreter, which destroys objects in any order while
+        their event handlers can no longer run: Qt crashes.
+        """
         for workspace in self._workspaces.values():
             workspace.prepare_to_close()
             workspace.finish()
@@ -145,7 +153,6 @@ class Program:
         for part in (self.window, *models):
             part.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        return True
 
     def end(self) -> None:
         self.device_manager.shut_down()

@@ -60,14 +60,8 @@ class GuardedTransport:
         self.rates = below.rates
         self.clock = below.clock
         self.start_guardian = below.start_guardian
-
-    @property
-    def latency(self) -> float:
-        return self._below.latency
-
-    @property
-    def is_configurable(self) -> bool:
-        return self._below.is_configurable
+        self.latency = below.latency
+        self.is_configurable = below.is_configurable
 
     @property
     def is_guarded(self) -> bool:

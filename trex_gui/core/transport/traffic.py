@@ -74,14 +74,8 @@ class LoggingTransport:
         self.clock = below.clock
         self.wait = below.wait
         self.start_guardian = below.start_guardian
-
-    @property
-    def latency(self) -> float:
-        return self._below.latency
-
-    @property
-    def is_configurable(self) -> bool:
-        return self._below.is_configurable
+        self.latency = below.latency
+        self.is_configurable = below.is_configurable
 
     def reconfigure(self, line: SerialFormat) -> None:
         self._below.reconfigure(line)
