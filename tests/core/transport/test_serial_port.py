@@ -3,6 +3,7 @@
 import errno
 import itertools
 import os
+import signal
 import subprocess
 import sys
 import threading
@@ -15,6 +16,7 @@ import serial
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.errors import NoReply, PortUnavailable
+from trex_gui.core.guardian.guardian import GuardianProcess
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import SerialTransport, why_not_open
 from trex_gui.devices.trex.client.client import TrexClient
@@ -262,6 +264,26 @@ def test_open_waits_for_own_connection_that_is_closing(
         opened(terminal[1], clock=lambda: 0.0)  # however busy the computer is
     finally:
         closing.join()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+def test_guardian_that_still_stops_motors_is_named(
+    quick_simulator: SimulatedDevice, opened: Open
+) -> None:
+    url = quick_simulator.url
+    line = opened(url)
+    guardian = line.start_guardian(3600.0)
+    assert isinstance(guardian, GuardianProcess)
+    assert guardian._process is not None
+    guardian.wait_until_ready(LONG_TIMEOUT)
+    guardian._process.send_signal(signal.SIGSTOP)  # it never gets done
+    try:
+        assert "another line of this program" in refusal(url), "its guardian only watches"
+        line.close()
+        assert "The guardian process is still stopping the motors" in refusal(url)
+    finally:
+        guardian.end()
+    opened(url)
 
 
 def test_closed_port_can_be_reopened(terminal: tuple[int, str], opened: Open) -> None:

@@ -6,7 +6,7 @@ import os
 import platform
 import sys
 import time
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from typing import Protocol
 
@@ -21,7 +21,8 @@ def holder_of(url: str) -> str | None:
     """
     path = Path(url)
     with contextlib.suppress(OSError):
-        number = _locking(path) or _having_open(path.resolve())
+        others = (one for one in _having_open(path.resolve()) if one != os.getpid())
+        number = _locking(path) or next(others, None)
         if number == os.getpid():
             return "another line of this program"
         if number is not None:
@@ -42,6 +43,20 @@ def is_locked_elsewhere(url: str) -> bool:
     return True
 
 
+def is_left_to_guardian(url: str) -> bool:
+    """Whether a guardian has a port and its lock, and the line that it watched is gone.
+
+    Such a guardian is stopping motors.
+    """
+    path = Path(url)
+    with contextlib.suppress(OSError):
+        numbers = set(_having_open(path.resolve()))
+        commands = [(_PROCESSES / str(number) / "cmdline").read_bytes() for number in numbers]
+        is_watched = any(b"guardian" in command for command in commands)
+        return is_watched and _locking(path) not in numbers
+    return False
+
+
 def _locking(path: Path) -> int | None:
     status = path.stat()
     major, minor = os.major(status.st_dev), os.minor(status.st_dev)
@@ -53,13 +68,11 @@ def _locking(path: Path) -> int | None:
     return None
 
 
-def _having_open(path: Path) -> int | None:
-    ours = str(os.getpid())
+def _having_open(path: Path) -> Iterator[int]:
     for link in _PROCESSES.glob("[0-9]*/fd/*"):
         with contextlib.suppress(OSError):
-            if link.readlink() == path and link.parts[2] != ours:
-                return int(link.parts[2])
-    return None
+            if link.readlink() == path:
+                yield int(link.parts[2])
 
 
 # struct termios2 of Linux: four flag words, line discipline and control characters in five

@@ -23,7 +23,12 @@ from serial.tools import list_ports
 
 from trex_gui.core.errors import BadReply, BadRequest, PortUnavailable
 from trex_gui.core.guardian.guardian import Guardian, GuardianProcess, SharedPort
-from trex_gui.core.transport.linux_ports import holder_of, is_locked_elsewhere, rates_of
+from trex_gui.core.transport.linux_ports import (
+    holder_of,
+    is_left_to_guardian,
+    is_locked_elsewhere,
+    rates_of,
+)
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
@@ -334,6 +339,11 @@ def why_not_open(url: str, line: SerialFormat, error: Exception) -> str:
         return f"{url} is in use by another program, or locked by its driver."
     if number in {errno.EACCES, errno.EPERM}:
         return f"Permission denied for {url}. {_permission_cure(url)}"
+    if number in _BUSY and is_left_to_guardian(url):
+        return (
+            f"The guardian process is still stopping the motors on {url}, which takes up to 5 "
+            "seconds. Then connect again."
+        )
     if number in _BUSY:
         holder = holder_of(url)
         by = f" by {holder}" if holder else " by another program"
