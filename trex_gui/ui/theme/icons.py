@@ -39,18 +39,34 @@ def set_sign(label: QLabel, name: str, color: str, size: int) -> None:
 
 @cache
 def _render(name: str, color: int, disabled: int, selected: int) -> QIcon:
-    drawing = resource(f"icons/{name}.svg").read_text(encoding="utf-8")
     made = QIcon()
     for mode, argb, opacity in (
         (QIcon.Mode.Normal, color, 1.0),
         (QIcon.Mode.Disabled, disabled, 0.55),
         (QIcon.Mode.Selected, selected, 1.0),
     ):
-        text = drawing.replace("currentColor", QColor(argb).name())
-        renderer = QSvgRenderer(QByteArray(text.encode()))
-        for size in _SIZES:
-            made.addPixmap(_pixmap(renderer, size, opacity), mode)
+        tint = QColor(argb)
+        tint.setAlphaF(opacity)
+        for shape in _shapes(name):
+            made.addPixmap(_tinted(shape, tint), mode)
     return made
+
+
+@cache
+def _shapes(name: str) -> tuple[QPixmap, ...]:
+    """Return an icon in each size, drawn once for all colours: that is what takes long."""
+    drawing = resource(f"icons/{name}.svg").read_text(encoding="utf-8")
+    renderer = QSvgRenderer(QByteArray(drawing.replace("currentColor", "black").encode()))
+    return tuple(_pixmap(renderer, size) for size in _SIZES)
+
+
+def _tinted(shape: QPixmap, color: QColor) -> QPixmap:
+    pixmap = QPixmap(shape)
+    painter = QPainter(pixmap)
+    painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
+    painter.fillRect(pixmap.rect(), color)
+    painter.end()
+    return pixmap
 
 
 @cache
@@ -59,15 +75,14 @@ def application_icon() -> QIcon:
     renderer = QSvgRenderer(str(resource("icons/trex-studio.svg")))
     made = QIcon()
     for size in (*_SIZES, 128, 256):
-        made.addPixmap(_pixmap(renderer, size, 1.0))
+        made.addPixmap(_pixmap(renderer, size))
     return made
 
 
-def _pixmap(renderer: QSvgRenderer, size: int, opacity: float) -> QPixmap:
+def _pixmap(renderer: QSvgRenderer, size: int) -> QPixmap:
     pixmap = QPixmap(size, size)
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
-    painter.setOpacity(opacity)
     renderer.render(painter, QRectF(0, 0, size, size))
     painter.end()
     return pixmap
