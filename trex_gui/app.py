@@ -4,7 +4,6 @@ import argparse
 import math
 import os
 import sys
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -71,7 +70,6 @@ def complete(program: "Program", collector: "GuiThreadCollector") -> None:
     That blocks this thread for half a second: before a motor can be armed.
     """
     program.complete()
-    import_module("trex_gui.ui.plotting.panel")
     collector.exempt_present()
 
 

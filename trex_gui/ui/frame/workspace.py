@@ -11,6 +11,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -90,6 +91,7 @@ class Workspace(QWidget):
         self.pages.setDocumentMode(True)
         self._infos: tuple[PageInfo, ...] = ()
         self._missing: set[int] = set()  # pages that are not made yet
+        self._is_complete = False
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
         """Add a tab for each page; the tab is found by the object name of the page."""
@@ -101,9 +103,14 @@ class Workspace(QWidget):
         self.pages.currentChanged.connect(self._make_page)
 
     def make_pages(self) -> None:
-        """Make the pages that were not shown yet."""
+        """Make the pages that were not shown yet, and their plots, once."""
+        if self._is_complete:
+            return
+        self._is_complete = True
         for index in sorted(self._missing):
             self._make_page(index)
+        for page in self.pages.findChildren(PlotPage):
+            page.need_plot()
 
     def _make_page(self, index: int) -> None:
         if index not in self._missing:

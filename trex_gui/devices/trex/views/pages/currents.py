@@ -10,6 +10,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.telemetry import board_traces
 from trex_gui.devices.trex.protocol.parameters import MotorParameter
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import column
@@ -25,9 +26,7 @@ def current_limit(device: Device, motor: int) -> float | None:
     return wire * device.parameters.spec_of(key).scale if wire else None
 
 
-class CurrentsPage(QWidget):
-    """A live plot; pyqtgraph is imported when the page is first shown."""
-
+class CurrentsPage(PlotPage):
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("currentsPage")
@@ -42,15 +41,14 @@ class CurrentsPage(QWidget):
         device.telemetry.text_due.connect(self._on_text_due)
         device.events.happened.connect(self._on_text_due)
 
-    def _make_panel(self) -> "TracePanel":
+    def add_plot(self) -> None:
         from trex_gui.ui.plotting.panel import TracePanel  # noqa: PLC0415 - takes as long as Qt
 
-        panel = TracePanel(parent=self)
+        self._panel = panel = TracePanel(parent=self)
         panel.plot.setObjectName("currentsPlot")
         history, events = self._device.telemetry.currents, self._device.events.all
         panel.set_source(Traces(board_traces(), history, events, self._limits))
         column(panel, into=self)
-        return panel
 
     @Slot()
     def _on_device_changed(self) -> None:
@@ -94,6 +92,4 @@ class CurrentsPage(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self._panel is None:
-            self._panel = self._make_panel()
         self._on_device_changed()

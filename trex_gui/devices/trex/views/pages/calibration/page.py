@@ -23,6 +23,7 @@ from trex_gui.devices.trex.views.pages.calibration.heading import (
     CurveLegend,
     OtherSource,
 )
+from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import only_when_visible
@@ -41,10 +42,10 @@ _HANDLES = {
 }
 
 
-class CalibrationPage(QWidget):
+class CalibrationPage(PlotPage):
     """The channels at the left; curve, numbers and switches of the chosen one at the right.
 
-    All changes are edits until Apply. pyqtgraph is imported when the page is first shown.
+    All changes are edits until Apply.
     """
 
     learn_requested = Signal(object)  # the channels, 1 to 5, to learn from the user's movements
@@ -267,20 +268,17 @@ class CalibrationPage(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self._plot is None:
-            self._plot = self._make_plot()
         self._show_channel()
 
-    def _make_plot(self) -> "CurvePlot":
+    def add_plot(self) -> None:
         from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot  # noqa: PLC0415
 
-        plot = CurvePlot(self._body)
+        self._plot = plot = CurvePlot(self._body)
         plot.setObjectName("curvePlot")
         plot.previewed.connect(self._on_previewed)
         plot.released.connect(self._refresh)
         plot.edited.connect(self._on_edited)
         self._right.insertWidget(1, plot, 1)
-        return plot
 
     @Slot()
     @only_when_visible

@@ -1,0 +1,25 @@
+"""A page with a plot."""
+
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QWidget
+
+
+class PlotPage(QWidget):
+    """A page whose plot is made when the page is first shown, or soon after the start.
+
+    pyqtgraph takes as long to load as Qt: `add_plot` is what imports it.
+    """
+
+    _has_plot = False
+
+    def need_plot(self) -> None:
+        if not self._has_plot:
+            self._has_plot = True
+            self.add_plot()
+
+    def add_plot(self) -> None:
+        raise NotImplementedError
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.need_plot()
