@@ -111,7 +111,7 @@ def test_third_device_needs_only_its_plugin(
     lamp_program: Program, tmp_path: Path, qtbot: QtBot, quick_simulator: SimulatedDevice
 ) -> None:
     program, window = lamp_program, lamp_program.window
-    controller, workspace = program.controllers["lamp"], program.workspaces["lamp"]
+    controller, workspace = program.device_manager.controller("lamp"), program.workspace("lamp")
     assert isinstance(controller, LampController)
     assert isinstance(workspace, LampWorkspace)
     ports = window.findChild(QComboBox, "portCombo")
@@ -133,9 +133,9 @@ def test_third_device_needs_only_its_plugin(
     assert workspace.opened == [tmp_path / "evening.lamp"]
 
     program.connect_to_port(quick_simulator.url, "trex")
-    qtbot.waitUntil(lambda: program.controllers["trex"].link is ConnectionState.CONNECTED)
+    qtbot.waitUntil(lambda: program.device_manager.current.link is ConnectionState.CONNECTED)
     assert controller.link is ConnectionState.DISCONNECTED
-    assert stack.currentWidget() is program.workspaces["trex"]
+    assert stack.currentWidget() is program.workspace("trex")
 
     program.connect_to_port(URL)
     qtbot.waitUntil(lambda: controller.link is ConnectionState.CONNECTED)

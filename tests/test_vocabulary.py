@@ -15,7 +15,7 @@ REPLACED = {
     "asked": "sent, requested",
     "calm": "quiet, LineQuality",
     "desk": "workspace",
-    "furnish": "add_workspaces",
+    "furnish": "add_workspace",
     "gathered": "loaded",
     "insist": "retry",
     "odd": "warning",

@@ -41,7 +41,7 @@ program.window.show()
 app.processEvents()
 shown = time.perf_counter()
 program.connect_to_demo("trex")
-device = program.controllers["trex"].device
+device = program.device_manager.current.device
 while device.telemetry.raw is None:
     app.processEvents()
 live = time.perf_counter()

@@ -33,7 +33,7 @@ class AracnaParts(NamedTuple):
 
 def trex(program: Program) -> TrexParts:
     """Return the parts of a program that belong to the TReX."""
-    controller, workspace = program.controllers[TREX.key], program.workspaces[TREX.key]
+    controller, workspace = program.device_manager.controller(TREX.key), program.workspace(TREX.key)
     assert isinstance(controller, TrexController)
     assert isinstance(workspace, TrexWorkspace)
     return TrexParts(controller, controller.device, workspace)
@@ -41,7 +41,10 @@ def trex(program: Program) -> TrexParts:
 
 def aracna(program: Program) -> AracnaParts:
     """Return the parts of a program that belong to the Aracna."""
-    controller, workspace = program.controllers[ARACNA.key], program.workspaces[ARACNA.key]
+    controller, workspace = (
+        program.device_manager.controller(ARACNA.key),
+        program.workspace(ARACNA.key),
+    )
     assert isinstance(controller, AracnaController)
     assert isinstance(workspace, AracnaWorkspace)
     return AracnaParts(controller, controller.robot, workspace.library, workspace)

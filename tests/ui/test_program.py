@@ -81,7 +81,7 @@ def test_window_is_first_shown_with_current_page_only(started: Program) -> None:
     tabs = started.window.pages
     titles = [tabs.tabText(index) for index in range(tabs.count())]
     started.complete()
-    assert _pages(started) == {"statusPage", "motorsPage", "parametersPage", "aracnaRobotPage"}
+    assert _pages(started) == {"statusPage", "motorsPage", "parametersPage"}
     assert [tabs.tabText(index) for index in range(tabs.count())] == titles
     assert tabs.currentIndex() == 3
 
@@ -89,11 +89,20 @@ def test_window_is_first_shown_with_current_page_only(started: Program) -> None:
 def test_window_is_complete_before_a_device_connects(started: Program) -> None:
     started.connect_to_demo("aracna")
     assert "aracnaRobotPage" in _pages(started)
-    assert started.window.pages is started.workspaces["aracna"].pages
+    assert started.window.pages is started.workspace("aracna").pages
 
 
-def test_each_menu_entry_has_one_action_once_window_is_complete(started: Program) -> None:
-    started.complete()
+def test_file_of_another_kind_of_device_is_opened_in_a_window_that_never_used_one(
+    started: Program, tmp_path: Path
+) -> None:
+    path = tmp_path / "one.ppr"
+    path.write_text("", encoding="ascii")
+    started.window.open_file(path)
+    assert started.device_manager.current.plugin.key == "aracna"
+
+
+def test_each_menu_entry_has_one_action_with_all_workspaces(started: Program) -> None:
+    assert len(started.workspaces) == 2
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     direct = Qt.FindChildOption.FindDirectChildrenOnly
     actions = started.window.findChildren(QAction, options=direct)

@@ -1,6 +1,7 @@
 """Models and window of every kind of device, built from plugins."""
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QEvent, QTimer
@@ -28,48 +29,43 @@ class Program:
         self.timeouts = timeouts or Timeouts()
         self._notifier = notifier = Notifier()
         self.ports = Ports(plugins)
-        scanner = DeviceScanner(timeouts=self.timeouts)
-        # By the key of the kind of device, in the order of the plugins.
-        self.controllers: dict[str, Controller] = {
-            plugin.key: plugin.controller.load()(
-                plugin, notifier, self.ports, scanner, self.timeouts
-            )
-            for plugin in plugins
-        }
-        self.device_manager = DeviceManager(list(self.controllers.values()), scanner)
+        self._scanner = scanner = DeviceScanner(timeouts=self.timeouts)
+        makers = {plugin.key: partial(self._make_controller, plugin) for plugin in plugins}
+        self.device_manager = manager = DeviceManager(makers, scanner)
         # Before the window is told: it wants the workspace of the device.
-        self.device_manager.changed.connect(self.complete)
-        self.device_manager.current_changed.connect(self.complete)
-        self.window = MainWindow(self.device_manager, self.ports, notifier)
+        manager.changed.connect(self.complete)
+        manager.current_changed.connect(self.complete)
+        self.window = MainWindow(manager, self.ports, notifier, lambda: self.workspaces)
         self._workspaces: dict[str, Workspace] = {}
-        self._add_workspaces(self.plugins[:1])
-        self._is_complete = False
+        self._add_workspace(manager.current)
+
+    def _make_controller(self, plugin: DevicePlugin) -> Controller:
+        make: Callable[..., Controller] = plugin.controller.load()
+        return make(plugin, self._notifier, self.ports, self._scanner, self.timeouts)
+
+    def _add_workspace(self, controller: Controller) -> Workspace:
+        plugin = controller.plugin
+        added: Workspace = plugin.workspace.load()(controller, self.window)
+        self._workspaces[plugin.key] = added
+        self.window.add_workspace(added)
+        return added
 
     def complete(self) -> None:
-        """Build what the window does not show at first: other pages, other kinds of devices.
+        """Build what the window does not show at first of the kind of device in use.
 
         Call it once the window is painted; it is also called as soon as a device is used.
         """
-        if self._is_complete:
-            return
-        self._is_complete = True
-        self._add_workspaces(self.plugins[1:])
-        for workspace in self._workspaces.values():
-            workspace.make_pages()
+        self.workspace(self.device_manager.current.plugin.key).make_pages()
 
-    def _add_workspaces(self, plugins: Sequence[DevicePlugin]) -> None:
-        added = {
-            plugin.key: plugin.workspace.load()(self.controllers[plugin.key], self.window)
-            for plugin in plugins
-        }
-        self._workspaces.update(added)
-        self.window.add_workspaces(list(added.values()))
+    def workspace(self, device: str) -> Workspace:
+        """Return the workspace of a kind of device by its key."""
+        found = self._workspaces.get(device)
+        return found or self._add_workspace(self.device_manager.controller(device))
 
     @property
     def workspaces(self) -> Mapping[str, Workspace]:
-        """The workspace of each kind of device by its key."""
-        self.complete()
-        return self._workspaces
+        """The workspace of each kind of device by its key; most users need one kind only."""
+        return {plugin.key: self.workspace(plugin.key) for plugin in self.plugins}
 
     def connect_to_demo(self, device: str) -> None:
         self.device_manager.connect_to(self.ports.demo_of(device))
@@ -149,7 +145,7 @@ class Program:
             workspace.prepare_to_close()
             workspace.finish()
         manager = self.device_manager
-        models = (manager, *self.controllers.values(), manager.scanner, self.ports, self._notifier)
+        models = (manager, *manager.controllers, manager.scanner, self.ports, self._notifier)
         for part in (self.window, *models):
             part.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

@@ -69,7 +69,7 @@ class Tour(QObject):
     def _make_steps(self) -> Iterator[Do]:
         manager = self._program.device_manager
         for plugin in self._program.plugins:
-            controller = self._program.controllers[plugin.key]
+            controller = manager.controller(plugin.key)
             yield manager.press_stop
             yield partial(self._program.connect_to_demo, plugin.key)
             yield lambda: manager.current.link is ConnectionState.CONNECTED

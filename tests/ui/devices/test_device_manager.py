@@ -82,7 +82,11 @@ def devices(qapp: QObject) -> tuple[FakeDevice, FakeDevice]:
 
 @pytest.fixture
 def board(devices: tuple[FakeDevice, FakeDevice]) -> DeviceManager:
-    return DeviceManager(cast("list[Controller]", list(devices)), DeviceScanner())
+    first, second = cast("list[Controller]", list(devices))
+    manager = DeviceManager({"first": lambda: first, "second": lambda: second}, DeviceScanner())
+    assert list(manager.controllers) == [first], "the others are made when they are needed"
+    assert manager.controller("second") is second
+    return manager
 
 
 def test_first_device_is_current_by_default(

@@ -40,7 +40,7 @@ def ports(qtbot: QtBot, listed: list[ListPortInfo]) -> Iterator[Ports]:
 def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindBoardDialog]:
     device = Device()
     controller = new_controller(device, ports)
-    manager = DeviceManager([controller], scanner_of(controller))
+    manager = DeviceManager({"trex": lambda: controller}, scanner_of(controller))
     dialog = FindDialog(manager, ports)
     qtbot.addWidget(dialog)
     yield FindBoardDialog(dialog, manager.scanner, qtbot)

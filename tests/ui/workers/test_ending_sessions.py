@@ -155,7 +155,7 @@ def test_confirmed_stop_clears_may_move_after_shutdown(
 @pytest.fixture
 def manager(qtbot: QtBot) -> Iterator[DeviceManager]:
     controller = new_controller(Device())
-    manager = DeviceManager([controller], scanner_of(controller))
+    manager = DeviceManager({"trex": lambda: controller}, scanner_of(controller))
     yield manager
     qtbot.waitUntil(manager.shut_down)
 

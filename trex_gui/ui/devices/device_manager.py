@@ -1,6 +1,6 @@
 """Device manager: connects the window to one device at a time."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping
 from functools import partial
 from typing import Any
 
@@ -26,31 +26,47 @@ class DeviceManager(QObject):
 
     def __init__(
         self,
-        controllers: Sequence[Controller],
+        makers: Mapping[str, Callable[[], Controller]],
         scanner: DeviceScanner,
         parent: QObject | None = None,
     ) -> None:
-        """Use the first of the controllers until another device is chosen."""
+        """Use the first kind of device until another one is chosen.
+
+        `makers` makes the controller of each kind, by its key, when it is first needed.
+        """
         super().__init__(parent)
         self.scanner = scanner
-        self._controllers = {controller.plugin.key: controller for controller in controllers}
-        self.current = controllers[0]  # controller of the device that is connected, or was last
+        self._makers = dict(makers)
+        self._controllers: dict[str, Controller] = {}
+        # The controller of the device that is connected, or was last.
+        self.current = self.controller(next(iter(makers)))
         self._next: Callable[[], None] | None = None
-        for controller in controllers:
+
+    def controller(self, device: str) -> Controller:
+        """Return the controller of a kind of device by its key."""
+        if device not in self._controllers:
+            controller = self._makers[device]()
             controller.changed.connect(self._on_changed)
             controller.progressed.connect(self.progressed)
             controller.stop_reported.connect(partial(self._on_stop_reported, controller))
+            self._controllers[device] = controller
+        return self._controllers[device]
+
+    @property
+    def controllers(self) -> Collection[Controller]:
+        """Those that were made."""
+        return self._controllers.values()
 
     @property
     def is_idle(self) -> bool:
         return self.current.link is ConnectionState.DISCONNECTED and not self.current.starting
 
     def connect_to(self, port: Port) -> None:
-        controller = self._controllers[port.device]
+        controller = self.controller(port.device)
         self._switch_to(controller, lambda: controller.connect_to(port))
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
-        controller = self._controllers[port.device]
+        controller = self.controller(port.device)
         self._switch_to(controller, lambda: controller.connect_with(port, settings))
 
     def switch_to(self, device: str, then: Callable[[], object]) -> bool:
@@ -59,7 +75,7 @@ class DeviceManager(QObject):
         A device that is disconnecting is waited for. Return whether `then` was or will be called:
         a connected device is not disconnected for it.
         """
-        controller = self._controllers[device]
+        controller = self.controller(device)
         if controller is self.current:
             then()
             return True

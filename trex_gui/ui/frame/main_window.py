@@ -38,6 +38,7 @@ from trex_gui.ui.frame.workspace import (
     SEPARATOR,
     Entries,
     Entry,
+    FileKind,
     Menu,
     Menus,
     Workspace,
@@ -69,14 +70,16 @@ class MainWindow(QMainWindow):
         device_manager: DeviceManager,
         ports: Ports,
         notifier: Notifier,
-        parent: QWidget | None = None,
+        add_all_workspaces: Callable[[], object],
     ) -> None:
-        super().__init__(parent)
+        """`add_all_workspaces` adds those of the kinds of devices that were not used yet."""
+        super().__init__()
         self.setObjectName("mainWindow")
         self.setWindowTitle(self.tr("TReX Studio"))
         self.setWindowIcon(application_icon())
         self._manager = device_manager
         self._notifier = notifier
+        self._add_all_workspaces = add_all_workspaces
         self._store = Preferences()
         frame = QWidget(self)
         self._connection = ConnectionBar(device_manager, ports, frame)
@@ -95,23 +98,22 @@ class MainWindow(QMainWindow):
         drop = FileDrop(self)
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 
-    def add_workspaces(self, workspaces: Sequence[Workspace]) -> None:
-        """Add workspaces, one for each kind of device, and fill the menus with those of all.
+    def add_workspace(self, workspace: Workspace) -> None:
+        """Add the workspace of a kind of device, and fill the menus with those of all.
 
-        The first are those of the window as it is first shown.
+        The first is that of the window as it is first shown.
         """
         is_first = not self._workspaces
-        self._workspaces += tuple(workspaces)
-        for workspace in workspaces:
-            self._stack.addWidget(workspace)
-            for dock in workspace.docks:
-                self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
-            workspace.actions_changed.connect(self._on_actions_changed)
+        self._workspaces += (workspace,)
+        self._stack.addWidget(workspace)
+        for dock in workspace.docks:
+            self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        workspace.actions_changed.connect(self._on_actions_changed)
         self._fill_menus()
         if is_first:
             self._connect()
             restore_geometry(self, "window", 1100, 760)
-        self._restore(workspaces)
+        self._restore(workspace)
         self._on_device_changed()
         self._on_theme_changed()
 
@@ -215,7 +217,9 @@ class MainWindow(QMainWindow):
 
     def open_file(self, path: Path) -> None:
         """Open a file in the workspace that it belongs to, unless another device is connected."""
-        kinds = [(space.key, kind) for space in self._workspaces for kind in space.file_kinds]
+        if not any(path.suffix.lower() in kind.suffixes for _, kind in self._file_kinds()):
+            self._add_all_workspaces()
+        kinds = self._file_kinds()
         for key, kind in kinds:
             if path.suffix.lower() in kind.suffixes:
                 if not self._manager.switch_to(key, partial(kind.open, path)):
@@ -229,6 +233,9 @@ class MainWindow(QMainWindow):
         names = "; ".join(f"{kind.name} ({', '.join(sorted(kind.suffixes))})" for _, kind in kinds)
         text = self.tr("{0} was not opened: its type is not supported. Supported: {1}.")
         self._notifier.error.emit(text.format(path.name, names))
+
+    def _file_kinds(self) -> list[tuple[str, FileKind]]:
+        return [(space.key, kind) for space in self._workspaces for kind in space.file_kinds]
 
     # --- State --------------------------------------------------------------------------
 
@@ -311,11 +318,10 @@ class MainWindow(QMainWindow):
             ).format(__version__),
         )
 
-    def _restore(self, added: Sequence[Workspace]) -> None:
+    def _restore(self, added: Workspace) -> None:
         self.restoreState(self._store.data("window/state"))
-        for workspace in added:
-            page = self._store.integer(f"{workspace.key}/page", 0, 0, workspace.pages.count() - 1)
-            workspace.pages.setCurrentIndex(page)
+        page = self._store.integer(f"{added.key}/page", 0, 0, added.pages.count() - 1)
+        added.pages.setCurrentIndex(page)
         for workspace in self._workspaces:
             workspace.take_actions(self._actions)
         wanted = self._store.text("window/scheme", "system")
