@@ -101,9 +101,11 @@ def test_review_reports_stored_and_failed_settings(
     review.close()
 
     edit(window, serial_timeout=16)
+    device.calibrations.edit(CalibrationKey.RC_CHANNEL_3, CALIBRATION)
     review.open()
     review.click("writeButton")
-    review.root.close()
+    review.wait(lambda: device.applying and not device.is_saving_snapshot)
+    review.close()
     assert "written and verified" not in window.text("bannerText")
     window.wait_for_text("bannerText", "written and verified")
 

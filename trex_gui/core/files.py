@@ -13,6 +13,7 @@ import time
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cache
 from pathlib import Path
 from typing import BinaryIO
 
@@ -130,8 +131,9 @@ def _draft_of(target: Path) -> Path:
     return target.with_name(f".{target.name[:100]}.{os.urandom(4).hex()}.trexdraft")
 
 
-def _remove_abandoned(folder: Path) -> None:
-    """Remove drafts that killed programs left in a folder, where that is possible."""
+@cache
+def remove_abandoned(folder: Path) -> None:
+    """Remove drafts that killed programs left in a folder; once, since it may hold many files."""
     oldest = time.time() - _ABANDONED_S
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
@@ -146,8 +148,9 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
     """Open a file that replaces `path` once everything was written and synced to disk.
 
     After an exception the old file is still there and nothing is left of the new one. A program
-    that is killed leaves the old file or the new one, and a hidden draft that is removed by a later
-    write in this folder. Links and permissions are kept. The caller may close the file.
+    that is killed leaves the old file or the new one, and a hidden draft that is removed by the
+    first write of a later run in this folder. Links and permissions are kept. The caller may close
+    the file.
 
     Raises:
         NotOrdinaryFileError: `path` is a folder, a pipe or a device.
@@ -157,7 +160,7 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
     if overwrite:
         with contextlib.suppress(FileNotFoundError):
             check_ordinary(target)
-    _remove_abandoned(target.parent)
+    remove_abandoned(target.parent)
     draft = _draft_of(target)
     try:
         with draft.open("xb") as file:

@@ -92,36 +92,37 @@ def test_active_input_source_is_unknown_outside_serial_mode() -> None:
 # --- A pending reset --------------------------------------------------------------------
 
 
-def written(*results: WriteResult) -> SettingsDraft:
+def written(qtbot: QtBot, *results: WriteResult) -> SettingsDraft:
     """Return the draft of a board after these results of a write."""
     draft = SettingsDraft()
     draft.take_state(STATE, None, power_cycled=True)
     outcome = Outcome(1, Written(results, STATE, ConnectionSettings("virtual")))
     apply = Apply(draft, SettingsHistory(), lambda make, then: then(outcome))
-    apply.write(STATE, None, "test", (("motor_mode", 1),))
+    with qtbot.waitSignal(apply.finished):
+        apply.write(STATE, None, "test", (("motor_mode", 1),))
     return draft
 
 
 def test_reset_is_pending_once_the_board_accepts_it(qtbot: QtBot) -> None:
-    assert written(WriteResult("factory_reset", 1)).reset_pending
-    assert not written(WriteResult("factory_reset", error=NoReply("x"))).reset_pending
-    assert not written(WriteResult("motor_mode", 1)).reset_pending
+    assert written(qtbot, WriteResult("factory_reset", 1)).reset_pending
+    assert not written(qtbot, WriteResult("factory_reset", error=NoReply("x"))).reset_pending
+    assert not written(qtbot, WriteResult("motor_mode", 1)).reset_pending
 
 
 def test_reset_stays_pending_while_values_are_unchanged(qtbot: QtBot) -> None:
-    draft = written(WriteResult("factory_reset", 1))
+    draft = written(qtbot, WriteResult("factory_reset", 1))
     draft.take_state(STATE, None, power_cycled=False)
     assert draft.reset_pending
 
 
 def test_power_cycle_completes_the_reset(qtbot: QtBot) -> None:
-    draft = written(WriteResult("factory_reset", 1))
+    draft = written(qtbot, WriteResult("factory_reset", 1))
     draft.take_state(STATE, None, power_cycled=True)
     assert not draft.reset_pending
 
 
 def test_changed_values_complete_the_reset(qtbot: QtBot) -> None:
-    draft = written(WriteResult("factory_reset", 1))
+    draft = written(qtbot, WriteResult("factory_reset", 1))
     changed = replace(STATE, parameters={**STATE.parameters, "motor_mode": 1})
     draft.take_state(changed, None, power_cycled=False)
     assert not draft.reset_pending

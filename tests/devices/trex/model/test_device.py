@@ -202,9 +202,9 @@ def test_apply_without_a_snapshot_writes_nothing(
     connected.device.history.folder = tmp_path / "taken"
     connected.edit("serial_timeout", 15)
     connected.device.apply()
+    connected.until(lambda: not connected.device.applying)
     assert "Nothing was written" in connected.failures[-1]
     assert connected.device.draft.pending == 1
-    assert not connected.device.applying
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
 
 

@@ -54,7 +54,8 @@ class Device(QObject):
         state: what was read from the board; `None` while none is connected.
     """
 
-    link_changed = Signal()  # `link`, `status`, `settings`, `may_move` or `applying`
+    # `link`, `status`, `settings`, `may_move`, `applying` or `is_saving_snapshot`
+    link_changed = Signal()
     state_changed = Signal()  # `state` was read again, or forgotten
     request_failed = Signal(str)  # why a request or a connection failed; the notifier has it, too
     applied = Signal(object)  # the `WriteResult` of everything that Apply tried
@@ -83,6 +84,7 @@ class Device(QObject):
         self.connection.device_read.connect(self._on_read)
         self.connection.ready.connect(self._on_ready)
         self.connection.not_responding.connect(self.telemetry.forget)
+        self.connection.not_responding.connect(self._on_not_responding)
         self.connection.line_closed.connect(self._on_closed)
         # In this order: a stop of the board's precedes the samples that show it.
         self.connection.sampled.connect(self._note_statuses)
@@ -93,7 +95,7 @@ class Device(QObject):
         self.driving.confirmed.connect(self.link_changed)
         self.edit_backup.failed.connect(self.notifier.error)
         self._apply.written.connect(self._on_written)
-        self._apply.started.connect(self.link_changed)
+        self._apply.changed.connect(self.link_changed)
         self._apply.finished.connect(self._on_applied)
         self._apply.failed.connect(self.link_changed)
         self._apply.failed.connect(self._on_request_failed)
@@ -133,6 +135,11 @@ class Device(QObject):
     @property
     def applying(self) -> bool:
         return self._apply.running
+
+    @property
+    def is_saving_snapshot(self) -> bool:
+        """Whether Apply has sent nothing yet, so that it can be cancelled."""
+        return self._apply.is_saving_snapshot
 
     def name_of(self, key: str) -> str:
         if key in CALIBRATION_KEYS:
@@ -221,8 +228,18 @@ class Device(QObject):
         self._expect_after(defaults.parameters)
         spec = self.state.specs[ParameterKey.FACTORY_RESET]
         reason = self.tr("Reset to factory defaults")
-        if self._apply.write(self.state, self.settings, reason, ((spec.key, spec.maximum),)):
-            self.draft.discard_edits()
+        self._apply.write(
+            self.state,
+            self.settings,
+            reason,
+            ((spec.key, spec.maximum),),
+            sent=self.draft.discard_edits,
+        )
+
+    def cancel_apply(self) -> None:
+        """Write nothing, if nothing was sent yet; the edits stay pending."""
+        if self._apply.cancel():
+            self.link_changed.emit()
 
     def note_power_cycled(self) -> None:
         if self.state is not None:
@@ -280,6 +297,9 @@ class Device(QObject):
     @Slot(object)
     def _on_read(self, report: Connected) -> None:
         state, occasion = report.state, report.occasion
+        if state != self.state:
+            reason = self.tr("Nothing was written: other settings were read from the board.")
+            self._give_up_apply(reason)
         self.state = state
         pending, before = self.draft.pending, self.draft.stored
         is_same_kind = self.parameters.model_key == state.signature.model.key
@@ -306,6 +326,15 @@ class Device(QObject):
         self.edit_backup.take_board(
             ask=occasion is ReadReason.OPENED, is_simulated=bool(report.settings.name)
         )
+
+    @Slot()
+    def _on_not_responding(self) -> None:
+        self._give_up_apply(self.tr("Nothing was written: the board does not respond."))
+
+    def _give_up_apply(self, reason: str) -> None:
+        """Write nothing, if the snapshot is still being saved."""
+        if self._apply.cancel():
+            self._apply.failed.emit(reason)
 
     @Slot(object)
     def _on_written(self, written: Written) -> None:
@@ -343,6 +372,6 @@ class Device(QObject):
     @Slot(object)
     def _on_closed(self, _last: Closed | None) -> None:
         self.state = None
-        self._apply.running = False
+        self._apply.end()
         self.telemetry.forget()
         self.state_changed.emit()

@@ -1,11 +1,12 @@
 """Write edits to the board: save a snapshot, then write and verify every value."""
 
 from collections.abc import Callable, Collection
+from functools import partial
 from typing import cast
 
 from PySide6.QtCore import QObject, Signal
 
-from trex_gui.core.files import SettingsError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
@@ -14,7 +15,8 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import Write, Written
 from trex_gui.devices.trex.settings.document import settings_of
-from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
+from trex_gui.ui.files import start_in_background
 from trex_gui.ui.translations import error_sentence
 
 SendRequest = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None]
@@ -24,10 +26,11 @@ SendRequest = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None
 class Apply(QObject):
     """Writes edits, one Apply at a time; failed writes stay edits.
 
-    Every write begins with a snapshot of the stored settings; without one nothing is written.
+    Every write begins with a snapshot of the stored settings, which is saved in the background;
+    without one nothing is written.
     """
 
-    started = Signal()  # writing has begun
+    changed = Signal()  # `running` has become true, or `is_saving_snapshot` false
     written = Signal(object)  # the `Written`, before `finished`; its receiver updates the draft
     finished = Signal(object)  # the `WriteResult` of every value that was tried
     failed = Signal(str)  # why nothing, or nothing more, was written, for the user
@@ -40,10 +43,16 @@ class Apply(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self.running = False  # cleared from outside when the line closes: no outcome will come
+        self.running = False
         self._draft = draft
         self._history = history
         self._request = request
+        self._cancel_snapshot: Callable[[], None] | None = None
+
+    @property
+    def is_saving_snapshot(self) -> bool:
+        """Whether it can still be cancelled: nothing was sent to the board yet."""
+        return self._cancel_snapshot is not None
 
     def start(
         self,
@@ -69,25 +78,53 @@ class Apply(QObject):
         reason: str,
         parameters: tuple[tuple[str, int], ...],
         calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
-    ) -> bool:
-        """Write these values, other edits stay pending; return whether the request was sent.
+        *,
+        sent: Callable[[], object] = lambda: None,
+    ) -> None:
+        """Write these values, other edits stay pending; `sent` is called with the request.
 
         A factory reset cannot be read back, so its reply is the only confirmation.
         """
         if self.running:
-            return False
-        adapter = "" if link is None else link.name or link.url
-        try:
-            self._history.take(settings_of(state), adapter=adapter, reason=reason)
-        except SettingsError as error:
-            text = self.tr("Nothing was written, since no snapshot could be saved first. {0}")
-            self.failed.emit(text.format(error_sentence(error)))
-            return False
+            return
         self.running = True
-        self._request(lambda number: Write(number, parameters, calibrations), self._on_written)
+        adapter = "" if link is None else link.name or link.url
+        stored = settings_of(state)
+        self._cancel_snapshot = start_in_background(
+            self,
+            lambda _progress: self._history.take(stored, adapter=adapter, reason=reason),
+            partial(self._on_saved, lambda number: Write(number, parameters, calibrations), sent),
+            self._on_not_saved,
+        )
+        self.changed.emit()
+
+    def cancel(self) -> bool:
+        """Write nothing, if nothing was sent yet; return whether that is so."""
+        if self._cancel_snapshot is None:
+            return False
+        self.end()
+        return True
+
+    def end(self) -> None:
+        """Expect nothing more: the line was closed."""
+        self.running = False
+        if self._cancel_snapshot is not None:
+            self._cancel_snapshot()
+            self._cancel_snapshot = None
+
+    def _on_saved(
+        self, make: Callable[[int], Write], sent: Callable[[], object], _snapshot: Snapshot
+    ) -> None:
+        self._cancel_snapshot = None
+        self._request(make, self._on_written)
         if self.running:
-            self.started.emit()
-        return self.running
+            sent()
+            self.changed.emit()
+
+    def _on_not_saved(self, error: StudioError) -> None:
+        self.end()
+        text = self.tr("Nothing was written, since no snapshot could be saved first. {0}")
+        self.failed.emit(text.format(error_sentence(error)))
 
     def _on_written(self, outcome: Outcome) -> None:
         self.running = False

@@ -98,6 +98,11 @@ class ReviewDialog(QDialog):
         """Whether the board accepts settings now and will keep them."""
         return self._device.is_writable and not self._device.draft.reset_pending
 
+    @property
+    def _is_cancellable(self) -> bool:
+        """Whether it was told to write, and nothing is written yet."""
+        return self._phase is _Phase.WRITING and self._device.is_saving_snapshot
+
     # --- User actions -------------------------------------------------------------------
 
     @Slot()
@@ -115,7 +120,10 @@ class ReviewDialog(QDialog):
 
     @Slot()
     def _on_finished(self) -> None:
-        if self._phase is _Phase.DONE:  # writing continues while the dialog is hidden
+        if self._is_cancellable:
+            self._phase = _Phase.REVIEW
+            self._device.cancel_apply()
+        elif self._phase is _Phase.DONE:  # writing continues while the dialog is hidden
             self._cycle.end()
 
     # --- Reports of the device ----------------------------------------------------------
@@ -195,13 +203,14 @@ class ReviewDialog(QDialog):
     def _describe(self) -> None:
         count = len(self._rows.table.ticked)
         reviewing, done = self._phase is _Phase.REVIEW, self._phase is _Phase.DONE
+        cancellable = reviewing or self._is_cancellable
         self._progress.setVisible(self._phase is _Phase.WRITING)
         self._power.setVisible(done and self._cycle.stage is not PowerCycleStage.NONE)
         self._write.setVisible(reviewing)
         self._write.setEnabled(reviewing and self._can_write and count > 0)
         self._write.setText(self.tr("Write %n setting(s)", "", count))
         self._write.setDefault(reviewing)
-        self._close.setText(self.tr("Cancel") if reviewing else self.tr("Close"))
+        self._close.setText(self.tr("Cancel") if cancellable else self.tr("Close"))
         self._close.setDefault(not reviewing)
         text, alarming = self._head_text()
         self._head.show_note(text, alarming=alarming)
@@ -213,6 +222,10 @@ class ReviewDialog(QDialog):
         count = len(self._rows.table.comparison.rows)
         state = self._device.state
         match self._phase:
+            case _Phase.WRITING if self._is_cancellable:
+                return self.tr("Saving the board's present settings before anything is written."), (
+                    False
+                )
             case _Phase.WRITING:
                 return self.tr("Writing. Each value is read back; leave the power on."), False
             case _Phase.DONE if self._problem:

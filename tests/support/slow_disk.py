@@ -1,0 +1,41 @@
+"""A disk that takes seconds for each file, in virtual time."""
+
+import os
+from pathlib import Path
+
+import greenlet
+import pytest
+
+from trex_gui.core import files
+from trex_gui.ui.runtime import runtime
+
+SECONDS = 3.0
+
+
+class SlowDisk:
+    """Looking at a file and saving it takes `SECONDS` each from now on.
+
+    Attributes:
+        stalls: what the thread of the window did itself.
+    """
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.stalls: list[str] = []
+        self._window = greenlet.getcurrent()
+        check, sync = files.check_ordinary, os.fsync
+
+        def slow_check(path: Path) -> None:
+            self._take_time(f"looks at {path.name}")
+            check(path)
+
+        def slow_sync(handle: int) -> None:
+            self._take_time("saves")
+            sync(handle)
+
+        monkeypatch.setattr(files, "check_ordinary", slow_check)
+        monkeypatch.setattr(os, "fsync", slow_sync)
+
+    def _take_time(self, what: str) -> None:
+        if greenlet.getcurrent() is self._window:
+            self.stalls.append(what)
+        runtime().sleep(SECONDS)
