@@ -8,9 +8,10 @@ from tests.devices.trex.session.helpers import among, commands, outcomes, run_fo
 from tests.support.guardian import VirtualGuardian
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session import Closed
-from trex_gui.devices.trex.driving.requests import Arm, SetMotor, Stop
+from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import STOP, DriveMotor, GetStatus
 from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.session.messages import (
     Connected,
@@ -99,6 +100,27 @@ def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
     assert isinstance(closed.error, PortUnavailable)
     assert len(requested) == 1
     assert closed.may_move != confirms
+
+
+def test_take_over_is_not_taken_for_a_line_that_corrupts_bytes() -> None:
+    stage, settings = staged()
+    read = stage.transport.read
+
+    def hang_while_reading() -> None:
+        def be_held_up(_size: int, seconds: float) -> bytes:
+            stage.transport.read = read  # type: ignore[method-assign]
+            stage.transport.guardian.has_acted = True
+            stage.line.read(16, seconds)  # by the guardian
+            return b""
+
+        stage.transport.read = be_held_up  # type: ignore[method-assign]
+
+    stage.script.at(0.5, SETPOINT).at(1.0, hang_while_reading).at(1.5, Stop(1))
+    stopped = seen_at(stage, 1.8, lambda: set(outcomes(stage.reports)))
+    reports = run_for(stage, 3.0, settings)
+    assert among(reports, MotorsStopped)[0].reason is ErrorCode.PROGRAM_NOT_RESPONDING
+    assert outcomes(reports)[1].error is None
+    assert stopped == [{1}]
 
 
 def test_guardian_stops_nothing_if_no_motor_was_driven(monkeypatch: pytest.MonkeyPatch) -> None:

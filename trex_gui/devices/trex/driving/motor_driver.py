@@ -125,6 +125,12 @@ class MotorDriver:
         """Stop unprompted, at once and for good; return whether the board has confirmed it."""
         return self._stop(_ATTEMPTS, final=True, careful=careful)
 
+    def stop_after_take_over(self) -> None:
+        """Stop on a line that the guardian has used until now, see `LineQuality.is_shared`."""
+        self._is_quiet()
+        self.output.quality.is_shared = False
+        self.stop_and_confirm()
+
     def serve_stops(self) -> None:
         """Serve every requested stop; if the line is gone they are queued for `stop_on_close`."""
         with self._taken_stops() as stops:

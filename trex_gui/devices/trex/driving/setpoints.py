@@ -169,11 +169,13 @@ class LineQuality:
     Attributes:
         answers: whole replies since the line was opened.
         damages: how often damage was noticed.
+        is_shared: whether another process uses the line too: what fails meanwhile is no damage.
     """
 
     def __init__(self) -> None:
         self.answers = 0
         self.damages = 0
+        self.is_shared = False
         self._has_crc = False
         self._is_observed = False
         self._failures = 0
@@ -205,6 +207,8 @@ class LineQuality:
         return self.answers - self._damaged_at >= QUIET
 
     def _note_damage(self) -> None:
+        if self.is_shared:
+            return
         self.damages += 1
         self._damaged_at = self.answers
 

@@ -113,7 +113,6 @@ class TrexSession:
         self._stale_reads = 0
         self._stale_read_at = -math.inf
         self._is_guarded = False
-        self._was_held_up = False
         self._port_rates: frozenset[int] | None = None
         self._signature: Signature | None = None  # of the board that was read last
         self._stopped_another = False  # at the end another board than the one driven answered
@@ -175,7 +174,7 @@ class TrexSession:
 
     def _on_taken_over(self, confirmed: bool) -> None:
         """Drop the setpoints; the motors are stopped again before the line is used for more."""
-        self._was_held_up = True
+        self._motors.quality.is_shared = True
         self._motors.handle(OutputEvent.LOCK_OUT, self._now())
         self._emit(MotorsStopped(ErrorCode.PROGRAM_NOT_RESPONDING, confirmed))
 
@@ -284,9 +283,8 @@ class TrexSession:
     def _serve_motors(self) -> bool:
         """Stop or drive if that is due; return whether the line was used."""
         try:
-            if self._was_held_up:
-                self._was_held_up = False
-                self._driver.stop_and_confirm()
+            if self._motors.quality.is_shared:
+                self._driver.stop_after_take_over()
                 return True
             return self._driver.serve()
         except (NoReply, BadReply) as error:
