@@ -107,10 +107,10 @@ def test_take_over_is_not_taken_for_a_line_that_corrupts_bytes() -> None:
     read = stage.transport.read
 
     def hang_while_reading() -> None:
-        def be_held_up(_size: int, seconds: float) -> bytes:
+        def be_held_up(size: int, seconds: float) -> bytes:
             stage.transport.read = read  # type: ignore[method-assign]
             stage.transport.guardian.has_acted = True
-            stage.line.read(16, seconds)  # by the guardian
+            stage.line.read(size, seconds)  # by the guardian
             return b""
 
         stage.transport.read = be_held_up  # type: ignore[method-assign]
