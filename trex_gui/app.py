@@ -71,6 +71,7 @@ def complete(program: "Program", collector: "GuiThreadCollector") -> None:
     """
     program.complete()
     collector.exempt_present()
+    program.report_last_stop()
 
 
 def main(argv: list[str] | None = None) -> int:

@@ -79,6 +79,7 @@ class DrivingProcess:
         **environment: str,
     ) -> None:
         self.simulator = simulator
+        self.guardian_log = folder / "guardian.log"
         program = [sys.executable, "-m", "tests.support.driven_window"]
         self.process = subprocess.Popen(
             [*program, simulator.url, extra_time, baud],
@@ -393,7 +394,9 @@ def test_guardian_stops_motors_while_the_process_is_suspended(
 def assert_guardian_confirms(window: DrivingProcess, why: str) -> None:
     """The guardian, which holds the other end of the pipe, has ended and said what it did."""
     _, errors = window.process.communicate(timeout=LONG_TIMEOUT)
-    assert f"{why} while motors could move. The stop was sent and is confirmed." in errors
+    said = f"{why} while motors could move. The stop was sent and is confirmed."
+    assert said in errors
+    assert said in window.guardian_log.read_text(encoding="utf-8")
 
 
 # --- From the desktop -------------------------------------------------------------------

@@ -85,7 +85,7 @@ def _run_guardian(
 )
 @click.version_option(__version__, prog_name="trexcmd")
 @click.option(
-    "--guardian", nargs=3, hidden=True, is_eager=True, expose_value=False, callback=_run_guardian
+    "--guardian", nargs=4, hidden=True, is_eager=True, expose_value=False, callback=_run_guardian
 )
 def main() -> None:
     """Inspect, set up and drive a Pololu TReX or TReX Jr motor controller.

@@ -17,7 +17,15 @@ from functools import cache
 from pathlib import Path
 from typing import BinaryIO
 
+import platformdirs
+
 from trex_gui.core.errors import StudioError
+
+
+def data_folder() -> Path:
+    """Return `$TREX_STUDIO_DATA`, by default the system's folder for data of this program."""
+    given = os.environ.get("TREX_STUDIO_DATA")
+    return Path(given or platformdirs.user_data_dir("TReX Studio", appauthor=False)).absolute()
 
 
 class Severity(StrEnum):

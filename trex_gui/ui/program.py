@@ -15,6 +15,7 @@ from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.files import end_background
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import FileKind, Workspace
+from trex_gui.ui.guardian_report import report_last_stop
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.workers.threads import wait_for_orphans
 
@@ -109,6 +110,10 @@ class Program:
                 QTimer.singleShot(0, then)
 
         manager.changed.connect(run_once)
+
+    def report_last_stop(self) -> None:
+        """Say whether the guardian stopped motors since the last start."""
+        report_last_stop(self._notifier)
 
     def stop_now(self, *, ending: bool = False) -> None:
         self.device_manager.stop_now(ending=ending)

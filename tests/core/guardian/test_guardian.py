@@ -16,6 +16,7 @@ import pytest
 from tests.support.simulator import StartSimulator
 from trex_gui.core.guardian import process
 from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence
+from trex_gui.core.guardian.log import StopResult, last_stop, log_file
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
@@ -101,6 +102,33 @@ def test_motors_are_stopped_when_the_program_ends_while_they_may_move(ends: Ends
     wait_until(lambda: has_ended(guardian))
     assert board.received == STOP.packets + 2 * (STOP.packets + STOP.query)
     assert guardian.end(), "confirmed"
+    assert logged(guardian) is StopResult.CONFIRMED
+
+
+def logged(guardian: GuardianProcess) -> StopResult:
+    """Return what a guardian that has stopped motors says in its log."""
+    wait_until(lambda: has_ended(guardian))
+    _, stop = last_stop(0)
+    assert stop is not None
+    return stop.result
+
+
+def test_line_that_is_gone_ends_the_guardian(ends: Ends) -> None:
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    ends[1].close()
+    assert not guardian.stop(LONG_TIMEOUT)
+    assert logged(guardian) is StopResult.UNCONFIRMED
+
+
+def test_pipe_in_place_of_the_log_does_not_keep_the_guardian(ends: Ends) -> None:
+    Board(ends[1])
+    log_file().parent.mkdir(parents=True, exist_ok=True)
+    os.mkfifo(log_file())
+    guardian = started(ends[0])
+    guardian.watch(STOP)
+    assert guardian.stop(LONG_TIMEOUT)
+    wait_until(lambda: has_ended(guardian))
 
 
 def test_motors_are_stopped_when_the_heartbeat_is_missing(ends: Ends) -> None:
@@ -168,15 +196,7 @@ def test_silent_board_gets_the_stop_repeated_until_the_session_is_back(ends: End
     assert not guardian.stop(0)
     wait_until(lambda: board.received.count(STOP.packets) > 3)
     assert not guardian.end()
-    wait_until(lambda: has_ended(guardian))
-
-
-def test_line_that_is_gone_ends_the_guardian(ends: Ends) -> None:
-    guardian = started(ends[0])
-    guardian.watch(STOP)
-    ends[1].close()
-    assert not guardian.stop(LONG_TIMEOUT)
-    wait_until(lambda: has_ended(guardian))
+    assert logged(guardian) is StopResult.REPEATED
 
 
 def test_echo_is_not_taken_for_the_status(ends: Ends) -> None:

@@ -13,6 +13,8 @@ from typing import Protocol
 if sys.platform != "win32":
     import fcntl
 
+from trex_gui.core.guardian.log import log_file
+
 log = logging.getLogger(__name__)
 
 HEARTBEAT_INTERVAL = 0.1
@@ -182,7 +184,7 @@ def _start(port: SharedPort, silence: float) -> "subprocess.Popen[bytes]":
         command = [sys.executable, "-I", "-S", str(Path(__file__).with_name("process.py"))]
     pipe = subprocess.PIPE
     if sys.platform == "win32":
-        command += [port.kind, str(port.number), str(silence)]
+        command += [port.kind, str(port.number), str(silence), str(log_file())]
         os.set_handle_inheritable(port.number, True)
         startup = subprocess.STARTUPINFO(lpAttributeList={"handle_list": [port.number]})
         flags = subprocess.CREATE_NO_WINDOW | subprocess.CREATE_NEW_PROCESS_GROUP
@@ -194,7 +196,7 @@ def _start(port: SharedPort, silence: float) -> "subprocess.Popen[bytes]":
     try:
         # In a session of its own the signals of a terminal do not reach it.
         return subprocess.Popen(  # noqa: S603 - our own program
-            [*command, port.kind, str(number), str(silence)],
+            [*command, port.kind, str(number), str(silence), str(log_file())],
             bufsize=0,
             stdin=pipe,
             stdout=pipe,

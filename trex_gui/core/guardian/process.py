@@ -12,7 +12,7 @@ It reads one message per line from its standard input:
 
 Bytes are hexadecimal; `StopSequence` in `guardian.py` explains the fields. It replies with `ready`,
 with `read` to each message, and if the motors have to be stopped with `stopping` and at last
-`confirmed` or `unconfirmed`.
+`confirmed` or `unconfirmed`; then it says so in its log file, too.
 """
 
 import os
@@ -200,9 +200,12 @@ class StopMessage:
 class Watchdog:
     """Waits for messages, and stops the motors if none comes for `silence` seconds."""
 
-    def __init__(self, port: PortIO, silence: float, messages: FileIO, replies: FileIO) -> None:
+    def __init__(
+        self, port: PortIO, silence: float, log_file: str, messages: FileIO, replies: FileIO
+    ) -> None:
         self._port = port
         self._silence = silence
+        self._log_file = log_file
         self._replies = replies
         self._is_called_off = False
         self._messages: queue.Queue[str] = queue.Queue()
@@ -230,10 +233,13 @@ class Watchdog:
                 result = "The stop was sent, but the board did not confirm it."
             if self._is_called_off:
                 result = "A stop was sent; the program responds again and repeats it."
+        outcome = "confirmed" if confirmed else "unconfirmed"
         with suppress(OSError):
             self._port.close()  # before the log, which may block
-        self._reply("confirmed" if confirmed else "unconfirmed")
-        _log(f"{reason} while motors could move. {result}")
+        self._reply(outcome)
+        if self._is_called_off:
+            outcome = "repeated"
+        self._log(outcome, f"{reason} while motors could move. {result}")
 
     def _supervise(self) -> tuple[StopMessage, str] | None:
         """Return the stop that is due and why; `None` if the program has ended properly."""
@@ -306,26 +312,34 @@ class Watchdog:
         with suppress(OSError, ValueError):  # the program may be gone
             self._replies.write(f"{word}\n".encode("ascii"))
 
-
-def _log(text: str) -> None:
-    with suppress(OSError, ValueError):
-        if sys.stderr is not None:
-            sys.stderr.write(f"TReX Studio guardian: {text}\n")
-            sys.stderr.flush()
+    def _log(self, outcome: str, text: str) -> None:
+        """Append a line to the log, for `last_stop`, and write it to the console."""
+        line = f"{time.strftime('%Y-%m-%d %H:%M:%S')} {outcome}: {text}\n"
+        with suppress(OSError):
+            os.makedirs(os.path.dirname(self._log_file), exist_ok=True)  # noqa: PTH103, PTH120
+            flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_NONBLOCK", 0)
+            with FileIO(os.open(self._log_file, flags, 0o644), "a") as file:
+                file.write(line.encode())
+        with suppress(OSError, ValueError):
+            if sys.stderr is not None:
+                sys.stderr.write(f"TReX Studio guardian: {text}\n")
+                sys.stderr.flush()
 
 
 def main(arguments: list[str]) -> int:
-    """Run the guardian of a port: its kind, its descriptor or handle, and the seconds of silence.
+    """Run the guardian of a port.
+
+    The arguments are its kind, its descriptor or handle, the seconds of silence, and the log file.
 
     Signals that end the program are ignored: what counts is whether the program still responds.
     """
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
         if (number := getattr(signal, name, None)) is not None:
             signal.signal(number, signal.SIG_IGN)
-    kind, number, silence = arguments
+    kind, number, silence, log_file = arguments
     port = open_port(kind, int(number))
     # Unbuffered: a buffer that a thread reads keeps the interpreter from ending.
-    Watchdog(port, float(silence), FileIO(0), FileIO(1, "w")).run()
+    Watchdog(port, float(silence), log_file, FileIO(0), FileIO(1, "w")).run()
     return 0
 
 

@@ -4,11 +4,10 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
-from trex_gui.core.files import SettingsError, load, save
+from trex_gui.core.files import SettingsError, data_folder, load, save
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import data_folder
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 

@@ -12,9 +12,7 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 
-import platformdirs
-
-from trex_gui.core.files import SettingsError, load, open_ordinary, save, save_new
+from trex_gui.core.files import SettingsError, data_folder, load, open_ordinary, save, save_new
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
@@ -73,12 +71,6 @@ class Bound:
 
     kept: int | None = KEPT
     problem: str = ""
-
-
-def data_folder() -> Path:
-    """Return `$TREX_STUDIO_DATA`, by default the system's folder for data of this program."""
-    given = os.environ.get("TREX_STUDIO_DATA")
-    return Path(given or platformdirs.user_data_dir("TReX Studio", appauthor=False)).absolute()
 
 
 def default_folder() -> Path:

@@ -1,0 +1,35 @@
+"""What the window says of the guardian at its start."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.support.window import WindowDriver
+from trex_gui.core.guardian.log import log_file
+
+
+@pytest.mark.parametrize(
+    ("result", "said"),
+    [
+        ("confirmed", "stopped them at 2026-11-23 12:03:05, and the board confirmed that."),
+        ("unconfirmed", "If a motor still turns, cut its power."),
+    ],
+)
+def test_stop_by_guardian_is_reported_once(window: WindowDriver, result: str, said: str) -> None:
+    log_file().parent.mkdir(parents=True, exist_ok=True)
+    log_file().write_text(f"2026-11-23 12:03:05 {result}: Text.\n", encoding="utf-8")
+    window.program.report_last_stop()
+    window.wait_for_text("bannerText", said)
+    window.program.window.open_file(Path("picture.unknown"))
+    window.wait_for_text("bannerText", "picture.unknown")
+    window.program.report_last_stop()
+    window.wait_for_files()
+    assert "picture.unknown" in window.text("bannerText")
+
+
+def test_stop_that_the_program_repeated_is_not_reported(window: WindowDriver) -> None:
+    log_file().parent.mkdir(parents=True, exist_ok=True)
+    log_file().write_text("2026-11-23 12:03:05 repeated: Text.\n", encoding="utf-8")
+    window.program.report_last_stop()
+    window.wait_for_files()
+    assert not window.has("bannerText")
