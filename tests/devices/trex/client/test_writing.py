@@ -1,5 +1,6 @@
 """Writes count when they were written and verified."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
@@ -10,7 +11,7 @@ from tests.devices.trex.session.helpers import commands, replying, staged
 from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
-from trex_gui.devices.trex.client.reading import read_everything
+from trex_gui.devices.trex.client.reading import ATTEMPTS, DeviceState, read_everything
 from trex_gui.devices.trex.client.writing import (
     WriteResult,
     write_all,
@@ -27,7 +28,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetParameter,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode, Skipped
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
@@ -532,6 +533,71 @@ def test_setting_that_was_hit_and_cannot_be_restored_fails_the_write(stage: Stag
 
     (result,) = write_all(request, SPECS, [(TIMEOUT.key, 1)], before=before)
     assert "another setting may have been changed" in str(result.error)
+
+
+FIRST, SECOND = SPECS["motor1_acceleration"], SPECS["motor2_acceleration"]
+
+
+def write_two_and_hit_another(
+    stage: Stage, before: DeviceState, *, ends: Callable[[], object]
+) -> tuple[WriteResult, ...]:
+    """Let the first write hit another setting at first; call `ends` before the second one."""
+    divert(stage, bytes([0xAF, FIRST.number]), bytes([0xAF, TIMEOUT.number]))
+    client = stage.client()
+    has_ended = False
+
+    def request(command: Command[ReplyT_co]) -> ReplyT_co:
+        nonlocal has_ended
+        if command == SetParameter(SECOND.number, 9) and not has_ended:
+            has_ended = True
+            ends()
+        return client.request(command)
+
+    return write_all(request, SPECS, [(FIRST.key, 3), (SECOND.key, 9)], before=before)
+
+
+def test_setting_that_was_hit_is_restored_when_apply_is_cancelled(stage: Stage) -> None:
+    before = read_everything(stage.client().request)
+    divert(stage, bytes([0xAF, FIRST.number]), bytes([0xAF, TIMEOUT.number]))
+    known: list[WriteResult] = []
+    first, second = write_all(
+        stage.client().request,
+        SPECS,
+        [(FIRST.key, 3), (SECOND.key, 9)],
+        before=before,
+        cancelled=lambda: bool(known),
+        stored=known.append,
+    )
+    assert first == WriteResult(FIRST.key, 3)
+    assert isinstance(second.error, Skipped)
+    assert stage.board.memory.stored() == {**before.parameters, FIRST.key: 3}
+
+
+def test_setting_that_was_hit_is_restored_when_the_board_was_silent(stage: Stage) -> None:
+    before = read_everything(stage.client().request)
+    write, swallowed = stage.transport.write, 0
+
+    def be_silent() -> None:
+        def swallow(data: bytes) -> None:
+            nonlocal swallowed
+            swallowed += 1
+            if swallowed > 2 * ATTEMPTS:
+                stage.transport.write = write  # type: ignore[method-assign]
+                write(data)
+
+        stage.transport.write = swallow  # type: ignore[method-assign]
+
+    first, second = write_two_and_hit_another(stage, before, ends=be_silent)
+    assert first == WriteResult(FIRST.key, 3)
+    assert isinstance(second.error, NoReply)
+    assert stage.board.memory.stored() == {**before.parameters, FIRST.key: 3}
+
+
+def test_setting_that_was_hit_is_reported_when_the_board_is_gone(stage: Stage) -> None:
+    before = read_everything(stage.client().request)
+    first, second = write_two_and_hit_another(stage, before, ends=stage.board.power_off)
+    assert "another setting may have been changed" in str(first.error)
+    assert isinstance(second.error, NoReply)
 
 
 @pytest.mark.parametrize(

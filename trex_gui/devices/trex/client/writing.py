@@ -24,6 +24,7 @@ from trex_gui.devices.trex.protocol.commands import (
     GetCalibration,
     GetMode,
     GetParameter,
+    GetSignature,
     ReplyT_co,
     SetCalibration,
     SetParameter,
@@ -223,7 +224,9 @@ def write_all(
     far as it was read.
 
     Without a CRC one corrupted bit can turn a write into that of another setting. So if one had to
-    be repeated or failed, every other setting is compared with its value `before`, and restored.
+    be repeated or failed, every other setting is compared with its value `before`, and restored,
+    also when the rest was not attempted. If the board is gone or is in another mode, a write that
+    was repeated counts as failed.
     """
     total = len(parameters) + len(calibrations)
     work = _Work(request, specs, total, progress, has_crc, cancelled, stored)
@@ -234,8 +237,7 @@ def write_all(
         if key not in {_LINE, _POLYNOMIAL}:
             work.store(key, wire)
     work.store_serial([item for item in ordered if item[0] in {_LINE, _POLYNOMIAL}])
-    may_have_strayed = work.doubtful is not None and work.fatal_error is None and not has_crc
-    if before is not None and may_have_strayed:
+    if before is not None and work.doubtful and not has_crc:
         work.undo_stray_writes(before)
     progress(total, total, "done")
     return tuple(work.results)
@@ -272,8 +274,9 @@ class _Work:
 
     Attributes:
         fatal_error: why nothing more is attempted.
-        doubtful: index of the last result whose write was repeated or failed.
+        doubtful: indexes of the results whose write was repeated or failed.
         repeated: how often writes were repeated or failed: no more settings can have changed.
+        unknown: keys whose write failed: they have any value.
     """
 
     request: Requester
@@ -285,8 +288,9 @@ class _Work:
     stored: Callable[[WriteResult], None]
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None
-    doubtful: int | None = None
+    doubtful: list[int] = field(default_factory=list)
     repeated: int = 0
+    unknown: set[str] = field(default_factory=set)
     _sent: int = 0
 
     def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
@@ -310,33 +314,57 @@ class _Work:
         If that fails, so has the write that was repeated or has failed. Nothing is restored if more
         differs than corrupted writes can have changed: then another board may be connected.
         """
-        assert self.doubtful is not None  # noqa: S101 - or nothing can have strayed
-        failed = {result.key for result in self.results if result.error is not None}
+        doubtful = self.doubtful
+        error = self.fatal_error
+        if error is None or self._replies(before):
+            error = self._restore_all_but_unknown(before)
+        else:
+            # What has failed is reported, and most often for another reason than a stray write.
+            doubtful = [number for number in doubtful if self.results[number].error is None]
+        if error is not None and doubtful:
+            key = self.results[doubtful[-1]].key
+            stray = TrexBadReplyError(ErrorCode.STRAY_WRITE, self._name(key), error)
+            self.results[doubtful[-1]] = WriteResult(key, error=stray)
+
+    def _replies(self, before: DeviceState) -> bool:
+        """Whether the board, or one like it, replies in the same mode."""
+        try:
+            signature = query(self.request, GetSignature())
+            return (signature, query(self.request, GetMode())) == (before.signature, before.mode)
+        except _FAILURES:
+            return False
+
+    def _restore_all_but_unknown(self, before: DeviceState) -> StudioError | None:
+        """Restore what is stored otherwise than it should be; return why something is not."""
         after = after_writing(before, [one for one in self.results if one.error is None])
         wanted: dict[str, int | Calibration] = {**after.parameters}
         for channel, calibration in after.calibrations.items():
             wanted[CalibrationKey.of(after.source, channel)] = calibration
-        keys = self._differing({key: wanted[key] for key in wanted if key not in failed})
-        error: StudioError | None = None
+        try:
+            keys = self._differing({key: wanted[key] for key in wanted if key not in self.unknown})
+        except _FAILURES as failure:
+            return failure
         if len(keys) > self.repeated or ParameterKey.DEVICE_NUMBER in keys:
-            error = TrexBadReplyError(ErrorCode.TOO_MANY_DIFFER, len(keys))
-            keys = []
+            return TrexBadReplyError(ErrorCode.TOO_MANY_DIFFER, len(keys))
+        error: StudioError | None = None
         for _ in range(ATTEMPTS if keys else 0):
             error, keys = self._restore({key: wanted[key] for key in keys})
             if error is None or _if_fatal(error) is not None:
                 break
-        if error is not None:
-            key = self.results[self.doubtful].key
-            stray = TrexBadReplyError(ErrorCode.STRAY_WRITE, self._name(key), error)
-            self.results[self.doubtful] = WriteResult(key, error=stray)
+        return error
 
     def _differing(self, wanted: Mapping[str, int | Calibration]) -> list[str]:
-        """Return the keys of what is stored otherwise, or cannot be read."""
+        """Return the keys of what is stored otherwise, or cannot be read.
+
+        Raises:
+            NoReply, BadReply, PortUnavailable: the board does not reply any more.
+        """
         keys = []
         for key, value in wanted.items():
             try:
                 differs = self._stored(key) != value
             except _FAILURES:
+                query(self.request, GetMode())
                 differs = True
             if differs:
                 keys.append(key)
@@ -387,6 +415,7 @@ class _Work:
             try:
                 route = self._route(dict(serial))
                 if route is _Route.VIA_DEFAULT:
+                    self.unknown.add(_LINE)
                     self._write(_LINE, self.specs[_LINE].default)
             except _FAILURES as error:
                 self.fatal_error = error
@@ -436,12 +465,13 @@ class _Work:
             except _FAILURES as error:
                 result = WriteResult(key, error=error)
                 self.fatal_error = _if_fatal(error)
+                self.unknown.add(key)
                 if isinstance(error, TrexError) and error.code in _NOT_VERIFIED:
                     self._note_stored(key)
             else:
                 self.stored(result)
             if self._sent > 1 or (self._sent and result.error is not None):
-                self.doubtful = len(self.results)
+                self.doubtful.append(len(self.results))
                 self.repeated += max(1, self._sent - 1)
         self.results.append(result)
 

@@ -100,8 +100,8 @@ class ErrorCode(Enum):
     OTHER_BOARD = QT_TRANSLATE_NOOP("TrexErrors", "Another board answers now: {0}.")
     STRAY_WRITE = QT_TRANSLATE_NOOP(
         "TrexErrors",
-        "{0} was written, but the line corrupts bytes, and another setting may have been changed "
-        "instead at first. Read the board again and compare it with the last snapshot. {1}",
+        "The line corrupted bytes while {0} was written, and another setting may have been changed "
+        "instead. Read the board again and compare it with the last snapshot. {1}",
     )
     TOO_MANY_DIFFER = QT_TRANSLATE_NOOP(
         "TrexErrors",
