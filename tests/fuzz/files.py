@@ -2,6 +2,7 @@
 
 import contextlib
 import math
+import os
 import re
 import sqlite3
 import tempfile
@@ -10,6 +11,7 @@ from functools import cache
 from itertools import chain, cycle, islice
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 from tests.devices.aracna import recordings
 from tests.devices.trex.bench.test_files import SAVED
@@ -18,6 +20,7 @@ from tests.fuzz.fuzzing import Target, mutations
 from tests.support.bad_files import BAD_FILES
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError, Severity, load
+from trex_gui.core.guardian.log import last_stop, log_file
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import Recording
@@ -361,6 +364,14 @@ SQL = tuple(
 
 # ----------------------------------------------------------------------------------------
 
+
+def check_guardian_log(data: bytes, folder: Path) -> None:
+    with patch.dict(os.environ, TREX_STUDIO_DATA=str(folder)):
+        log_file().write_bytes(data)
+        assert last_stop(0)[0] == len(data)
+
+
+GUARDIAN = (b"confirmed", b"repeated", b"lost", b": ", b" ", b"\n", b"\xff", b"\0", b"x" * 70_000)
 POSES = (b"Pose=", b"Seq=", b"Nuke=", b":", b"|", b", ", b"\r", b"\n", b"\xff", b"\x85", b"\0")
 BENCH = (
     b"# ",
@@ -381,7 +392,13 @@ def pose_samples() -> Sequence[bytes]:
     return [resource("aracna/sample.ppr").read_bytes(), b"Aracna:8:1024\nPose=a:1\nSeq=s: a|5\n"]
 
 
+def guardian_samples() -> Sequence[bytes]:
+    lines = b"2026-11-23 12:03:05 confirmed: Text.\n2026-11-24 07:00:00 unconfirmed: Text.\n"
+    return [lines, lines[:-1]]
+
+
 FILE_TARGETS = (
+    Target("guardian_log", mutations(guardian_samples, GUARDIAN), check_guardian_log),
     Target("settings", mutations(settings_samples, YAML), check_settings, examples=20),
     Target("snapshots", mutations(_snapshot_samples, YAML), check_snapshot, examples=20),
     Target("poses", mutations(pose_samples, POSES), check_poses),
