@@ -183,14 +183,28 @@ def _start(port: SharedPort, silence: float) -> "subprocess.Popen[bytes]":
         # -I, -S: nothing of the user's Python set-up is imported.
         command = [sys.executable, "-I", "-S", str(Path(__file__).with_name("process.py"))]
     pipe = subprocess.PIPE
+    # A window without a console may have a standard error that cannot be inherited.
+    errors = subprocess.DEVNULL if sys.stderr is None else None
     if sys.platform == "win32":
         command += [port.kind, str(port.number), str(silence), str(log_file())]
-        os.set_handle_inheritable(port.number, True)
+        if not getattr(sys, "frozen", False):
+            # In a virtual environment `executable` is a launcher, which would stay beside it.
+            command[0] = getattr(sys, "_base_executable", "") or sys.executable
         startup = subprocess.STARTUPINFO(lpAttributeList={"handle_list": [port.number]})
         flags = subprocess.CREATE_NO_WINDOW | subprocess.CREATE_NEW_PROCESS_GROUP
-        return subprocess.Popen(  # noqa: S603 - our own program
-            command, bufsize=0, stdin=pipe, stdout=pipe, startupinfo=startup, creationflags=flags
-        )
+        os.set_handle_inheritable(port.number, True)
+        try:
+            return subprocess.Popen(  # noqa: S603 - our own program
+                command,
+                bufsize=0,
+                stdin=pipe,
+                stdout=pipe,
+                stderr=errors,
+                startupinfo=startup,
+                creationflags=flags,
+            )
+        finally:
+            os.set_handle_inheritable(port.number, False)  # Qt's processes inherit every handle
     # Not one of the first three, which would become a pipe: a program may be started without them.
     number = fcntl.fcntl(port.number, fcntl.F_DUPFD_CLOEXEC, 3)
     try:
@@ -200,6 +214,7 @@ def _start(port: SharedPort, silence: float) -> "subprocess.Popen[bytes]":
             bufsize=0,
             stdin=pipe,
             stdout=pipe,
+            stderr=errors,
             pass_fds=[number],
             start_new_session=True,
         )

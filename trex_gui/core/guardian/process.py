@@ -50,6 +50,11 @@ class PortIO(Protocol):
     def receive(self, seconds: float) -> bytes:
         """Return what has come; wait for the first byte."""
 
+    def remember_settings(self) -> None: ...
+
+    def restore_settings(self) -> None:
+        """Undo what a search for a silent board may have changed since they were remembered."""
+
     def close(self) -> None: ...
 
 
@@ -64,7 +69,6 @@ class FilePort:
         self._settings = self._read_settings()
 
     def restore_settings(self) -> None:
-        """Undo what a search for a silent board may have changed."""
         if self._settings is not None and self._settings != self._read_settings():
             with suppress(termios.error):
                 termios.tcsetattr(self._descriptor, termios.TCSANOW, self._settings)
@@ -110,6 +114,12 @@ class SocketPort:
             raise OSError("the line is gone")
         return data
 
+    def remember_settings(self) -> None:
+        """Do nothing: they are those of the other end."""
+
+    def restore_settings(self) -> None:
+        """Do nothing: they are those of the other end."""
+
     def close(self) -> None:
         self._socket.close()
 
@@ -152,25 +162,59 @@ class TelnetPort(SocketPort):
 
 if sys.platform == "win32":
     import _winapi
+    import ctypes
 
     class WindowsPort:
-        """A serial port of Windows, opened for overlapped I/O; its reads end by themselves."""
+        """A serial port of Windows, opened for overlapped I/O.
+
+        Its time-outs cannot be relied on: pyserial restores those of the system, which are none,
+        when the program closes the port. What takes too long is cancelled.
+        """
+
+        _STATE_SIZE = 28  # bytes of a DCB, whose first word is its size
 
         def __init__(self, handle: int) -> None:
             self._handle = handle
+            self.remember_settings()
+
+        def remember_settings(self) -> None:
+            self._settings = self._read_settings()
+
+        def restore_settings(self) -> None:
+            if self._settings is not None and self._settings != self._read_settings():
+                handle = ctypes.c_void_p(self._handle)
+                ctypes.windll.kernel32.SetCommState(handle, self._settings)
+
+        def _read_settings(self) -> bytes | None:
+            size = self._STATE_SIZE.to_bytes(4, "little")
+            state = ctypes.create_string_buffer(size, self._STATE_SIZE)
+            handle = ctypes.c_void_p(self._handle)
+            return state.raw if ctypes.windll.kernel32.GetCommState(handle, state) else None
 
         def write(self, data: bytes) -> None:
-            overlapped, _ = _winapi.WriteFile(self._handle, data, overlapped=True)
-            overlapped.GetOverlappedResult(True)
+            end = time.monotonic() + _GIVE_UP_S
+            while data:
+                overlapped, _ = _winapi.WriteFile(self._handle, data, overlapped=True)
+                data = data[self._finish(overlapped, end - time.monotonic()) :]
+                if data and time.monotonic() >= end:
+                    raise TimeoutError("the port accepts nothing")
 
         def receive(self, seconds: float) -> bytes:
             end = time.monotonic() + seconds
             while True:
                 overlapped, _ = _winapi.ReadFile(self._handle, 1, overlapped=True)
-                overlapped.GetOverlappedResult(True)
-                data = bytes(overlapped.getbuffer() or b"")
-                if data or time.monotonic() >= end:
-                    return data
+                count = self._finish(overlapped, end - time.monotonic())
+                if count or time.monotonic() >= end:
+                    return bytes(overlapped.getbuffer() or b"")
+                time.sleep(0.001)  # the time-outs may let a read end at once
+
+        @staticmethod
+        def _finish(overlapped: "_winapi.Overlapped", seconds: float) -> int:
+            """Wait for the end, or cancel it; return how many bytes were transferred."""
+            _winapi.WaitForSingleObject(overlapped.event, max(0, int(seconds * 1000)))
+            overlapped.cancel()  # does nothing once it has ended
+            count, _ = overlapped.GetOverlappedResult(True)
+            return count
 
         def close(self) -> None:
             _winapi.CloseHandle(self._handle)
@@ -252,7 +296,7 @@ class Watchdog:
                 case None if stop is not None:
                     return stop, "The program did not respond"
                 case ["watch", *fields]:
-                    if stop is None and isinstance(self._port, FilePort):
+                    if stop is None:
                         self._port.remember_settings()
                     stop = StopMessage(fields)
                 case ["idle"]:
@@ -277,8 +321,7 @@ class Watchdog:
 
     def _stop(self, stop: StopMessage) -> bool:
         """Repeat the stop until the board confirms it; return whether it did."""
-        if isinstance(self._port, FilePort):
-            self._port.restore_settings()
+        self._port.restore_settings()
         self._port.write(stop.packets)
         end = time.monotonic() + _GIVE_UP_S
         self._read_until_quiet(stop.seconds)  # a reply to the program: the board was deaf

@@ -336,7 +336,10 @@ def why_not_open(url: str, line: SerialFormat, error: Exception) -> str:
         present = ", ".join(port.device for port in list_ports.comports())
         return f"There is no port {url}. Ports of this computer: {present or 'none'}."
     if number in {errno.EACCES, errno.EPERM} and sys.platform == "win32":
-        return f"{url} is in use by another program, or locked by its driver."
+        return (
+            f"{url} is in use by another program, or locked by its driver; for up to 5 seconds "
+            "after a crash also by the guardian process that stops the motors."
+        )
     if number in {errno.EACCES, errno.EPERM}:
         return f"Permission denied for {url}. {_permission_cure(url)}"
     if number in _BUSY and is_left_to_guardian(url):

@@ -1,0 +1,150 @@
+"""The port of the guardian on Windows, with a double of what Windows does."""
+
+# ruff: noqa: N802 - the names are those of Windows
+
+import ctypes
+import importlib.util
+import sys
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import pytest
+
+from trex_gui.core.guardian import process
+
+HANDLE = 0x1234
+SHORT = 0.005  # seconds
+
+
+class Operation:
+    """One read or write, which goes on until it has transferred all, or is cancelled."""
+
+    def __init__(self, data: bytes, *, is_pending: bool) -> None:
+        self.event = self
+        self.is_pending = is_pending
+        self._data = data
+
+    def cancel(self) -> None:
+        self.is_pending = False
+
+    def GetOverlappedResult(self, wait: bool) -> tuple[int, int]:
+        assert wait
+        assert not self.is_pending, "it would wait for ever"
+        return len(self._data), 0
+
+    def getbuffer(self) -> bytes:
+        return self._data
+
+
+class Windows:
+    """A port without time-outs.
+
+    Attributes:
+        received: what the port has received.
+        sent: what was written to it.
+        room: bytes that one write takes; a write of more goes on.
+        state: the settings of the line, a DCB.
+    """
+
+    def __init__(self) -> None:
+        self.received = b""
+        self.sent = b""
+        self.room = 100
+        self.state = bytes(range(28))
+        self.is_closed = False
+
+    def module(self) -> ModuleType:
+        module = ModuleType("_winapi")
+        for function in (self.ReadFile, self.WriteFile, self.WaitForSingleObject, self.CloseHandle):
+            setattr(module, function.__name__, function)
+        return module
+
+    def ReadFile(self, handle: int, size: int, *, overlapped: bool) -> tuple[Operation, int]:
+        assert (handle, overlapped) == (HANDLE, True)
+        data, self.received = self.received[:size], self.received[size:]
+        return Operation(data, is_pending=len(data) < size), 0
+
+    def WriteFile(self, handle: int, data: bytes, *, overlapped: bool) -> tuple[Operation, int]:
+        assert (handle, overlapped) == (HANDLE, True)
+        taken = data[: self.room]
+        self.sent += taken
+        return Operation(taken, is_pending=len(taken) < len(data)), 0
+
+    @staticmethod
+    def WaitForSingleObject(_event: Operation, milliseconds: int) -> int:
+        assert milliseconds >= 0
+        return 0
+
+    def CloseHandle(self, handle: int) -> None:
+        assert handle == HANDLE
+        self.is_closed = True
+
+    def GetCommState(self, handle: ctypes.c_void_p, state: Any) -> int:
+        assert handle.value == HANDLE
+        assert state.raw[:4] == (28).to_bytes(4, "little"), "its size comes first"
+        state.raw = self.state
+        return 1
+
+    def SetCommState(self, handle: ctypes.c_void_p, state: bytes) -> int:
+        assert handle.value == HANDLE
+        self.state = state
+        return 1
+
+
+@pytest.fixture
+def windows() -> Windows:
+    return Windows()
+
+
+@pytest.fixture
+def port(windows: Windows, monkeypatch: pytest.MonkeyPatch) -> Any:
+    """The port, from the module as Windows loads it."""
+    monkeypatch.setitem(sys.modules, "_winapi", windows.module())
+    monkeypatch.setattr(ctypes, "windll", SimpleNamespace(kernel32=windows), raising=False)
+    monkeypatch.setattr(sys, "platform", "win32")
+    spec = importlib.util.spec_from_file_location("guardian_on_windows", process.__file__)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.open_port("serial", HANDLE)
+
+
+def test_received_bytes_are_read(port: Any, windows: Windows) -> None:
+    windows.received = b"\x07\x08"
+    assert [port.receive(SHORT) for _ in range(2)] == [b"\x07", b"\x08"]
+
+
+def test_read_that_does_not_end_is_cancelled(port: Any) -> None:
+    assert port.receive(SHORT) == b""
+
+
+def test_write_goes_on_until_everything_is_sent(port: Any, windows: Windows) -> None:
+    windows.room = 3
+    port.write(b"12345678")
+    assert windows.sent == b"12345678"
+
+
+def test_port_that_takes_nothing_is_given_up(
+    port: Any, windows: Windows, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    windows.room = 0
+    seconds = iter(range(100))
+    monkeypatch.setattr("time.monotonic", lambda: float(next(seconds)))
+    with pytest.raises(TimeoutError):
+        port.write(b"1")
+
+
+def test_changed_settings_of_the_line_are_restored(port: Any, windows: Windows) -> None:
+    remembered, windows.state = windows.state, bytes(28)
+    port.restore_settings()
+    assert windows.state == remembered
+    windows.state = bytes(28)
+    port.remember_settings()
+    port.restore_settings()
+    assert windows.state == bytes(28)
+
+
+def test_handle_is_closed(port: Any, windows: Windows) -> None:
+    port.close()
+    assert windows.is_closed
