@@ -1,5 +1,7 @@
 """Messages and snapshots of every command that changes a board."""
 
+import itertools
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -9,6 +11,7 @@ from tests.support.virtual_command import RunCommand
 from tests.support.virtual_devices import VirtualSimulator, VirtualTransport
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
+SET_PARAMETER = 0xAF
 CALIBRATION = ("calibration", "set", "2", "2400", "3700", "5100", "60")
 
 one_setting = pytest.mark.parametrize(
@@ -283,3 +286,96 @@ def test_restore_defaults_without_changes_still_prompts(
         result = trexcmd("restore-defaults", *words, stdin="n\n")
         assert "Every parameter already has its default" in result.stderr
         assert "Reset every parameter" in result.stderr
+
+
+# --- Another board ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("set", "serial_timeout", "15"),
+        CALIBRATION,
+        ("set-settings", "-"),
+        ("restore-defaults", "--yes"),
+    ],
+    ids=["set", "calibration set", "set-settings", "restore-defaults"],
+)
+@pytest.mark.parametrize(
+    ("model", "stored", "message"),
+    [
+        ("trexjr", "aux_acceleration", "Another board answers now: TReX Jr 1.2. Nothing was "),
+        ("trex", "device_number", "The board no longer stores the settings that were read"),
+        ("trex", "aux_acceleration", "The board no longer stores the settings that were read"),
+    ],
+    ids=["model", "number", "another value"],
+)
+def test_board_that_replaced_the_one_in_the_snapshot_is_not_written_to(
+    trexcmd: RunCommand,
+    quick_simulator: VirtualSimulator,
+    start_simulator: StartSimulator,
+    words: tuple[str, ...],
+    model: str,
+    stored: str,
+    message: str,
+) -> None:
+    other = start_simulator("--unpaced", "--model", model)
+    assert isinstance(other, VirtualSimulator)
+    other.do(f"eeprom {stored} 9")
+    boards = (quick_simulator, other)
+    before = [everything(board) for board in boards]
+    exchange_at(quick_simulator, other, lambda _data: bool(SettingsHistory().snapshots()))
+    result = trexcmd(*words, stdin="product: TReX\nserial_timeout: 15\n")
+    assert result.exit_code == 1
+    assert message in result.stderr
+    assert result.stdout == ""
+    assert other.host is None
+    for board in boards:
+        board.do("power cycle")  # completes a reset to the defaults
+    assert [everything(board) for board in boards] == before
+
+
+def test_board_that_replaces_a_silent_one_during_set_settings_is_not_written_to(
+    trexcmd: RunCommand,
+    quick_simulator: VirtualSimulator,
+    start_simulator: StartSimulator,
+    tmp_path: Path,
+) -> None:
+    nothing, other = (start_simulator("--unpaced", "--model", "trexjr") for _ in range(2))
+    assert isinstance(nothing, VirtualSimulator)
+    assert isinstance(other, VirtualSimulator)
+    nothing.do("power off")
+    before = everything(other)
+    file = tmp_path / "wanted.txt"
+    lines = [f"{key}: 9" for key in ("motor1_acceleration", "motor2_acceleration")]
+    file.write_text("\n".join(["product: TReX", *lines, ""]), encoding="utf-8")
+    writes, lost = itertools.count(), itertools.count()
+    exchange_at(
+        quick_simulator, nothing, lambda data: data[0] == SET_PARAMETER and next(writes) == 1
+    )
+    exchange_at(nothing, other, lambda _data: next(lost) == 1)
+    result = trexcmd("set-settings", str(file))
+    assert result.exit_code == 1
+    assert "Another board answers now: TReX Jr 1.2." in result.stderr
+    assert next(writes) == 2
+    assert quick_simulator.show()["parameters"]["motor1_acceleration"] == 9
+    assert everything(other) == before
+
+
+def everything(board: SimulatedDevice) -> tuple[dict[str, int], dict[str, object]]:
+    """Return all that a simulated board stores."""
+    shown = board.show()
+    return shown["parameters"], shown["calibrations"]
+
+
+def exchange_at(
+    board: VirtualSimulator, other: VirtualSimulator, is_due: Callable[[bytes], bool]
+) -> None:
+    """Move the cable to another board at the first packet for which it is due."""
+
+    def watch(data: bytes) -> None:
+        if is_due(data):
+            board.on_write = lambda _data: None
+            board.move_cable_to(other)
+
+    board.on_write = watch

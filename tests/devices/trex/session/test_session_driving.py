@@ -161,7 +161,7 @@ def test_stop_overtakes_remaining_parameter_writes(stage: Stage) -> None:
     keys = ("serial_timeout", "motor1_acceleration", "motor2_acceleration", "aux_acceleration")
     stage.script.at(1.0, SetMotor(1, Drive.at(100)))
     stage.script.at(1.1, Write(1, tuple((key, 9) for key in keys)))
-    stage.script.at(1.115, Stop(2))
+    stage.script.at(1.19, Stop(2))
     run_for(stage, 2.0)
     sent = commands(stage.transport.sent)
     writes = [index for index, one in enumerate(sent) if isinstance(one, SetParameter)]

@@ -1,5 +1,6 @@
 """What every command does before and after it changes what a board stores."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from trex_gui.core.cli import Interruption, ProgressLine, say
@@ -7,6 +8,7 @@ from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.client.writing import write_all
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.session.reconnecting import after_power_cycle
@@ -66,18 +68,28 @@ def change_one(
     keep(before, link, command)
     parameters = after.parameters.items() - before.parameters.items()
     calibrations = after.calibrations.items() - before.calibrations.items()
+    write_one(client, state, list(parameters), list(calibrations))
+    say_what_follows(client, link, state, dict(parameters))
+
+
+def write_one(
+    client: TrexClient,
+    state: DeviceState,
+    parameters: Sequence[tuple[str, int]],
+    calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
+) -> None:
+    """Store one setting, if the board still stores what was read; raise what prevents it."""
     with Interruption():
         (stored,) = write_all(
             client.request,
             state.specs,
-            list(parameters),
-            list(calibrations),
+            parameters,
+            calibrations,
             before=state,
             has_crc=client.has_crc,
         )
     if stored.error is not None:
         raise stored.error
-    say_what_follows(client, link, state, dict(parameters))
 
 
 def say_what_follows(

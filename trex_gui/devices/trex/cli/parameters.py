@@ -14,6 +14,7 @@ from trex_gui.devices.trex.cli.changes import (
     require_serial_mode,
     say_changes,
     say_how_to_reach,
+    write_one,
 )
 from trex_gui.devices.trex.cli.common import (
     complete_parameter,
@@ -24,7 +25,6 @@ from trex_gui.devices.trex.cli.common import (
     open_line_to_change,
     spec_of,
 )
-from trex_gui.devices.trex.client.writing import write_parameter
 from trex_gui.devices.trex.protocol.parameters import (
     ParameterKey,
     ParameterSet,
@@ -91,7 +91,7 @@ def restore_defaults(yes: bool, **options: Any) -> None:
             question = "Reset every parameter of this board to its default?"
             click.confirm(question, abort=True, err=True)
         keep(stored, link, "trexcmd restore-defaults")
-        write_parameter(client.request, spec, spec.maximum, has_crc=client.has_crc)
+        write_one(client, state, [(spec.key, spec.maximum)])
     line, number = (
         specs[key].text(specs[key].default)
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.DEVICE_NUMBER)

@@ -28,7 +28,12 @@ from trex_gui.devices.trex.protocol.errors import (
     is_unsteady,
 )
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
-from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSet, parameters_of
+from trex_gui.devices.trex.protocol.parameters import (
+    ParameterKey,
+    ParameterSet,
+    parameter_number,
+    parameters_of,
+)
 
 KeyT = TypeVar("KeyT", str, int)
 
@@ -97,6 +102,25 @@ def may_be_same_board(one: DeviceState, other: DeviceState) -> bool:
     if one.signature != other.signature or _differ(one.parameters, other.parameters):
         return False
     return one.source is not other.source or not _differ(one.calibrations, other.calibrations)
+
+
+def other_board(
+    request: Requester, signature: Signature, number: int | None = None
+) -> Signature | None:
+    """Return the signature of the board that replies if it, or its device number, is another one.
+
+    It is queried twice, because a corrupted reply can be that of another model or number. A
+    `number` of `None` is not compared.
+
+    Raises:
+        NoReply, BadReply, PortUnavailable: as for `query`.
+    """
+    query_number = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
+    for _ in range(2):
+        found = query(request, GetSignature())
+        if found == signature and (number is None or query(request, query_number) == number):
+            return None
+    return found
 
 
 def _differ(one: Mapping[KeyT, object], other: Mapping[KeyT, object]) -> bool:

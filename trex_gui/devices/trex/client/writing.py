@@ -12,7 +12,16 @@ from typing import TypeVar
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.client.client import Requester
-from trex_gui.devices.trex.client.reading import ATTEMPTS, DeviceState, Progress, agreed, query
+from trex_gui.devices.trex.client.reading import (
+    ATTEMPTS,
+    DeviceState,
+    Progress,
+    agreed,
+    may_be_same_board,
+    other_board,
+    query,
+    read_everything,
+)
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_KEYS,
     DEFAULT_CALIBRATION,
@@ -31,6 +40,7 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.errors import (
     ErrorCode,
+    OtherBoard,
     Rejected,
     ResultCode,
     Skipped,
@@ -227,9 +237,17 @@ def write_all(
     be repeated or failed, every other setting is compared with its value `before`, and restored,
     also when the rest was not attempted. If the board is gone or is in another mode, a write that
     was repeated counts as failed.
+
+    Nothing is written to a board that does not store what was read `before`. Whether it is still
+    the same board is checked again before a write is repeated or follows a failed reading, and at
+    the end. Two boards with the same model, firmware and stored values cannot be told apart.
+
+    Raises:
+        OtherBoard: the board is not the one of `before`; nothing more is written.
     """
     total = len(parameters) + len(calibrations)
-    work = _Work(request, specs, total, progress, has_crc, cancelled, stored)
+    work = _Work(request, specs, total, progress, has_crc, cancelled, stored, before)
+    work.compare_settings()
     for calibration_key, wanted in calibrations:
         work.store(calibration_key, wanted)
     ordered = sorted(parameters, key=lambda item: _write_order(specs, item[0]))
@@ -237,6 +255,8 @@ def write_all(
         if key not in {_LINE, _POLYNOMIAL}:
             work.store(key, wire)
     work.store_serial([item for item in ordered if item[0] in {_LINE, _POLYNOMIAL}])
+    with contextlib.suppress(NoReply, BadReply, PortUnavailable):
+        work.require_same_board()
     if before is not None and work.doubtful and not has_crc:
         work.undo_stray_writes(before)
     progress(total, total, "done")
@@ -273,6 +293,7 @@ class _Work:
     """Writes one value after the other.
 
     Attributes:
+        before: what the board stored before, if that is to be checked.
         fatal_error: why nothing more is attempted.
         doubtful: indexes of the results whose write was repeated or failed.
         repeated: how often writes were repeated or failed: no more settings can have changed.
@@ -286,16 +307,65 @@ class _Work:
     has_crc: bool
     cancelled: Callable[[], bool]
     stored: Callable[[WriteResult], None]
+    before: DeviceState | None
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None
     doubtful: list[int] = field(default_factory=list)
     repeated: int = 0
     unknown: set[str] = field(default_factory=set)
     _sent: int = 0
+    _has_failed: bool = False  # a transaction, since the board was last checked
+    _number: int | None = None  # that the board stores; `None` if that is not known
+
+    def compare_settings(self) -> None:
+        """Raise `OtherBoard` if the board stores something else than `before`.
+
+        What a first pass reads otherwise may be corrupted and is read again. A failure is fatal.
+        """
+        if self.before is None:
+            return
+
+        def request(command: Command[ReplyT_co]) -> ReplyT_co:
+            if self.cancelled():
+                raise Skipped(ErrorCode.WRITE_CANCELLED)
+            return self.request(command)
+
+        self.progress(0, self.total, "stored settings")
+        self._number = self.before.parameters.get(ParameterKey.DEVICE_NUMBER)
+        try:
+            for has_crc in (True, self.has_crc):
+                found = read_everything(request, has_crc=has_crc)
+                if may_be_same_board(found, self.before):
+                    return
+        except (*_FAILURES, Skipped) as error:
+            self.fatal_error = error
+            return
+        if found.signature != self.before.signature:
+            raise OtherBoard(ErrorCode.OTHER_BOARD, str(found.signature))
+        raise OtherBoard(ErrorCode.OTHER_VALUES)
+
+    def require_same_board(self) -> None:
+        """Raise `OtherBoard` if the board that replies now is another one than `before`.
+
+        Raises:
+            NoReply, BadReply, PortUnavailable: it cannot be read.
+        """
+        if self.before is not None:
+            found = other_board(self.request, self.before.signature, self._number)
+            if found is not None:
+                raise OtherBoard(ErrorCode.OTHER_BOARD_AFTER_WRITING, str(found))
+        self._has_failed = False
 
     def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
-        self._sent += isinstance(command, (SetParameter, SetCalibration))
-        return self.request(command)
+        if isinstance(command, (SetParameter, SetCalibration)):
+            if self._has_failed or self._sent:
+                self.require_same_board()
+            self._sent += 1
+        try:
+            return self.request(command)
+        except (NoReply, BadReply):
+            self._has_failed = True
+            raise
 
     def store(self, key: str, value: int | Calibration, *, may_cancel: bool = True) -> None:
         if may_cancel:
@@ -304,7 +374,12 @@ class _Work:
 
     def _write(self, key: str, value: int | Calibration) -> int | Calibration:
         if isinstance(value, int):
-            return write_parameter(self._request, self.specs[key], value, has_crc=self.has_crc)
+            if key == ParameterKey.DEVICE_NUMBER:
+                self._number = None
+            stored = write_parameter(self._request, self.specs[key], value, has_crc=self.has_crc)
+            if key == ParameterKey.DEVICE_NUMBER:
+                self._number = stored
+            return stored
         calibration_key = CALIBRATION_KEYS[key]
         return write_calibration(self._request, calibration_key, value, has_crc=self.has_crc)
 
@@ -344,7 +419,7 @@ class _Work:
             keys = self._differing({key: wanted[key] for key in wanted if key not in self.unknown})
         except _FAILURES as failure:
             return failure
-        if len(keys) > self.repeated or ParameterKey.DEVICE_NUMBER in keys:
+        if len(keys) > self.repeated:
             return TrexBadReplyError(ErrorCode.TOO_MANY_DIFFER, len(keys))
         error: StudioError | None = None
         for _ in range(ATTEMPTS if keys else 0):
@@ -395,12 +470,12 @@ class _Work:
 
     def _stored(self, key: str) -> int | Calibration:
         if isinstance(key, CalibrationKey):
-            return agreed(self.request, GetCalibration(key.channel), has_crc=self.has_crc)
+            return agreed(self._request, GetCalibration(key.channel), has_crc=self.has_crc)
         return self._stored_parameter(key)
 
     def _stored_parameter(self, key: str) -> int:
         command = GetParameter(self.specs[key].number)
-        return agreed(self.request, command, has_crc=self.has_crc)
+        return agreed(self._request, command, has_crc=self.has_crc)
 
     def _name(self, key: str) -> str:
         if key in CALIBRATION_KEYS:

@@ -97,7 +97,19 @@ class ErrorCode(Enum):
     OTHER_SOURCE = QT_TRANSLATE_NOOP(
         "TrexErrors", "{0} is for {1} inputs, but the board reads {2} now"
     )
-    OTHER_BOARD = QT_TRANSLATE_NOOP("TrexErrors", "Another board answers now: {0}.")
+    OTHER_BOARD = QT_TRANSLATE_NOOP(
+        "TrexErrors", "Another board answers now: {0}. Nothing was written to it."
+    )
+    OTHER_BOARD_AFTER_WRITING = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "Another board answers now: {0}. Settings may have been written to it; compare it with its "
+        "last snapshot.",
+    )
+    OTHER_VALUES = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "The board no longer stores the settings that were read from it: it is another one, or was "
+        "changed meanwhile. Nothing was written.",
+    )
     STRAY_WRITE = QT_TRANSLATE_NOOP(
         "TrexErrors",
         "The line corrupted bytes while {0} was written, and another setting may have been changed "
@@ -138,6 +150,10 @@ class TrexNoReplyError(TrexError, NoReply):
 
 class TrexBadReplyError(TrexError, BadReply):
     """The bytes that arrived are no reply, or the board reads back another value."""
+
+
+class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line
+    """The board that replies is not the one that was read, or stores something else now."""
 
 
 class Skipped(TrexError):  # noqa: N818 - nothing went wrong

@@ -29,12 +29,14 @@ class RunCommand:
 class Write:
     """Store parameters (key, wire value) and calibrations (key, values).
 
-    The value of the `Outcome` is a `Written`; see `writing.write_all`.
+    The value of the `Outcome` is a `Written`; see `writing.write_all`. `before` is what the sender
+    knows as stored, `None` for what was read last.
     """
 
     id: int
     parameters: tuple[tuple[str, int], ...] = ()
     calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = ()
+    before: DeviceState | None = None
 
 
 @dataclass(frozen=True, slots=True)

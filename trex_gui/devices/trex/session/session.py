@@ -26,7 +26,7 @@ from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.client.client import Requester, TrexClient, diagnose
-from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything
+from trex_gui.devices.trex.client.reading import DeviceState, other_board, read_everything
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, StatusReader
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
@@ -35,22 +35,20 @@ from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped, Sto
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     GetMode,
-    GetParameter,
-    GetSignature,
     ReplyT_co,
     Signature,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import (
     ErrorCode,
+    OtherBoard,
     Rejected,
-    TrexBadReplyError,
     TrexError,
     TrexNoReplyError,
     TrexRequestError,
 )
 from trex_gui.devices.trex.protocol.line_settings import baud_rates
-from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
@@ -222,20 +220,11 @@ class TrexSession:
             log.exception("the last samples could not be reported")
         client.close()
 
-    def _is_another_board(self, request: Requester, number: int | None = None) -> bool:
-        """Whether the board that replies now cannot be the one that was read.
-
-        It is queried twice: damaged bytes can be those of another model or number.
-        """
-        query_number = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
-
-        def differs() -> bool:
-            if query(request, GetSignature()) != self._signature:
-                return True
-            return number is not None and query(request, query_number) != number
-
+    def _is_another_board(self, request: Requester) -> bool:
+        """Whether the board that replies now is known not to be the one that was read."""
         try:
-            return self._signature is not None and all(differs() for _ in range(2))
+            signature = self._signature
+            return signature is not None and other_board(request, signature) is not None
         except (NoReply, BadReply, PortUnavailable):
             return False
 
@@ -313,7 +302,7 @@ class TrexSession:
     def _serve(self, job: Job) -> None:
         try:
             value = self._result_of(job)
-        except (BadRequest, NoReply, BadReply, Rejected) as error:
+        except (BadRequest, NoReply, BadReply, Rejected, OtherBoard) as error:
             self._emit(Outcome(job.id, error=error))
         except BaseException:
             # The session ends, and reports an outcome of every queued request.
@@ -343,11 +332,10 @@ class TrexSession:
     def _write(self, job: Write) -> Written:
         """Write until it is done or `Close` comes, which leaves no value half written.
 
-        Motors that may be moving are stopped before that. If another board answers, before or
-        behind it, nothing counts as written.
+        Motors that may be moving are stopped before that. If another board replies, it is read and
+        nothing counts as written.
         """
-        before, stop_is_due = self._state, True
-        changes_number = any(key == ParameterKey.DEVICE_NUMBER for key, _ in job.parameters)
+        state, stop_is_due = self._state, True
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
             nonlocal stop_is_due
@@ -357,38 +345,25 @@ class TrexSession:
             self._serve_motors()
             return self._line.request(command)
 
-        self._require_same_board(request, before)
-        results = write_all(
-            request,
-            self._state.specs,
-            job.parameters,
-            job.calibrations,
-            self._report_progress,
-            before=self._state,
-            has_crc=self._line.has_crc,
-            cancelled=self._is_closing,
-            stored=self._note_stored,
-        )
+        try:
+            results = write_all(
+                request,
+                state.specs,
+                job.parameters,
+                job.calibrations,
+                self._report_progress,
+                before=job.before or state,
+                has_crc=self._line.has_crc,
+                cancelled=self._is_closing,
+                stored=self._note_stored,
+            )
+        except OtherBoard:
+            self._state = state
+            self._read_everything(ReadReason.RETURNED)
+            raise
         if any(isinstance(result.error, NoReply | BadReply | Rejected) for result in results):
             self._stale_reads = _STALE_READS  # what failed may be stored all the same
-        written = Written(results, self._state, self._line.settings)
-        self._state = before
-        self._require_same_board(request, None if changes_number else before)
-        self._state = written.state
-        return written
-
-    def _require_same_board(self, request: Requester, stored: DeviceState | None) -> None:
-        """Read another board that answers instead of the one that was read.
-
-        It may be of the same kind; then the device number in `stored` can tell it apart.
-
-        Raises:
-            BadReply: there is one.
-        """
-        number = None if stored is None else stored.parameters.get(ParameterKey.DEVICE_NUMBER)
-        if self._is_another_board(request, number):
-            self._read_everything(ReadReason.RETURNED)
-            raise TrexBadReplyError(ErrorCode.OTHER_BOARD, str(self._state.signature))
+        return Written(results, self._state, self._line.settings)
 
     def _note_stored(self, result: WriteResult) -> None:
         self._state = after_writing(self._state, (result,))

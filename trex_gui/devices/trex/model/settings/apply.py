@@ -90,10 +90,14 @@ class Apply(QObject):
         self.running = True
         adapter = "" if link is None else link.name or link.url
         stored = settings_of(state)
+
+        def make(number: int) -> Write:
+            return Write(number, parameters, calibrations, before=state)
+
         self._cancel_snapshot = start_in_background(
             self,
             lambda _progress: self._history.take(stored, adapter=adapter, reason=reason),
-            partial(self._on_saved, lambda number: Write(number, parameters, calibrations), sent),
+            partial(self._on_saved, make, sent),
             self._on_not_saved,
         )
         self.changed.emit()
@@ -129,7 +133,8 @@ class Apply(QObject):
     def _on_written(self, outcome: Outcome) -> None:
         self.running = False
         if outcome.error is not None:
-            self.failed.emit(self.tr("Nothing more was written. {0}").format(outcome.error))
+            text = self.tr("Nothing more was written. {0}")
+            self.failed.emit(text.format(error_sentence(outcome.error)))
             return
         written = cast("Written", outcome.value)
         self.written.emit(written)

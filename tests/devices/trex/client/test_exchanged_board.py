@@ -1,0 +1,148 @@
+"""Nothing is written to another board than the one that was read."""
+
+from collections.abc import Callable
+
+import pytest
+
+from tests.devices.trex.session.helpers import commands, staged
+from tests.support.virtual import Stage
+from trex_gui.devices.trex.client.reading import read_everything
+from trex_gui.devices.trex.client.writing import WriteResult, write_all
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co, SetParameter
+from trex_gui.devices.trex.protocol.errors import ErrorCode, OtherBoard, TrexNoReplyError
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import TrexLine
+
+SPECS = parameters_of("trex", "1.2")
+WANTED = [("motor1_acceleration", 3), ("motor2_acceleration", 4), ("serial_timeout", 15)]
+Prepare = Callable[[Board], object]
+
+
+def _store(key: str, wire: int) -> Prepare:
+    return lambda board: board.eeprom.write(key, wire)
+
+
+def _calibrate(board: Board) -> None:
+    board.eeprom.write_calibration(InputSource.RC, 5, Calibration(2400, 3700, 5100, 80))
+
+
+def _exchange(stage: Stage, board: Board) -> Board:
+    """Let another board reply from now on."""
+    board.memory.load()
+    line = TrexLine([board])
+    line.advance(stage.line.now)
+    stage.transport.line = line
+    return board
+
+
+def _was_written(board: Board) -> bool:
+    return board.memory.writes > 0
+
+
+@pytest.mark.parametrize(
+    ("board", "prepare", "code"),
+    [
+        (Board("trexjr"), lambda _board: None, ErrorCode.OTHER_BOARD),
+        (Board(firmware="1.3"), lambda _board: None, ErrorCode.OTHER_BOARD),
+        (Board(), _store("device_number", 9), ErrorCode.OTHER_VALUES),
+        (Board(), _store("motor_mode", 1), ErrorCode.OTHER_VALUES),
+        (Board(), _store("serial_timeout", 15), ErrorCode.OTHER_VALUES),
+        (Board(), _calibrate, ErrorCode.OTHER_VALUES),
+    ],
+    ids=["model", "firmware", "number", "another value", "value to be written", "calibration"],
+)
+def test_board_with_other_settings_is_not_written_to(
+    board: Board, prepare: Prepare, code: ErrorCode
+) -> None:
+    stage, settings = staged()
+    client = stage.client(settings)
+    before = read_everything(client.request)
+    prepare(board)
+    other = _exchange(stage, board)
+    with pytest.raises(OtherBoard) as caught:
+        write_all(client.request, SPECS, WANTED, before=before)
+    assert caught.value.code is code
+    assert not _was_written(other)
+    assert not _was_written(stage.board)
+
+
+@pytest.mark.parametrize("writes", range(1, len(WANTED) + 1))
+@pytest.mark.parametrize(
+    ("model", "number"), [("trexjr", 7), ("trex", 9)], ids=["another model", "another number"]
+)
+def test_board_that_replaces_a_silent_one_is_not_written_to(
+    writes: int, model: str, number: int
+) -> None:
+    stage, settings = staged()
+    client = stage.client(settings)
+    before = read_everything(client.request)
+    other = Board(model)
+    _store("device_number", number)(other)
+    sent = 0
+
+    def request(command: Command[ReplyT_co]) -> ReplyT_co:
+        """Lose the reply to one of the writes, and find another board then."""
+        nonlocal sent
+        sent += isinstance(command, SetParameter)
+        if sent < writes or stage.transport.line is not stage.line:
+            return client.request(command)
+        stage.board.power_off()
+        try:
+            return client.request(command)
+        finally:
+            _exchange(stage, other)
+
+    with pytest.raises(OtherBoard) as caught:
+        write_all(request, SPECS, WANTED, before=before)
+    assert caught.value.code is ErrorCode.OTHER_BOARD_AFTER_WRITING
+    assert not _was_written(other)
+    assert stage.board.memory.writes == writes - 1
+
+
+def test_board_that_replies_at_the_end_is_compared() -> None:
+    stage, settings = staged()
+    client = stage.client(settings)
+    before = read_everything(client.request)
+    stored: list[WriteResult] = []
+
+    def note(result: WriteResult) -> None:
+        stored.append(result)
+        if len(stored) == len(WANTED):
+            _exchange(stage, Board("trexjr"))
+
+    with pytest.raises(OtherBoard) as caught:
+        write_all(client.request, SPECS, WANTED, before=before, stored=note)
+    assert caught.value.code is ErrorCode.OTHER_BOARD_AFTER_WRITING
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_corrupted_readings_are_not_taken_for_another_board(seed: int) -> None:
+    stage, settings = staged()
+    client = stage.client(settings)
+    before = read_everything(client.request)
+    stage.transport.line = TrexLine([stage.board], seed=seed)
+    stage.transport.line.faults.noise = 0.005
+    results = write_all(client.request, SPECS, WANTED, before=before)
+    assert {result.key for result in results} == dict(WANTED).keys()
+
+
+def test_board_that_cannot_be_compared_is_not_written_to() -> None:
+    stage, settings = staged()
+    client = stage.client(settings)
+    before = read_everything(client.request)
+    stage.board.power_off()
+    results = write_all(client.request, SPECS, WANTED, before=before)
+    assert [type(result.error) for result in results] == [TrexNoReplyError] * len(WANTED)
+    assert not any(isinstance(one, SetParameter) for one in commands(stage.transport.sent))
+
+
+def test_changed_device_number_is_that_of_the_same_board() -> None:
+    stage, settings = staged()
+    client = stage.client(settings)
+    before = read_everything(client.request)
+    wanted = [("device_number", 9), *WANTED]
+    results = write_all(client.request, SPECS, wanted, before=before)
+    assert all(result.error is None for result in results)
