@@ -53,19 +53,28 @@ FAULTS = {
 }
 
 
+LINES = {
+    "19200 baud": (19200, ()),
+    "115200 baud": (115200, ()),
+    "TCP": (19200, ("--tcp", "127.0.0.1:0")),
+    "RFC 2217": (19200, ("--rfc2217", "127.0.0.1:0")),
+}
+
+
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("fault", FAULTS)
-@pytest.mark.parametrize("baud", [19200, 115200])
+@pytest.mark.parametrize("place", LINES)
 def test_motors_stop_soon_after_a_fault(
-    fault: str, baud: int, tmp_path: Path, figure: ReportFigure
+    fault: str, place: str, tmp_path: Path, figure: ReportFigure
 ) -> None:
     cause, limit = FAULTS[fault]
+    baud, options = LINES[place]
     line = LineSettings(baud)
     eeprom = Eeprom.open(tmp_path / "board.json", "trex")
     eeprom.write("uart_settings", line.to_wire())
     worst = 0.0
     for _ in range(_ROUNDS):
-        simulator = SimulatorProcess("--eeprom", str(tmp_path / "board.json"))
+        simulator = SimulatorProcess("--eeprom", str(tmp_path / "board.json"), *options)
         window = DrivingProcess(simulator, tmp_path, "usual", str(baud))
         try:
             window.drive()
@@ -77,4 +86,4 @@ def test_motors_stop_soon_after_a_fault(
         finally:
             window.end()
             simulator.end()
-    figure(f"{fault}, {baud} baud: until the stop, worst of {_ROUNDS}", worst, "s", at_most=limit)
+    figure(f"{fault}, {place}: until the stop, worst of {_ROUNDS}", worst, "s", at_most=limit)

@@ -25,15 +25,14 @@ def report_last_stop(notifier: Notifier) -> None:
             return
         if stop.result is StopResult.CONFIRMED:
             text = _tr(
-                "The program ended or did not respond while motors could move. The guardian "
-                "process stopped them at {0}, and the board confirmed that."
+                "The program could not stop the motors itself. The guardian process stopped them "
+                "at {0}, and the board confirmed that."
             )
             notifier.info.emit(text.format(stop.time))
         elif stop.result is StopResult.UNCONFIRMED:
             text = _tr(
-                "The program ended or did not respond while motors could move. The guardian "
-                "process sent a stop at {0}, which the board did not confirm. If a motor still "
-                "turns, cut its power."
+                "The program could not stop the motors itself. The guardian process sent a stop "
+                "at {0}, which the board did not confirm. If a motor still turns, cut its power."
             )
             notifier.error.emit(text.format(stop.time))
 

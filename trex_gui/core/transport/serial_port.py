@@ -109,15 +109,15 @@ class _LentSocket:
 
     def recv(self, size: int) -> bytes:
         """Raise TimeoutError when nothing came, so that pyserial's thread tries again."""
-        if self._below.fileno() < 0:
-            raise ConnectionAbortedError("closed")
+        try:
+            ready, _, _ = select.select([self._below], [], [], _SLICE)
+        except ValueError as error:  # it was closed
+            raise ConnectionAbortedError from error
         if self._is_lent():
             time.sleep(_SLICE)
-            raise TimeoutError
-        ready, _, _ = select.select([self._below], [], [], _SLICE)
-        if not ready or self._is_lent():
-            raise TimeoutError
-        return self._below.recv(size)
+        elif ready:
+            return self._below.recv(size)
+        raise TimeoutError
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._below, name)
