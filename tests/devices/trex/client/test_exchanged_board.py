@@ -102,6 +102,27 @@ def test_board_that_replaces_a_silent_one_is_not_written_to(
     assert stage.board.memory.writes == writes - 1
 
 
+@pytest.mark.parametrize("replies", [1, 5, 20, 36])
+def test_board_that_is_exchanged_while_it_is_compared_is_not_written_to(replies: int) -> None:
+    """What both boards stored would be read as that of one."""
+    stage, settings = staged()
+    client = stage.client(settings)
+    before = read_everything(client.request)
+    other = Board("trexjr")
+    requests = 0
+
+    def request(command: Command[ReplyT_co]) -> ReplyT_co:
+        nonlocal requests
+        requests += 1
+        if requests == replies + 1:
+            _exchange(stage, other)
+        return client.request(command)
+
+    with pytest.raises(OtherBoard):
+        write_all(request, SPECS, WANTED, before=before)
+    assert not _was_written(other)
+
+
 def test_board_that_replies_at_the_end_is_compared() -> None:
     stage, settings = staged()
     client = stage.client(settings)

@@ -14,7 +14,7 @@ from tests.devices.trex.session.helpers import (
     timed_run,
 )
 from tests.support.virtual import Stage
-from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.core.session import Close
 from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
 from trex_gui.devices.trex.client.reading import DeviceState
@@ -29,7 +29,7 @@ from trex_gui.devices.trex.client.telemetry import (
 )
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.requests import Arm, SetMotor
-from trex_gui.devices.trex.protocol.commands import GetMode, GetStatus
+from trex_gui.devices.trex.protocol.commands import GetMode, GetStatus, SetParameter
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
 from trex_gui.devices.trex.session import session
@@ -353,3 +353,19 @@ def test_board_is_read_again_three_times_at_most_after_a_failed_write(
     assert len(readings) == 3
     assert all(later - earlier >= 2.0 for earlier, later in itertools.pairwise(readings))
     assert len([one for one in samples(reports, Raw) if one.time > 10.0]) > 100
+
+
+def test_board_is_read_again_after_a_write_on_a_port_that_was_jammed() -> None:
+    stage, settings = staged()
+    write = stage.transport.write
+
+    def jam(data: bytes) -> None:
+        write(data)
+        if data[0] == SetParameter(0, 0).opcode:  # it arrives all the same
+            stage.transport.write = write  # type: ignore[method-assign]
+            raise PortUnavailable("jammed")
+
+    stage.transport.write = jam  # type: ignore[method-assign]
+    stage.script.at(1.0, Write(1, (("serial_timeout", 5),)))
+    reports = run_for(stage, 5.0, settings)
+    assert among(reports, Connected)[-1].state.parameters["serial_timeout"] == 5

@@ -255,8 +255,9 @@ def write_all(
         if key not in {_LINE, _POLYNOMIAL}:
             work.store(key, wire)
     work.store_serial([item for item in ordered if item[0] in {_LINE, _POLYNOMIAL}])
-    with contextlib.suppress(NoReply, BadReply, PortUnavailable):
-        work.require_same_board()
+    if not isinstance(work.fatal_error, PortUnavailable):
+        with contextlib.suppress(NoReply, BadReply, PortUnavailable):
+            work.require_same_board()
     if before is not None and work.doubtful and not has_crc:
         work.undo_stray_writes(before)
     progress(total, total, "done")
@@ -336,7 +337,11 @@ class _Work:
             for has_crc in (True, self.has_crc):
                 found = read_everything(request, has_crc=has_crc)
                 if may_be_same_board(found, self.before):
-                    return
+                    # It may have been exchanged while it was read.
+                    another = other_board(request, self.before.signature, self._number)
+                    if another is None:
+                        return
+                    raise OtherBoard(ErrorCode.OTHER_BOARD, str(another))
         except (*_FAILURES, Skipped) as error:
             self.fatal_error = error
             return
@@ -391,7 +396,7 @@ class _Work:
         """
         doubtful = self.doubtful
         error = self.fatal_error
-        if error is None or self._replies(before):
+        if error is None or (not isinstance(error, PortUnavailable) and self._replies(before)):
             error = self._restore_all_but_unknown(before)
         else:
             # What has failed is reported, and most often for another reason than a stray write.

@@ -361,7 +361,8 @@ class TrexSession:
             self._state = state
             self._read_everything(ReadReason.RETURNED)
             raise
-        if any(isinstance(result.error, NoReply | BadReply | Rejected) for result in results):
+        failures = NoReply | BadReply | Rejected | PortUnavailable
+        if any(isinstance(result.error, failures) for result in results):
             self._stale_reads = _STALE_READS  # what failed may be stored all the same
         return Written(results, self._state, self._line.settings)
 
