@@ -6,9 +6,10 @@ from pathlib import Path
 
 from tests.devices.trex.recording.samples import read_file
 from tests.fault_matrix.faults import FAULTS, Effect, Fault
-from tests.fault_matrix.moments import CHANNEL, LEARNED, MOMENTS
-from tests.fault_matrix.scene import Scene
+from tests.fault_matrix.moments import APPLYING, MOMENTS
+from tests.fault_matrix.scene import Scene, Stored
 from trex_gui.core.errors import StudioError
+from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.ui.devices.connection import ConnectionState
 
 HOLD_SECONDS = 3.0
@@ -38,41 +39,44 @@ UNWRITABLE = "cannot be written"
 NOT_EXPORTED = "was not written"
 EXPORTED = "written to"
 INTERNAL = "Internal error"
+CONNECTION_LOST = "The connection was lost."
+FOUND = "1 board found."
 
 Words = tuple[str, ...]
 
-_APPLYING = [name for name in MOMENTS if name.startswith("apply") and name != "apply_verified"]
-
 _USUAL: dict[str, tuple[Words, ...]] = {
-    **dict.fromkeys(_APPLYING, ((WRITTEN,),)),
-    "apply_verified": ((WRITTEN,),),
+    **dict.fromkeys(APPLYING, ((WRITTEN,),)),
     "recording": ((RECORDED,),),
     "export": ((EXPORTED,),),
+    "find": ((FOUND,),),
 }
 
 
-def _said_when_lost(lost: Words, at_connecting: Words) -> dict[str, tuple[Words, ...]]:
+def _said_when_lost(
+    lost: Words, at_connecting: Words, at_finding: Words
+) -> dict[str, tuple[Words, ...]]:
     return {
         **dict.fromkeys(MOMENTS, (lost,)),
         "connect": (at_connecting,),
         "read_all": (lost, (READ_FAILED,)),
-        **dict.fromkeys(_APPLYING, (lost, (NOT_STORED, NOTHING_MORE))),
+        **dict.fromkeys(APPLYING, (lost, (NOT_STORED, NOTHING_MORE))),
         "apply_verified": (lost, (WRITTEN,)),
         "learning": (lost, (NOTHING_CHANGED,)),
         "driving": (lost, (MAY_TURN,)),
         "recording": (lost, (RECORDED,)),
         "export": (lost, (EXPORTED,)),
-        "find": (),
+        "find": (at_finding,),
         "closing": ((UNCONFIRMED,),),
     }
 
 
 SAID: dict[Effect, dict[str, tuple[Words, ...]]] = {
     Effect.NONE: _USUAL,
-    Effect.BRIEF: {**_USUAL, **dict.fromkeys(_APPLYING, ((WRITTEN, NOT_STORED, NOTHING_MORE),))},
-    Effect.SILENT: _said_when_lost((NOT_RESPONDING,), (NO_BOARD,)),
-    Effect.GONE: _said_when_lost((GONE,), (GONE,)),
-    Effect.LOST: _said_when_lost((NOT_RESPONDING, GONE), (NO_BOARD, GONE)),
+    # What Apply has to say follows from what is stored: see `_check_applied`.
+    Effect.BRIEF: {**_USUAL, **dict.fromkeys(APPLYING, ())},
+    Effect.SILENT: _said_when_lost((NOT_RESPONDING,), (NO_BOARD,), (FOUND,)),
+    Effect.GONE: _said_when_lost((GONE,), (GONE,), (GONE,)),
+    Effect.LOST: _said_when_lost((NOT_RESPONDING, GONE), (NO_BOARD, GONE), (FOUND, GONE)),
 }
 """What the user has to be told, by what happens to the line: one of each group of texts."""
 
@@ -155,14 +159,17 @@ def run_case(scene: Scene, fault_name: str, moment_name: str, starved: Starved =
     said = tuple(scene.said)
     assert missing_messages(fault_name, moment_name, said) == [], said
     assert wrong_messages(fault_name, said) == []
-    longest_gap = max((end - begin - starved(begin, end) for begin, end in scene.gaps), default=0.0)
-    assert longest_gap <= moment.longest_gap
+    if moment_name in APPLYING:
+        _check_applied(scene, fault_name, said)
     if scene.window.window.isVisible():
         _recover(scene, fault)
-        _check_settings(scene)
+        _check_settings(scene, fault)
         _check_close(scene)
     else:
         assert not scene.motors_turn()
+    longest_gap = max((end - begin - starved(begin, end) for begin, end in scene.gaps), default=0.0)
+    assert longest_gap <= moment.longest_gap
+    _check_other_boards(scene)
     _check_snapshots(scene)
     _check_files(scene, fault_name)
 
@@ -185,27 +192,49 @@ def _recover(scene: Scene, fault: Fault) -> None:
         window.connect(scene.url)
     window.wait(lambda: scene.link is ConnectionState.CONNECTED)
     _check_motors(scene, fault)
-    window.wait(lambda: scene.motors_turn() or not window.motors.armed)
+    window.wait(lambda: not window.motors.armed or scene.driven() == scene.targets)
     window.program.device_manager.press_stop()
     window.wait(lambda: not window.device.may_move)
     window.wait(lambda: not scene.motors_turn())
 
 
-def _check_settings(scene: Scene) -> None:
+def _check_applied(scene: Scene, fault: str, said: Collection[str]) -> None:
+    """What the user was told of every edit is what the board stores."""
+    stored = scene.stored()
+    if fault == "other_uart":  # another program has written them
+        stored["uart_settings"] = scene.edits["uart_settings"]
+    name_of = scene.window.device.name_of
+    missing = {name_of(key) for key, value in scene.edits.items() if stored[key] != value}
+    refused = [text for text in said if text.startswith(NOT_STORED)]
+    aborted = [text for text in said if NOTHING_MORE in text or NOTHING_WRITTEN in text]
+    is_written = any(WRITTEN in text for text in said)
+    is_lost = any(text == CONNECTION_LOST for text in said)
+    assert is_written + bool(refused) + bool(aborted) + is_lost == 1, said
+    assert not (is_written and missing), missing
+    unnamed = {name for name in missing if not any(name in text for text in refused)}
+    assert not (refused and unnamed), unnamed
+
+
+def _check_settings(scene: Scene, fault: Fault) -> None:
     """Every edit is stored or pending, nothing else has changed, and what is shown is true."""
-    device, stored = scene.window.device, scene.shown()["parameters"]
+    device = scene.window.device
 
     def check_shown() -> None:
         assert device.state is not None
-        shown = device.state.parameters
+        stored = scene.stored()
+        shown: Stored = {**device.state.parameters}
+        for channel, calibration in device.state.calibrations.items():
+            shown[CalibrationKey.of(device.state.source, channel)] = calibration
         untrue = {key: (shown[key], stored[key]) for key in shown if shown[key] != stored[key]}
         assert untrue == {}, untrue
 
     # After a write that failed everything is read again.
     scene.window.qtbot.waitUntil(check_shown, timeout=SETTLE_MS)
+    stored = scene.stored()
 
     def lost() -> list[str]:
-        pending = dict(device.parameters.pending)
+        pending: Stored = dict(device.parameters.pending)
+        pending.update(device.calibrations.pending)
         return [key for key, value in scene.edits.items() if pending.get(key, stored[key]) != value]
 
     scene.window.wait(lambda: not lost() or device.edit_backup.offer is not None, SETTLE_MS)
@@ -213,19 +242,21 @@ def _check_settings(scene: Scene) -> None:
         scene.window.click("restoreEdits")
     assert lost() == []
     assert device.state is not None
-    if scene.before is not None:
-        before = scene.before.parameters
-        wrong = {
-            key: value
-            for key, value in stored.items()
-            if value not in {before[key], scene.edits.get(key)}
-        }
-        # Power that is cut while a value is stored leaves its default.
-        assert len(wrong) <= 1
-        assert all(value == device.state.specs[key].default for key, value in wrong.items())
-    if scene.edits_calibration:
-        waiting = {key.channel: wanted for key, wanted in device.calibrations.pending}
-        assert waiting.get(CHANNEL, device.calibrations.stored(CHANNEL)) == LEARNED
+    before = scene.stored_before
+    wrong = {
+        key: stored[key]
+        for key in before
+        if stored[key] not in {before[key], scene.edits.get(key, before[key])}
+    }
+    # Power that is cut while a value is stored leaves its default.
+    assert len(wrong) <= fault.cuts_power, wrong
+    specs = device.state.specs
+    assert all(key in scene.edits and value == specs[key].default for key, value in wrong.items())
+
+
+def _check_other_boards(scene: Scene) -> None:
+    """The other boards store what they did, and never stored anything else."""
+    assert scene.others() == scene.others_before
 
 
 def _check_close(scene: Scene) -> None:

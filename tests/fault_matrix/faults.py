@@ -40,6 +40,7 @@ class Fault:
         other_boards: whether it takes more than one board.
         hides_board: whether the board cannot be looked at meanwhile.
         forges: whether undetected damage can make a motor command of another request.
+        cuts_power: whether the board can lose a value that it is storing.
     """
 
     effect: Effect
@@ -48,6 +49,7 @@ class Fault:
     other_boards: bool = False
     hides_board: bool = False
     forges: bool = False
+    cuts_power: bool = False
 
 
 def _lines(*lines: str) -> Act:
@@ -159,12 +161,14 @@ FAULTS: dict[str, Fault] = {
     "noise_5": _noise(0.05),
     "framing": Fault(Effect.BRIEF, _lines("line error framing 5"), _lines("line error off")),
     "garbage": Fault(Effect.BRIEF, _lines("line garbage " + "00FF55C2" * 20), _nothing),
-    "power_cut": Fault(Effect.SILENT, _lines("power off"), _lines("power on")),
-    "other_uart": Fault(Effect.SILENT, _change_uart, _restore_uart),
-    "brown_out": Fault(Effect.SILENT, _lines("battery 3"), _lines("battery 12")),
-    "other_board": Fault(Effect.BRIEF, _swap(OTHER, FIRST), _swap(FIRST, OTHER), other_boards=True),
+    "power_cut": Fault(Effect.SILENT, _lines("power off"), _lines("power on"), cuts_power=True),
+    "other_uart": Fault(Effect.SILENT, _change_uart, _restore_uart, cuts_power=True),
+    "brown_out": Fault(Effect.SILENT, _lines("battery 3"), _lines("battery 12"), cuts_power=True),
+    "other_board": Fault(
+        Effect.BRIEF, _swap(OTHER, FIRST), _swap(FIRST, OTHER), other_boards=True, cuts_power=True
+    ),
     "other_model": Fault(
-        Effect.BRIEF, _swap(JUNIOR, FIRST), _swap(FIRST, JUNIOR), other_boards=True
+        Effect.BRIEF, _swap(JUNIOR, FIRST), _swap(FIRST, JUNIOR), other_boards=True, cuts_power=True
     ),
     "echo": Fault(Effect.BRIEF, _lines("line echo on"), _lines("line echo off")),
     "stolen_port": _port(Effect.LOST, PortFault.STOLEN),

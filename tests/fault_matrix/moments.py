@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QDialog
 
 from tests.fault_matrix.scene import Scene
 from tests.support.pages.calibration import CalibrationPage
@@ -14,7 +14,7 @@ from tests.support.pages.motors import MotorsPage
 from tests.support.pages.settings import ReviewDialog
 from tests.support.transmitter import Stick
 from trex_gui.devices.trex.model.calibration_moves import Handle
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.pages.calibration import page as calibration
@@ -24,7 +24,7 @@ from trex_gui.ui.plotting.panel import TracePanel
 Inject = Callable[[], object]
 
 LEARNED = Calibration(2400, 3700, 5100, 80)
-CHANNEL = 2
+CALIBRATION = CalibrationKey.RC_CHANNEL_2
 
 EDITS = {
     "motor1_acceleration": 9,
@@ -57,9 +57,13 @@ def _connect(scene: Scene, inject: Inject) -> None:
     scene.window.wait(done)
 
 
-def _read_all(scene: Scene, inject: Inject) -> None:
+def _connect_and_edit(scene: Scene) -> None:
     scene.connect()
     scene.edit(motor1_acceleration=9)
+
+
+def _read_all(scene: Scene, inject: Inject) -> None:
+    _connect_and_edit(scene)
     done = scene.at_step(5, inject)
     scene.window.device.reload()
     scene.window.wait(done)
@@ -69,8 +73,7 @@ def _apply(step: int | None, scene: Scene, inject: Inject) -> None:
     """Apply the edits; the fault begins before a step, or before the snapshot is taken."""
     scene.connect()
     scene.edit(**EDITS)
-    scene.window.device.calibrations.edit(CHANNEL, LEARNED)
-    scene.edits_calibration = True
+    scene.edit_calibration(CALIBRATION, LEARNED)
     review = ReviewDialog(scene.window)
     review.open()
     if step is None:
@@ -94,7 +97,7 @@ def _calibration_page(scene: Scene) -> CalibrationPage:
 
 
 def _calibrate(scene: Scene, inject: Inject) -> None:
-    scene.connect()
+    _connect_and_edit(scene)
     page = _calibration_page(scene)
     shown = page.shown()
     page.drag_handle(Handle.MAXIMUM, shown.maximum - 300, release=False)
@@ -111,7 +114,7 @@ def _learning_dialog(scene: Scene) -> LearningDialog:
 
 
 def _learn(scene: Scene, inject: Inject) -> None:
-    scene.connect()
+    _connect_and_edit(scene)
     learning = _learning_dialog(scene)
     learning.use({1: Stick(), 2: Stick()})
     learning.go_to_travel(1, 2)
@@ -123,17 +126,22 @@ def _end_learning(scene: Scene) -> None:
 
 
 def _drive(scene: Scene, inject: Inject) -> None:
-    scene.connect()
+    _connect_and_edit(scene)
+    _drive_connected(scene)
+    inject()
+
+
+def _drive_connected(scene: Scene) -> None:
     page = MotorsPage(scene.window, scene.board)
     page.arm()
     page.drag("motor1Slider", 60)
     page.drag("motor2Slider", -60)
-    page.wait_for_targets(("forward", 60), ("reverse", 60))
-    inject()
+    scene.targets = [("forward", 60), ("reverse", 60)]
+    page.wait_for_targets(*scene.targets)
 
 
 def _record(scene: Scene, inject: Inject) -> None:
-    scene.connect()
+    _connect_and_edit(scene)
     path = scene.folder / "a.trexrec"
     scene.recordings.record(path)
     samples = scene.window.device.telemetry.samples
@@ -148,7 +156,7 @@ def _end_recording(scene: Scene) -> None:
 
 
 def _export(scene: Scene, inject: Inject) -> None:
-    scene.connect()
+    _connect_and_edit(scene)
     panel = scene.window.open_page("currentsPage").find_only(TracePanel)
     scene.window.wait(lambda: panel.plot.source is not None and panel.plot.source.span is not None)
     path = scene.folder / "a.csv"
@@ -175,12 +183,14 @@ def _find(scene: Scene, inject: Inject) -> None:
 def _end_finding(scene: Scene) -> None:
     find = _find_dialog(scene)
     find.wait_for_end()
-    scene.hear_all(find.find(QWidget, "findResults"))
+    scene.hear_all(find.root)
     find.root.close()
 
 
 def _close(scene: Scene, inject: Inject) -> None:
-    _drive(scene, inject)
+    scene.connect()  # without edits, for which the window would ask what to do
+    _drive_connected(scene)
+    inject()
     scene.window.window.close()
 
 
@@ -201,3 +211,6 @@ MOMENTS: dict[str, Moment] = {
     # Closing waits up to a second for the line, which stops the motors first.
     "closing": Moment(_close, longest_gap=1.2),
 }
+
+APPLYING = [name for name in MOMENTS if name.startswith("apply")]
+"""When edits are written."""

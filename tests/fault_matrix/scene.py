@@ -11,6 +11,7 @@ from tests.support.program import trex
 from tests.support.simulator import PortFault, SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.core.session import Progress
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier
@@ -26,6 +27,11 @@ SHORTEST_GAP = 0.1  # seconds
 
 Gap = tuple[float, float]
 
+Stored = dict[str, int | Calibration]
+
+Target = tuple[str, int]
+"""Direction and speed."""
+
 LABELS = (
     "bannerText",
     "questionText",
@@ -35,6 +41,11 @@ LABELS = (
     "reviewHead",
 )
 """Where messages are shown."""
+
+
+def _stored(shown: dict[str, Any]) -> Stored:
+    calibrations = shown["calibrations"].items()
+    return {**shown["parameters"], **{key: Calibration(**value) for key, value in calibrations}}
 
 
 class BoardOnLine(SimulatedDevice):
@@ -65,9 +76,11 @@ class Scene:
         data: where the program keeps snapshots.
         said: what the window has shown since the fault began.
         gaps: from when to when the event loop did not answer, since the fault began.
-        edits: the settings that the user changed and has applied or not.
-        edits_calibration: whether the calibration of a channel is one of them.
-        before: what the board stored before.
+        edits: the settings that the user changed and has applied or not, by key.
+        before: what the program has read from the board before.
+        stored_before: what the board stored before.
+        others_before: the same of the other boards on its line, and how often they had written.
+        targets: what the motors are to do, if the user drives.
         files: what is being written.
         foreign: what another program has written.
         uart_settings: what the board stored before a fault changed it.
@@ -81,15 +94,17 @@ class Scene:
         *,
         other_boards: bool = False,
     ) -> None:
+        self._others = (OTHER, JUNIOR) if other_boards else ()
         self.window = window
         self.folder = folder / "files"
         self.folder.mkdir()
         self.data = Path(os.environ["TREX_STUDIO_DATA"])
         self.said: list[str] = []
         self.gaps: list[Gap] = []
-        self.edits: dict[str, int] = {}
-        self.edits_calibration = False
+        self.edits: dict[str, int | Calibration] = {}
         self.before: Settings | None = None
+        self.stored_before: Stored = {}
+        self.targets: list[Target] = []
         self.files: list[Path] = []
         self.foreign: list[Path] = []
         self.uart_settings = 0
@@ -97,10 +112,11 @@ class Scene:
             options = (f"{FIRST}", f"{OTHER}", f"{JUNIOR}:trexjr")
             self.line = start(*(word for option in options for word in ("--device", option)))
             self.board: SimulatedDevice = BoardOnLine(self.line, FIRST)
-            for number in (OTHER, JUNIOR):
+            for number in self._others:
                 self.switch(number, "off")
         else:
             self.line = self.board = start()
+        self.others_before = self.others()
         self.url = self.line.url
         self._labels = [window.root.findChild(QLabel, name) for name in LABELS]
         self._due = now() + LOOK_MS / 1000
@@ -116,6 +132,20 @@ class Scene:
 
     def shown(self) -> dict[str, Any]:
         return self.board.show()
+
+    def stored(self) -> Stored:
+        """Return what the user's board stores, calibrations of either source included."""
+        return _stored(self.shown())
+
+    def others(self) -> list[tuple[Stored, int]]:
+        """Return what every other board stores, and how often it has written anything."""
+        shown = [BoardOnLine(self.line, number).show() for number in self._others]
+        return [(_stored(one), one["counters"]["eeprom_writes"]) for one in shown]
+
+    def driven(self) -> list[Target]:
+        """Return what the motors of the user's board are to do."""
+        motors = self.shown()["motors"]
+        return [(motor["target_direction"], motor["target_speed"]) for motor in motors]
 
     def motors_turn(self) -> bool:
         """Whether the board has power and drives any motor, or will."""
@@ -135,6 +165,11 @@ class Scene:
         self.window.connect(self.url)
         assert self.window.device.state is not None
         self.before = settings_of(self.window.device.state)
+        self.stored_before = self.stored()
+
+    def edit_calibration(self, key: CalibrationKey, wanted: Calibration) -> None:
+        self.window.device.calibrations.edit(key.channel, wanted)
+        self.edits[key] = wanted
 
     def edit(self, **values: int) -> None:
         """Change parameters to wire values."""
