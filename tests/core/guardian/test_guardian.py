@@ -141,6 +141,24 @@ def test_motors_are_stopped_when_the_heartbeat_is_missing(ends: Ends) -> None:
     assert not guardian.is_ready
 
 
+def test_guardian_that_was_suspended_itself_does_not_act(ends: Ends) -> None:
+    board = Board(ends[1])
+    guardian = started(ends[0], silence=2.0)
+    assert guardian._process is not None
+    guardian.watch(STOP)
+    wait_until(lambda: guardian._unread == 0)
+    guardian._process.send_signal(signal.SIGSTOP)
+    for _ in range(10):
+        guardian.watch(STOP)
+        time.sleep(0.25)
+    guardian._process.send_signal(signal.SIGCONT)
+    guardian.watch(STOP)
+    wait_until(lambda: guardian._unread == 0)
+    assert not guardian.has_acted
+    guardian.end()
+    assert board.received == b""
+
+
 @pytest.mark.parametrize("messages", [[], [STOP, None]], ids=["never moved", "stopped"])
 def test_nothing_is_sent_if_no_motor_may_move(
     ends: Ends, messages: list[StopSequence | None]

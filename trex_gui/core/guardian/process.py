@@ -33,7 +33,8 @@ if sys.platform != "win32":
 
 _GIVE_UP_S = 5.0  # seconds for which a stop is repeated
 _GRACE_S = 0.02  # seconds for a heartbeat that was sent in time and not read yet
-_SUSPENDED_S = 0.2  # a wait that is so much too long: this process was suspended itself
+_LATE_S = 0.05  # a wait that is so much too long: this process was held up itself
+_LATE_GRACE_S = 0.1  # seconds for messages that were sent meanwhile
 _CLEAN_ROUNDS = 2  # stops with a clean status in a row that confirm it
 _QUIET_S = 0.03
 """Seconds of silence that end a reply: more than three bytes at 1200 baud take, and more than a
@@ -310,14 +311,13 @@ class Watchdog:
 
     def _next(self, seconds: float | None) -> str | None:
         """Return the next message, empty after the last one; `None` if none came in time."""
-        while True:
-            begun = time.monotonic()
-            with suppress(queue.Empty):
-                return self._messages.get(timeout=seconds)
-            if seconds is None or time.monotonic() - begun < seconds + _SUSPENDED_S:
-                with suppress(queue.Empty):
-                    return self._messages.get(timeout=_GRACE_S)
-                return None
+        begun = time.monotonic()
+        with suppress(queue.Empty):
+            return self._messages.get(timeout=seconds)
+        is_late = time.monotonic() - begun > (seconds or 0) + _LATE_S
+        with suppress(queue.Empty):
+            return self._messages.get(timeout=_LATE_GRACE_S if is_late else _GRACE_S)
+        return None
 
     def _stop(self, stop: StopMessage) -> bool:
         """Repeat the stop until the board confirms it; return whether it did."""
