@@ -178,7 +178,8 @@ def test_close_does_not_wait_long_for_unresponsive_board() -> None:
         attempt.stage.script.at(moment, Close())
         writing = taken(run(attempt))
         require_order(attempt, lost=2)
-        assert any(isinstance(result.error, NoReply | Skipped) for result in attempt.results)
+        is_failed = any(isinstance(one.error, NoReply | Skipped) for one in attempt.results)
+        assert is_failed or attempt.stored == attempt.case.after  # off behind the last value
         assert writing.when(Closed) - moment < 2.0
 
 
