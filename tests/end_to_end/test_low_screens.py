@@ -184,6 +184,7 @@ def test_closing_with_edits_offers_to_save_them(
         assert asking.is_shown(), chosen
         monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, name=chosen: (name, ""))
         asking.click("saveAndClose")
+        asking.wait_for_files()
         assert asking.is_shown() == (chosen != str(path)), chosen
     assert "1.5 s" in path.read_text(encoding="utf-8")
 

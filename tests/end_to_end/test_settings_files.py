@@ -36,7 +36,7 @@ def test_load_dialog_compares_the_file_with_the_board(
 ) -> None:
     window, device = connected_window, connected_window.device
     saved = tmp_path / "board.txt"
-    files.files.save_file(saved)
+    files.save(saved)
     assert saved.read_text(encoding="utf-8").startswith("product: TReX\n")
     dialog = files.load(saved)
     assert "28 parameters: 0 will change, 28 match" in dialog.text("comparisonSummary")
@@ -222,7 +222,7 @@ def test_saving_keeps_comments_and_asks_before_replacing(
     text = f"product: TReX\n# my rover\nserial_timeout: 9  # for the bench\n{ANALOG}"
     path.write_text(text, encoding="utf-8")
     connected_window.device.parameters.edit("serial_timeout", 5)
-    files.files.save_file(path)
+    files.save(path)
     after = path.read_text(encoding="utf-8")
     assert after.startswith(text.replace("9  # for", "5  # for"))
     assert "motor_mode: 0" in after
@@ -232,11 +232,11 @@ def test_saving_keeps_comments_and_asks_before_replacing(
     for text in ("Dear diary\n", "product: TReX Jr\n"):
         path.write_text(text, encoding="utf-8")
         questions = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
-        files.files.save_file(path)
+        files.save(path)
         assert "Replace it?" in questions[0], text
         assert path.read_text(encoding="utf-8") == text
         answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
-        files.files.save_file(path)
+        files.save(path)
         assert "motor_mode: 0" in path.read_text(encoding="utf-8"), text
 
 

@@ -61,6 +61,7 @@ def test_file_is_opened_edited_saved_and_closed(
 
     editor.edit("serial_timeout", 15)
     editor.action("Save").trigger()
+    window.wait_for_files()
     assert rover.read_text(encoding="utf-8") == TEXT.replace("5  # 0.5 s", "15  # 1.5 s")
     assert not editor.document.modified
 
@@ -110,7 +111,8 @@ def test_new_file_starts_with_chosen_settings(
         editor = files.editor()
         assert editor.document.draft.parameters.value_of(key) == value, beginning
         assert not editor.root.isWindowModified()
-        assert editor.editor.save_to(tmp_path / "mine.txt")
+        editor.editor.save_to(tmp_path / "mine.txt")
+        window.wait_for_files()
         assert editor.root.windowTitle().startswith("mine.txt")
         files.files.close_all()
         window.wait(lambda: not window.has("newSettingsDialog"))

@@ -1,11 +1,19 @@
 """The window goes on while a disk takes seconds, and nothing is lost."""
 
+import errno
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from tests.support.pages.settings import ReviewDialog
+from tests.support.pages.settings import (
+    ReviewDialog,
+    SettingsEditorWindow,
+    SettingsFiles,
+    answer_questions,
+)
 from tests.support.slow_disk import SECONDS, SlowDisk
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
@@ -119,3 +127,118 @@ def test_factory_reset_keeps_edits_until_the_snapshot_is_saved(
     device.reset_to_factory()
     connected_window.wait_for_text("bannerText", "Nothing was written")
     assert device.draft.pending == 1
+
+
+# --- Settings files ---------------------------------------------------------------------
+
+ROVER = "product: TReX\nserial_timeout: 5\n"
+
+
+@pytest.fixture
+def editor(window: WindowDriver, tmp_path: Path, disk: SlowDisk) -> SettingsEditorWindow:
+    """The window of a settings file, with an edit."""
+    del disk
+    path = tmp_path / "rover.txt"
+    path.write_text(ROVER, encoding="utf-8")
+    files = SettingsFiles(window)
+    files.files.edit_file(path)
+    window.wait_for_files()
+    editor = files.editor()
+    editor.edit("serial_timeout", 9)
+    return editor
+
+
+def text_of(editor: SettingsEditorWindow) -> str:
+    path = editor.document.path
+    assert path is not None
+    return path.read_text(encoding="utf-8")
+
+
+def test_edit_made_while_a_file_is_saved_stays_unsaved(editor: SettingsEditorWindow) -> None:
+    editor.action("Save").trigger()
+    assert text_of(editor) == ROVER
+    editor.edit("serial_timeout", 15)
+    editor.wait_for_files()
+    assert "serial_timeout: 9" in text_of(editor)
+    assert editor.document.modified
+    editor.action("Save").trigger()
+    editor.edit("serial_timeout", 20)
+    editor.action("Save").trigger()  # a second time while the first goes on
+    editor.wait_for_files()
+    assert "serial_timeout: 20" in text_of(editor)
+    assert not editor.document.modified
+
+
+def test_other_path_does_not_wait_for_a_save(editor: SettingsEditorWindow, tmp_path: Path) -> None:
+    other = tmp_path / "other.txt"
+    editor.action("Save").trigger()  # looks at the file first, so it ends later
+    editor.editor.save_to(other)
+    editor.wait_for_files()
+    assert "serial_timeout: 9" in other.read_text(encoding="utf-8")
+    assert editor.document.path == other
+
+
+def test_closing_window_saves_first(
+    editor: SettingsEditorWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    answer_questions(monkeypatch, QMessageBox.StandardButton.Save)
+    path = editor.document.path
+    assert path is not None
+    assert not editor.editor.close()
+    questions = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    assert not editor.editor.close()
+    assert "is still being saved" in questions[0]
+    editor.wait(lambda: not editor.editor.isVisible())
+    assert "serial_timeout: 9" in path.read_text(encoding="utf-8")
+
+
+def test_window_that_could_not_save_stays_open(
+    editor: SettingsEditorWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(_handle: int) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", fail)
+    answer_questions(monkeypatch, QMessageBox.StandardButton.Save)
+    assert not editor.editor.close()
+    editor.wait_for_text("bannerText", "No space left")
+    assert editor.editor.isVisible()
+    assert editor.document.modified
+    assert text_of(editor) == ROVER
+    answer_questions(monkeypatch, QMessageBox.StandardButton.Discard)
+    assert editor.editor.close()
+
+
+def test_program_closes_once_its_files_are_saved(
+    window: WindowDriver, editor: SettingsEditorWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    answer_questions(monkeypatch, QMessageBox.StandardButton.Save)
+    path = editor.document.path
+    assert path is not None
+    assert not window.window.close()
+    assert window.window.isVisible()
+    window.wait(lambda: not window.window.isVisible())
+    assert "serial_timeout: 9" in path.read_text(encoding="utf-8")
+
+
+def test_settings_of_the_board_are_saved_before_the_program_closes(
+    connected_window: WindowDriver,
+    disk: SlowDisk,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    window, path = connected_window, tmp_path / "board.txt"
+    path.write_text(ROVER, encoding="utf-8")
+    window.device.parameters.edit("serial_timeout", 9)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    assert not window.window.close()
+    window.click("saveAndClose")
+    assert window.window.isVisible()
+    window.device.parameters.edit("serial_timeout", 15)
+    window.wait_for_text("bannerText", "were saved in")
+    assert "serial_timeout: 9" in path.read_text(encoding="utf-8")
+    assert window.window.isVisible(), "it was edited meanwhile"
+    window.click("saveAndClose")
+    window.wait(lambda: not window.window.isVisible())
+    assert "serial_timeout: 15" in path.read_text(encoding="utf-8")
+    assert disk.stalls == []

@@ -26,7 +26,7 @@ from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import Recording
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
-from trex_gui.devices.aracna.poses.ppr import read_file, read_ppr, write_file
+from trex_gui.devices.aracna.poses.ppr import read_file, read_ppr, write_ppr
 from trex_gui.devices.aracna.recording import FORMAT as ROBOT_FORMAT
 from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, load_run, to_csv
 from trex_gui.devices.trex.model.playback import Playback
@@ -163,8 +163,7 @@ def check_poses(data: bytes, folder: Path) -> None:
         _check_findings(error.findings, data, rejected=True)
         return
     _check_findings(file.findings, data, most=len(data) + 1)
-    written = write_file(folder / "again.ppr", file.project)
-    assert read_ppr(written.decode("utf-8"))[0] == file.project
+    assert read_ppr(write_ppr(file.project))[0] == file.project
 
 
 def check_bench(data: bytes, folder: Path) -> None:

@@ -259,6 +259,25 @@ def save(path: Path, content: str | bytes) -> None:
             file.write(data)
 
 
+def save_over(path: Path, content: str | bytes, known: bytes | None) -> bool:
+    """Write a file unless it holds something else than `known`; return whether it was written.
+
+    `None`: whatever it holds. A missing file is written. After a SettingsError nothing was.
+    """
+    if known is not None and _differs(path, known):
+        return False
+    save(path, content)
+    return True
+
+
+def _differs(path: Path, known: bytes) -> bool:
+    try:
+        with open_ordinary(path) as file:
+            return file.read(len(known) + 1) != known
+    except OSError:
+        return False  # saving makes it again, or reports why it cannot
+
+
 def save_new(path: Path, text: str) -> bool:
     with _sentences(path, "written"):
         try:

@@ -1,6 +1,7 @@
 """Reading and writing files beside the window's thread: a disk may be slow or hang."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Generic, TypeVar, cast
 
@@ -29,6 +30,14 @@ def end_background(timeout_ms: int) -> bool:
     end = now() + timeout_ms / 1000
     ended = [job.wait(max(0, round((end - now()) * 1000))) for job in tuple(background)]
     return all(ended)
+
+
+@dataclass(frozen=True, slots=True)
+class Content:
+    """What a document is to be saved as; `note_saved` takes the path, once it is there."""
+
+    text: str
+    note_saved: Callable[[Path], object]
 
 
 class _Job(FileWorker, Generic[ResultT]):

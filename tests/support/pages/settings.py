@@ -121,6 +121,11 @@ class SettingsFiles:
         self._window.wait_for_files()
         return self.load_dialog()
 
+    def save(self, path: Path) -> None:
+        """Save the settings shown."""
+        self.files.save_file(path)
+        self._window.wait_for_files()
+
     def load_dialogs(self) -> list[LoadDialog]:
         """Return the load dialogs that can be seen."""
         return [

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
 from tests.support.causes import watched
+from tests.support.documents import save_now
 from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
 from tests.support.program import aracna
 from trex_gui.devices.aracna.session.messages import Moving
@@ -46,7 +47,7 @@ def test_pose_is_captured_renamed_and_moved_to(window: RobotWindow, tmp_path: Pa
     window.choose_row("aracnaPoses", "wave")
     window.click("aracnaGoTo")
     window.wait(lambda: robot.state.moved is not None and robot.state.goals == there)
-    library.save(tmp_path / "mine.ppr")
+    save_now(library, library.content, tmp_path / "mine.ppr")
     assert "Pose=wave:" in (tmp_path / "mine.ppr").read_text(encoding="utf-8")
 
     window.choose_row("aracnaPoses", "stand")

@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QListView, QSpinBox
 
+from tests.support.documents import save_now
 from tests.support.pages.robot import POSES_PAGE, RobotWindow
 from tests.support.program import aracna
 from trex_gui.devices.aracna.poses.ppr import read_ppr
@@ -58,12 +59,14 @@ def test_typed_position_is_saved_and_moved_to_before_enter(
     connected_window: RobotWindow, tmp_path: Path
 ) -> None:
     window, path = connected_window, tmp_path / "typed.ppr"
-    aracna(window.program).library.save(path)
+    library = aracna(window.program).library
+    save_now(library, library.content, path)
     window.show_page(POSES_PAGE)
     poses = window.find(QListView, "aracnaPoses")
     poses.setCurrentIndex(poses.model().index(0, 0))
     window.type_unconfirmed("aracnaPosition0", "300")
     window.trigger("aracna_save")
+    window.wait_for_files()
     project, _ = read_ppr(path.read_text(encoding="utf-8"))
     assert project.poses[0].positions[0] == 300
     assert window.find(QSpinBox, "aracnaPosition0").value() == 300
@@ -73,3 +76,4 @@ def test_typed_position_is_saved_and_moved_to_before_enter(
     window.wait_for_motion(0)
     assert window.goals[0][0] == 400
     window.trigger("aracna_save")  # else the window asks whether to when it closes
+    window.wait_for_files()

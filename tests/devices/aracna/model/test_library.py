@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.documents import save_now
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError
 from trex_gui.core.resource_files import resource
@@ -165,7 +166,7 @@ def test_saved_library_is_read_back_equal(library: Library, tmp_path: Path) -> N
     path = tmp_path / "mine.ppr"
     library.add_pose(EIGHT, "mine")
     library.add_sequence("s", [SequenceStep("mine", 700)])
-    library.save(path)
+    save_now(library, library.content, path)
     assert not library.modified
     assert (library.path, library.name) == (path, "mine.ppr")
     other = Library()
@@ -176,7 +177,7 @@ def test_saved_library_is_read_back_equal(library: Library, tmp_path: Path) -> N
 
 def test_undo_after_save_marks_library_modified(library: Library, tmp_path: Path) -> None:
     library.add_pose(EIGHT)
-    library.save(tmp_path / "mine.ppr")
+    save_now(library, library.content, tmp_path / "mine.ppr")
     library.undo.undo()
     assert library.modified
     library.undo.redo()
@@ -188,7 +189,7 @@ def test_unreadable_lines_are_reported_and_saved_again(library: Library, tmp_pat
     path.write_text("Aracna:8\nPose=a:1, x\nsomething else\n", encoding="utf-8")
     assert [finding.line for finding in opened(library, path)] == [1, 2, 3]
     library.add_pose(EIGHT, "b")
-    library.save()
+    save_now(library, library.content)
     text = path.read_text(encoding="utf-8")
     assert "Pose=a:1, x\nsomething else\n" in text
     assert "Pose=b:1, 2, 3, 4, 5, 6, 7, 8\n" in text
@@ -218,23 +219,33 @@ def test_latin_1_file_is_read_with_finding(library: Library, tmp_path: Path) -> 
 
 def test_failed_save_keeps_old_file_and_edits(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "mine.ppr"
-    library.save(path)
+    save_now(library, library.content, path)
     library.add_pose(EIGHT)
     with pytest.raises(SettingsError, match="no folder"):
-        library.save(tmp_path / "gone" / "mine.ppr")
-    with pytest.raises(SettingsError, match="no place"):
-        Library().save()
+        save_now(library, library.content, tmp_path / "gone" / "mine.ppr")
     assert library.path == path
     assert library.modified
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_change_by_other_program_is_detected(library: Library, tmp_path: Path) -> None:
-    path = tmp_path / "mine.ppr"
-    library.save(path)
-    assert not library.changed_on_disk()
-    path.write_text("Aracna:8\n", encoding="utf-8")
-    assert library.changed_on_disk()
+def test_edits_made_while_it_is_saved_stay_unsaved(library: Library, tmp_path: Path) -> None:
+    content = library.content()
+    library.add_pose(EIGHT)
+    content.note_saved(tmp_path / "mine.ppr")
+    modified = [library.modified]
+    library.undo.undo()
+    modified.append(library.modified)
+    assert modified == [True, False]
+    assert library.on_disk == content.text.encode()
+
+
+def test_file_that_was_left_while_it_was_saved_is_not_taken_for_the_next(
+    library: Library, tmp_path: Path
+) -> None:
+    content = library.content()
+    library.new()
+    content.note_saved(tmp_path / "mine.ppr")
+    assert library.path is None
 
 
 def test_sample_file_opens_without_findings(library: Library) -> None:

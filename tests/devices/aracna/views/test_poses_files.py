@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.aracna.views.poses_stage import EIGHT, StagedPageDriver
+from tests.support.slow_disk import SlowDisk
 from trex_gui.devices.aracna.model.library import ItemKind
 from trex_gui.ui.widgets import file_questions
 
@@ -38,7 +39,8 @@ def test_file_is_saved_and_reopened_and_folder_remembered(
     path = tmp_path / "mine.ppr"
     driver.library.add_pose(EIGHT, "mine")
     assert driver.text("aracnaPoseFile") == "poses.ppr, changed"
-    assert driver.page.files.save_to(path)
+    driver.page.files.save_to(path)
+    driver.wait_for_files()
     assert driver.text("aracnaPoseFile") == "mine.ppr"
     driver.find(QAction, "aracnaNewFileAction").trigger()
     assert "mine" not in driver.pose_names()
@@ -80,10 +82,12 @@ def test_save_asks_before_overwriting_external_change(
 ) -> None:
     path = tmp_path / "mine.ppr"
     driver.page.files.save_to(path)
+    driver.wait_for_files()
     path.write_text("Aracna:8\n", encoding="utf-8")
     cancel = QMessageBox.StandardButton.Cancel
     monkeypatch.setattr(QMessageBox, "question", lambda *_: cancel)
-    assert not driver.page.files.save()
+    driver.page.files.save()
+    driver.wait_for_files()
     assert path.read_text(encoding="utf-8") == "Aracna:8\n"
 
 
@@ -93,8 +97,29 @@ def test_unreadable_or_unwritable_file_is_reported(
     driver.page.files.open_file(tmp_path / "none.ppr")
     driver.wait_for_files()
     assert "no such file" in driver.messages[-1]
-    assert not driver.page.files.save_to(tmp_path / "gone" / "a.ppr")
+    driver.page.files.save_to(tmp_path / "gone" / "a.ppr")
+    driver.wait_for_files()
     assert driver.messages[-1].startswith("Not saved.")
+
+
+def test_slow_disk_loses_no_edits(
+    driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, other = tmp_path / "mine.ppr", tmp_path / "other.ppr"
+    other.write_text("Aracna:8\nPose=only:1\n", encoding="utf-8")
+    disk = SlowDisk(monkeypatch)
+    driver.library.add_pose(EIGHT, "mine")
+    driver.page.files.save_to(path)
+    driver.library.add_pose(EIGHT, "later")
+    driver.wait_for_files()
+    assert driver.text("aracnaPoseFile") == "mine.ppr, changed"
+    answering(monkeypatch, file_questions.SaveAnswer.SAVE)
+    driver.page.files.open_file(other)
+    assert "mine" in driver.pose_names()
+    driver.wait_for_files()
+    assert "Pose=later:" in path.read_text(encoding="utf-8")
+    assert driver.pose_names() == ["only"]
+    assert disk.stalls == []
 
 
 def test_only_first_findings_of_invalid_file_are_reported(
@@ -114,6 +139,7 @@ def test_save_as_adds_suffix_and_asks_before_overwriting(
     chosen = str(tmp_path / "mine")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (chosen, ""))
     assert driver.page.files.ask_and_save()
+    driver.wait_for_files()
     assert driver.library.path == tmp_path / "mine.ppr"
     driver.library.add_pose((1,) * 8, "more")
     cancel = QMessageBox.StandardButton.Cancel
@@ -154,6 +180,7 @@ def test_step_finds_pose_with_blanks_around_its_name(
     driver.choose_row("aracnaPoses", "sp")
     driver.click("aracnaAddStep")
     driver.page.files.save()
+    driver.wait_for_files()
     driver.page.files.open_file(path)
     driver.wait_for_files()
     assert "not in the file" not in driver.messages[-1]

@@ -77,6 +77,10 @@ class EditorDriver(SettingsEditorWindow):
         assert action.isEnabled(), name
         action.trigger()
 
+    def save(self) -> None:
+        self.trigger("Save")
+        self.wait_for_files()
+
     def findings(self, panel: str = "findingsPanel") -> list[tuple[str, str]]:
         """Return line and text of each finding."""
         table = self.findings_table(panel)
@@ -206,7 +210,7 @@ def test_repaired_text_opens_the_pages(open_text: Open) -> None:
     editor.click("checkAgainButton")
     assert editor.tabs.isTabEnabled(PARAMETERS)
     assert text.isReadOnly()
-    editor.trigger("Save")
+    editor.save()
     assert editor.path.read_bytes() == b"product: TReX\r\nmotor_mode: 1\r\n# mine\r\n"
 
 
@@ -301,11 +305,11 @@ def test_file_changed_on_disk_is_overwritten_after_a_question(
 ) -> None:
     editor.path.write_text("product: TReX\n# by another program\n", encoding="utf-8")
     requested = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
-    editor.trigger("Save")
+    editor.save()
     assert "changed by another program" in requested[0]
     assert "by another program" in editor.path.read_text(encoding="utf-8")
     answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
-    editor.trigger("Save")
+    editor.save()
     assert editor.path.read_bytes() == TEXT.encode()
 
 
@@ -315,11 +319,11 @@ def test_file_is_rewritten_after_a_question(
     editor = open_text("product: TReX\nfirmware: |\n  1.2")  # cannot be changed in place
     editor.edit("motor_mode", 1)
     requested = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
-    editor.trigger("Save")
+    editor.save()
     assert "fresh text" in requested[0]
     assert editor.document.modified
     answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
-    editor.trigger("Save")
+    editor.save()
     assert "motor_mode: 1" in editor.path.read_text(encoding="utf-8")
 
 
@@ -327,7 +331,8 @@ def test_edits_are_kept_until_saved_or_dropped(
     editor: EditorDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     editor.edit("motor_mode", 1)
-    assert not editor.editor.save_to(tmp_path / "gone" / "rover.txt")
+    editor.editor.save_to(tmp_path / "gone" / "rover.txt")
+    editor.wait_for_files()
     assert "Not saved" in editor.banner
     assert editor.document.modified
 
@@ -337,7 +342,8 @@ def test_edits_are_kept_until_saved_or_dropped(
     assert editor.document.modified
     answer_questions(monkeypatch, QMessageBox.StandardButton.Save)
     path = editor.path
-    assert editor.editor.close()
+    assert not editor.editor.close()
+    editor.wait(lambda: not editor.editor.isVisible())
     assert b"motor_mode: 1" in path.read_bytes()
 
 

@@ -10,9 +10,8 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import Finding, SettingsError, open_ordinary
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait
-from trex_gui.devices.aracna.poses.ppr import PoseFile, write_file
+from trex_gui.devices.aracna.poses.ppr import PoseFile, write_ppr
 from trex_gui.devices.aracna.poses.project import (
     Pose,
     Project,
@@ -22,6 +21,7 @@ from trex_gui.devices.aracna.poses.project import (
     free_name,
 )
 from trex_gui.ui.devices.undo import Edit
+from trex_gui.ui.files import Content
 
 UNTITLED = "poses.ppr"
 
@@ -53,7 +53,8 @@ class Library(QObject):
         self.undo = QUndoStack(self)
         self.project = self._saved = Project(poses=BUILT_IN_POSES)
         self.path: Path | None = None
-        self._on_disk: bytes | None = None
+        self.on_disk: bytes | None = None  # what the file held when it was opened or saved
+        self._opened = object()  # another one for each file
 
     @property
     def name(self) -> str:
@@ -62,15 +63,6 @@ class Library(QObject):
     @property
     def modified(self) -> bool:
         return self.project != self._saved
-
-    def changed_on_disk(self) -> bool:
-        if self.path is None or self._on_disk is None:
-            return False
-        try:
-            with open_ordinary(self.path) as file:
-                return file.read(len(self._on_disk) + 1) != self._on_disk
-        except OSError:
-            return False  # saving creates it again, or reports why it cannot
 
     def playable(self, key: ItemKey | None) -> Sequence | Gait | None:
         if key is None:
@@ -90,20 +82,23 @@ class Library(QObject):
         """Show a pose file that was read."""
         self._load(file.project, path, file.data)
 
-    def save(self, path: Path | None = None) -> None:
-        """Write the file, here or elsewhere; after a SettingsError the old one is still there."""
-        target = path or self.path
-        if target is None:
-            raise SettingsError(self.name, [Finding(None, None, "it has no place on disk yet")])
-        self._on_disk = write_file(target, self.project)
-        self.path = target
-        self._saved = self.project
-        self.changed.emit()
+    def content(self) -> Content:
+        """Return what Save writes now; edits made while that is being saved stay unsaved."""
+        text, project, opened = write_ppr(self.project), self.project, self._opened
+
+        def note_saved(path: Path) -> None:
+            if opened is self._opened:  # else another file is shown by now
+                self.path, self._saved = path, project
+                self.on_disk = text.encode("utf-8")
+                self.changed.emit()
+
+        return Content(text, note_saved)
 
     def _load(self, project: Project, path: Path | None, data: bytes | None) -> None:
         self.undo.clear()
+        self._opened = object()
         self.project = self._saved = project
-        self.path, self._on_disk = path, data
+        self.path, self.on_disk = path, data
         self.changed.emit()
 
     # --- Edits of poses and sequences ---------------------------------------------------

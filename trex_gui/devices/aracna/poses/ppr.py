@@ -20,7 +20,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
-from trex_gui.core.files import Finding, SettingsError, Severity, load, save
+from trex_gui.core.files import Finding, SettingsError, Severity, load
 from trex_gui.devices.aracna.poses.project import (
     LONGEST_MS,
     MOST_MOTORS,
@@ -66,13 +66,6 @@ def read_file(path: Path) -> PoseFile:
             raise SettingsError(str(path), [Finding(number, None, message)])
     project, findings = read_ppr(text)
     return PoseFile(project, (*found, *findings), data)
-
-
-def write_file(path: Path, project: Project) -> bytes:
-    """Write a pose file atomically and return its content; SettingsError if that fails."""
-    text = write_ppr(project)
-    save(path, text)
-    return text.encode("utf-8")
 
 
 def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:

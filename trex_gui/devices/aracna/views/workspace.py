@@ -242,8 +242,7 @@ class AracnaWorkspace(Workspace):
     # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        del leave
-        return self._poses.files.may_close()
+        return self._poses.files.may_close(leave)
 
     def prepare_to_close(self) -> None:
         QObject.disconnect(self._undo_watch)  # the stack emits at its end, too

@@ -1,5 +1,6 @@
 """Opening and saving settings files, from the window and in windows of their own."""
 
+import contextlib
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from datetime import datetime
@@ -26,6 +27,7 @@ from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import named
+from trex_gui.ui.widgets.file_questions import SaveAnswer
 
 
 class SettingsFiles(QObject):
@@ -40,6 +42,8 @@ class SettingsFiles(QObject):
         self._window = window
         self._loading: LoadDialog | None = None
         self.editors: list[SettingsEditor] = []  # the open windows, each with one file
+        self._saving: set[Path] = set()
+        self._discarded: dict[SettingsEditor, str] = {}  # texts that need not be saved
 
     def ask_and_open(self) -> None:
         """Let the user choose a file and show what it would change of the board."""
@@ -51,14 +55,15 @@ class SettingsFiles(QObject):
         if path is not None:
             use(path)
 
-    def ask_and_save(self) -> bool:
-        """Let the user choose where to save the settings shown; return whether they are."""
+    def ask_and_save(self, then: Callable[[], object] = lambda: None) -> None:
+        """Let the user choose where to save the settings shown; call `then` once they are."""
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
         proposal = file_questions.last_folder() / f"{key}_settings.txt"
         title = self.tr("Save settings file")
         path = file_questions.ask_to_save(self._window, title, proposal)
-        return path is not None and self.save_file(path)
+        if path is not None:
+            self.save_file(path, then)
 
     def ask_and_export(self) -> None:
         """Let the user choose where to save the settings shown as a program, and its language."""
@@ -214,9 +219,44 @@ class SettingsFiles(QObject):
         self._window.activateWindow()
         self.staged.emit()
 
-    def may_close(self) -> bool:
-        """Ask in each window with unsaved changes; return whether all may close."""
-        return all(editor.may_close() for editor in list(self.editors))
+    def may_close(self, leave: Callable[[], object]) -> bool:
+        """Return whether nothing would be lost; else ask in each window with unsaved changes.
+
+        Once those are saved that the user wants to save, `leave` is called.
+        """
+        if self._saving and not file_questions.may_leave_unfinished(
+            self._window, ", ".join(path.name for path in self._saving)
+        ):
+            return False
+        agreed, self._discarded = self._discarded, {}
+        to_save: list[SettingsEditor] = []
+        for editor in list(self.editors):
+            if editor in agreed and agreed[editor] == editor.document.text:
+                continue
+            match editor.answer():
+                case SaveAnswer.SAVE:
+                    to_save.append(editor)
+                case SaveAnswer.DISCARD:
+                    agreed[editor] = editor.document.text
+                case SaveAnswer.CANCEL:
+                    return False
+        if to_save:
+            self._save_and_leave(to_save, agreed, leave)
+        return not to_save
+
+    def _save_and_leave(
+        self,
+        editors: list[SettingsEditor],
+        discarded: dict[SettingsEditor, str],
+        leave: Callable[[], object],
+    ) -> None:
+        """Save one after the other; what was discarded is asked about again if it changes."""
+        if editors:
+            following = partial(self._save_and_leave, editors[1:], discarded, leave)
+            editors[0].saver.save_and_leave(editors[0].save, following)
+        else:
+            self._discarded = discarded
+            leave()
 
     def close_all(self) -> None:
         for editor in list(self.editors):
@@ -249,29 +289,64 @@ class SettingsFiles(QObject):
         text = self.tr("{0} applies and checks the settings shown; read its first lines.")
         self._notifier.info.emit(text.format(path))
 
-    def save_file(self, path: Path) -> bool:
-        """Save the settings shown, edits included; return whether they are saved.
+    def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
+        """Save the settings shown, edits included; call `then` once they are saved.
 
         In an existing file only the values change. The user's comments stay, and so do the
         calibrations of the other input source, which the board does not show.
         """
         settings = self._device.draft.shown
         if settings is None:
-            return False
+            return
+        if path in self._saving:
+            text = self.tr("{0} was not saved again: it is still being saved.")
+            self._notifier.error.emit(text.format(path.name))
+            return
+        self._saving.add(path)
+        in_background(
+            self,
+            partial(_content_of, path),
+            partial(self._save_over, path, settings, then),
+            partial(self._on_not_saved, path),
+        )
+
+    def _save_over(
+        self,
+        path: Path,
+        settings: Settings,
+        then: Callable[[], object],
+        before: bytes | SettingsError | None,
+    ) -> None:
+        """Save into a file that holds this, or cannot be read; `None`: there is no file."""
         try:
-            text, kept = self._text_for(path, settings)
-            if text is None:
-                return False
-            save(path, text)
-        except (SettingsError, BadRequest) as error:
-            self._notifier.error.emit(self.tr("{0} was not saved: {1}").format(path.name, error))
-            return False
+            text, kept = self._text_for(path, settings, before)
+        except StudioError as error:
+            self._on_not_saved(path, error)
+            return
+        if text is None:
+            self._saving.discard(path)
+            return
+        in_background(
+            self,
+            partial(save, path, text),
+            lambda _: self._on_saved(path, kept, then),
+            partial(self._on_not_saved, path),
+        )
+
+    def _on_not_saved(self, path: Path, error: StudioError) -> None:
+        self._saving.discard(path)
+        self._notifier.error.emit(self.tr("{0} was not saved: {1}").format(path.name, error))
+
+    def _on_saved(self, path: Path, kept: str, then: Callable[[], object]) -> None:
+        self._saving.discard(path)
         file_questions.remember_folder(path)
         saved = self.tr("The settings shown were saved in {0}.").format(path)
         self._notifier.info.emit(f"{saved} {kept}".rstrip())
-        return True
+        then()
 
-    def _text_for(self, path: Path, settings: Settings) -> tuple[str | None, str]:
+    def _text_for(
+        self, path: Path, settings: Settings, content: bytes | SettingsError | None
+    ) -> tuple[str | None, str]:
         """Return what to write, and a note about what was kept; `None`: the user cancelled.
 
         Raises:
@@ -279,17 +354,17 @@ class SettingsFiles(QObject):
         """
         now = datetime.now().astimezone().strftime("%Y-%m-%d %H:%M")
         fresh = write_settings(settings, title_lines=[f"Saved by TReX Studio, {now}."])
-        if not path.exists():
+        if content is None:
             return fresh, ""
-        reason = ""
-        try:
-            before, _ = text_of(load(path), path.name)
-            old, _ = read_settings(before, path.name)
-            if old.product.key != settings.product.key:
-                reason = self.tr("holds settings of a {0}.").format(old.product.name)
-        except SettingsError:
-            reason = self.tr("is not a readable settings file.")
-        if reason:
+        reason = self.tr("is not a readable settings file.")
+        before, old = "", None
+        if isinstance(content, bytes):
+            with contextlib.suppress(SettingsError):
+                before, _ = text_of(content, path.name)
+                old, _ = read_settings(before, path.name)
+        if old is not None and old.product.key != settings.product.key:
+            reason, old = self.tr("holds settings of a {0}.").format(old.product.name), None
+        if old is None:
             may_replace = file_questions.may_replace(self._window, path.name, reason)
             return (fresh if may_replace else None), ""
         shown = {key.source for key in settings.calibrations}
@@ -315,6 +390,14 @@ class SettingsFiles(QObject):
 def _raise(editor: SettingsEditor) -> None:
     editor.show()
     editor.activateWindow()
+
+
+def _content_of(path: Path) -> bytes | SettingsError | None:
+    """Return what a file holds, or why it cannot be read; `None` if it is missing."""
+    try:
+        return load(path) if path.exists() else None
+    except SettingsError as error:
+        return error
 
 
 def _from_factory(model: Model, firmware: str, title: str) -> SettingsDocument:

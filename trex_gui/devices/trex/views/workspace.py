@@ -18,6 +18,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.recorder import Recorder
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.demo_panel import DemoPanel
@@ -81,7 +82,7 @@ class TrexWorkspace(Workspace):
         self._controller = controller
         self._question = frame.question
         self._frame = frame
-        self._may_leave = False
+        self._agreed: Settings | None = None  # settings shown that may be left as they are
         self._keeps_edits = True
         self._actions: Mapping[str, QAction] = {}
 
@@ -349,21 +350,25 @@ class TrexWorkspace(Workspace):
     # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        if self._may_leave or not (self._device.applying or self._device.draft.pending):
-            self._may_leave = False
-            return self.files.may_close()
+        shown = self._device.draft.shown
+        agreed, self._agreed = self._agreed, None
+        may_leave = agreed is not None and agreed == shown
+        if may_leave or not (self._device.applying or self._device.draft.pending):
+            leave_now = partial(self._leave, leave, shown if may_leave else None)
+            return self.files.may_close(leave_now)
 
-        def leave_anyway(*, keep_edits: bool) -> None:
-            self._may_leave = True
+        def leave_with(agreed: Settings | None, *, keep_edits: bool) -> None:
             self._keeps_edits = keep_edits
-            leave()
+            self._leave(leave, agreed)
+
+        def keep() -> None:
+            leave_with(self._device.draft.shown, keep_edits=True)
+
+        def discard() -> None:
+            leave_with(self._device.draft.shown, keep_edits=False)
 
         def save_and_leave() -> None:
-            if self.files.ask_and_save():
-                leave_anyway(keep_edits=False)
-
-        keep = partial(leave_anyway, keep_edits=True)
-        discard = partial(leave_anyway, keep_edits=False)
+            self.files.ask_and_save(partial(leave_with, self._device.draft.shown, keep_edits=False))
 
         self._frame.activateWindow()
         if self._device.applying:
@@ -384,6 +389,11 @@ class TrexWorkspace(Workspace):
                 still=lambda: self._device.draft.pending > 0 and not self._device.applying,
             )
         return False
+
+    def _leave(self, leave: Callable[[], object], agreed: Settings | None) -> None:
+        """Leave without a question about the edits, unless others are shown by now."""
+        self._agreed = agreed
+        leave()
 
     def prepare_to_close(self) -> None:
         QObject.disconnect(self._undo_watch)  # the stack emits at its own end, too

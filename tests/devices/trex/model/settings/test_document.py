@@ -1,6 +1,7 @@
 """A settings file while it is worked on."""
 
 import difflib
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.settings.samples import any_settings, factory
 from tests.support.bad_files import BAD_FILES, BadFile
+from tests.support.documents import save_now
 from tests.support.matrix import examples
 from trex_gui.core.files import SettingsError, load
 from trex_gui.core.resource_files import resource
@@ -44,7 +46,7 @@ def changed_lines(before: str, after: str) -> list[str]:
 def test_opening_and_saving_changes_no_byte(rover: Path) -> None:
     document = SettingsDocument.of_file(rover, load(rover))
     assert not document.modified
-    document.save()
+    save_now(document, document.content)
     assert rover.read_bytes() == ROVER.encode()
 
 
@@ -52,7 +54,7 @@ def test_edit_changes_only_its_value_and_comment(rover: Path) -> None:
     document = SettingsDocument.of_file(rover, load(rover))
     document.draft.parameters.edit("serial_timeout", 15)
     before = document.modified, document.draft.pending
-    document.save()
+    save_now(document, document.content)
     assert before == (True, 1)
     assert (document.modified, document.draft.pending) == (False, 0)
     after = rover.read_bytes().decode()
@@ -66,13 +68,13 @@ def test_undoing_all_edits_after_a_save_restores_all_bytes(rover: Path) -> None:
     document.draft.parameters.leave_out("serial_timeout")
     document.draft.calibrations.leave_out(CalibrationKey.RC_CHANNEL_2)
     document.draft.calibrations.edit(CalibrationKey.ANALOG_CHANNEL_1, Calibration(1, 2, 3, 0))
-    document.save()
+    save_now(document, document.content)
     assert "aux_acceleration: 7" in rover.read_text(encoding="utf-8")
     assert "# rc_channel_2" in rover.read_text(encoding="utf-8")
     while document.draft.undo.canUndo():
         document.draft.undo.undo()
     assert document.modified
-    document.save()
+    save_now(document, document.content)
     assert rover.read_bytes() == ROVER.encode()
 
 
@@ -130,7 +132,7 @@ def test_corrected_text_gives_settings_and_keeps_comments(tmp_path: Path) -> Non
     assert document.check()
     assert document.settings is not None
     assert document.settings.parameters == {"motor_mode": 1}
-    document.save()
+    save_now(document, document.content)
     assert path.read_text(encoding="utf-8") == "product: TReX\n# mine\nmotor_mode: 1\n"
 
 
@@ -139,7 +141,7 @@ def test_text_with_errors_can_be_saved(tmp_path: Path) -> None:
     path.write_text("product: TReX\nmotor_mode: 9\n", encoding="utf-8")
     document = SettingsDocument.of_file(path, load(path))
     document.set_text("product: TReX\nmotor_mode: 8\n")
-    document.save()
+    save_now(document, document.content)
     assert path.read_text(encoding="utf-8") == "product: TReX\nmotor_mode: 8\n"
     assert not document.modified
 
@@ -151,19 +153,32 @@ def test_cp1252_text_needs_a_check_and_is_saved_as_utf8(tmp_path: Path) -> None:
     assert not document.readable
     assert "für 5 µs" in document.text
     assert document.check()
-    document.save()
+    save_now(document, document.content)
     assert path.read_bytes() == "product: TReX\n# für 5 µs\nmotor_mode: 0\n".encode()
 
 
-def test_change_by_another_program_is_detected(rover: Path) -> None:
+def is_modified(document: SettingsDocument) -> bool:
+    return document.modified
+
+
+def test_edits_made_while_it_is_saved_stay_unsaved(rover: Path) -> None:
     document = SettingsDocument.of_file(rover, load(rover))
-    assert not document.changed_on_disk()
-    rover.write_text("product: TReX\n", encoding="utf-8")
-    assert document.changed_on_disk()
-    document.save()
-    assert not document.changed_on_disk()
-    rover.unlink()
-    assert not document.changed_on_disk()
+    edit = document.draft.parameters.edit
+    edit("motor_mode", 1)
+    content = document.content()
+    edit("serial_timeout", 15)
+    content.note_saved(rover)
+    assert is_modified(document)
+    assert document.on_disk == content.text.encode()
+    edit("serial_timeout", 5)
+    assert not is_modified(document)
+
+    edit("motor_mode", 0)
+    content = document.content()
+    document.draft.undo.undo()
+    content.note_saved(rover)
+    assert is_modified(document), "it was undone meanwhile"
+    assert "motor_mode: 1" in document.text
 
 
 def test_file_not_editable_in_place_is_rewritten_on_request(tmp_path: Path) -> None:
@@ -175,19 +190,18 @@ def test_file_not_editable_in_place_is_rewritten_on_request(tmp_path: Path) -> N
     document.draft.parameters.edit("motor_mode", 1)
     assert "cannot be changed in place" in document.trouble
     with pytest.raises(SettingsError):
-        document.save()
-    document.save(fresh=True)
+        save_now(document, document.content)
+    save_now(document, partial(document.content, fresh=True))
     assert "motor_mode: 1" in path.read_text(encoding="utf-8")
     assert not document.modified
 
 
-def test_new_file_needs_a_path(tmp_path: Path) -> None:
+def test_new_file_gets_a_path_when_it_is_saved(tmp_path: Path) -> None:
     document = SettingsDocument.of_settings(factory(), "new.txt", title="As from the factory.")
     assert document.settings == factory()
     assert not document.modified
-    with pytest.raises(SettingsError, match="no place"):
-        document.save()
-    document.save(tmp_path / "mine.txt")
+    assert document.path is None
+    save_now(document, document.content, tmp_path / "mine.txt")
     assert document.name == "mine.txt"
     assert "As from the factory." in (tmp_path / "mine.txt").read_text(encoding="utf-8")
 
@@ -195,7 +209,7 @@ def test_new_file_needs_a_path(tmp_path: Path) -> None:
 def test_missing_folder_is_reported_and_keeps_the_path(rover: Path, tmp_path: Path) -> None:
     document = SettingsDocument.of_file(rover, load(rover))
     with pytest.raises(SettingsError, match="no folder"):
-        document.save(tmp_path / "gone" / "rover.txt")
+        save_now(document, document.content, tmp_path / "gone" / "rover.txt")
     assert document.path == rover
 
 

@@ -1,5 +1,6 @@
 """New, open, save and save as for pose files."""
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -7,7 +8,7 @@ from PySide6.QtCore import QObject, QStandardPaths, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.files import SettingsError, Severity
+from trex_gui.core.files import Severity
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.poses.ppr import SUFFIX, PoseFile, read_file
 from trex_gui.devices.aracna.poses.project import Project
@@ -16,6 +17,7 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import take_typed
+from trex_gui.ui.widgets.document_saver import DocumentSaver
 
 _FOLDER = "aracna/folder"
 
@@ -33,10 +35,13 @@ class PoseFiles(QObject):
         self._notifier = notifier
         self._window = window
         self._store = Preferences()
+        self._saver = DocumentSaver(library, window)
+        self._saver.saved.connect(self._on_saved)
+        self._saver.failed.connect(partial(self._report_error, self.tr("Not saved. {0}.")))
 
     @Slot()
     def new(self) -> None:
-        if self.may_close():
+        if self.may_close(self.new):
             self._library.new()
 
     @Slot()
@@ -48,7 +53,7 @@ class PoseFiles(QObject):
 
     def open_file(self, path: Path) -> None:
         """Open a pose file, after a question about edits that are not saved; then `opened`."""
-        if self.may_close():
+        if self.may_close(partial(self.open_file, path)):
             in_background(
                 self,
                 partial(read_file, path),
@@ -57,8 +62,10 @@ class PoseFiles(QObject):
             )
 
     def _on_read(self, path: Path, before: Project, file: PoseFile) -> None:
-        if self._library.project != before and not self.may_close():  # edited meanwhile
-            return
+        if self._library.project != before:  # edited meanwhile
+            take = partial(self._on_read, path, self._library.project, file)
+            if not self.may_close(take):
+                return
         self._library.take_file(path, file)
         self._remember_folder(path)
         findings = file.findings
@@ -72,15 +79,12 @@ class PoseFiles(QObject):
 
     @Slot()
     def save(self) -> bool:
+        """Begin to save the file; return whether that has begun."""
         take_typed()
         path = self._library.path
         if path is None:
             return self.ask_and_save()
-        if self._library.changed_on_disk() and not file_questions.may_overwrite(
-            self._window, path.name
-        ):
-            return False
-        return self.save_to(path)
+        return self._saver.save(path, self._library.content, ask=True)
 
     @Slot()
     def ask_and_save(self) -> bool:
@@ -91,26 +95,17 @@ class PoseFiles(QObject):
         return path is not None and self.save_to(path)
 
     def save_to(self, path: Path) -> bool:
-        try:
-            self._library.save(path)
-        except SettingsError as error:
-            self._report_error(self.tr("Not saved. {0}."), error)
-            return False
+        return self._saver.save(path, self._library.content)
+
+    @Slot(object)
+    def _on_saved(self, path: Path) -> None:
         self._remember_folder(path)
         self._notifier.info.emit(self.tr("Saved in {0}.").format(path))
-        return True
 
-    def may_close(self) -> bool:
-        """Ask before edits are lost; save them if the user wants to."""
+    def may_close(self, leave: Callable[[], object]) -> bool:
+        """Ask before edits are lost; if the user wants to save them, call `leave` afterwards."""
         take_typed()
-        if not self._library.modified:
-            return True
-        match file_questions.before_closing(self._window, self._library.name):
-            case file_questions.SaveAnswer.SAVE:
-                return self.save()
-            case file_questions.SaveAnswer.DISCARD:
-                return True
-        return False
+        return self._saver.may_leave(self._saver.answer(), self.save, leave)
 
     def folder(self) -> Path:
         documents = QStandardPaths.StandardLocation.DocumentsLocation

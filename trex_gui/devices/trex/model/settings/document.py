@@ -1,6 +1,7 @@
 """A settings file in an editor: its text, edits and findings."""
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -12,6 +13,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK, amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
+from trex_gui.ui.files import Content
 from trex_gui.ui.runtime import new_timer
 
 _LAYOUT = "\t\n\v\f\r\x1b\xa0"
@@ -37,7 +39,7 @@ class SettingsDocument(QObject):
         self._base = text
         self._saved = text
         self._text = text
-        self._on_disk: bytes | None = None
+        self.on_disk: bytes | None = None  # what the file held when it was opened or saved
         self.readable = False  # whether the text has settings
         self._trouble = ""
         self._findings: tuple[Finding, ...] = ()
@@ -60,7 +62,7 @@ class SettingsDocument(QObject):
         """
         text, doubt = text_of(data, path.name)
         document = cls(text, path.name, path=path, doubt=doubt)
-        document._on_disk = data
+        document.on_disk = data
         return document
 
     @classmethod
@@ -103,15 +105,6 @@ class SettingsDocument(QObject):
     def modified(self) -> bool:
         return bool(self.trouble) or self.text != self._saved
 
-    def changed_on_disk(self) -> bool:
-        """Whether another program has changed the file since it was opened or saved."""
-        if self.path is None or not self.path.exists():
-            return False
-        try:
-            return load(self.path) != self._on_disk
-        except SettingsError:
-            return True
-
     def set_text(self, text: str) -> None:
         """Replace the text while it is not readable."""
         if not self.readable and text != self._base:
@@ -131,17 +124,14 @@ class SettingsDocument(QObject):
             self.changed.emit()
         return self.readable
 
-    def save(self, path: Path | None = None, *, fresh: bool = False) -> None:
-        """Write the file, to another path if given, which becomes its own.
+    def content(self, *, fresh: bool = False) -> Content:
+        """Return what Save writes now; edits made while that is being saved stay unsaved.
 
         With `fresh`, in the program's own layout, without the user's comments.
 
         Raises:
-            SettingsError: it cannot be written, or the edits do not fit into its text.
+            SettingsError: the edits do not fit into the text.
         """
-        target = path or self.path
-        if target is None:
-            raise SettingsError.of(self.name, "it has no place on disk yet")
         settings = self.settings
         if fresh and settings is not None:
             text = write_settings(settings)
@@ -149,13 +139,15 @@ class SettingsDocument(QObject):
             raise SettingsError.of(self.name, self.trouble)
         else:
             text = self.text
-        save(target, text)
-        self.path = target
-        self._on_disk = text.encode("utf-8")
+        return Content(text, partial(self._note_saved, text, settings, fresh))
+
+    def _note_saved(self, text: str, settings: Settings | None, fresh: bool, path: Path) -> None:
+        self.path = path
+        self.on_disk = text.encode("utf-8")
         self._saved = text
         if fresh:
             self._base = text
-        if settings is not None:
+        if settings is not None and settings == self.settings:
             self.draft.take_settings(settings)  # undoing makes it an edit again
         self._stale = True
         self._look()

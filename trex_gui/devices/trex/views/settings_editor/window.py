@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtGui import QAction, QCloseEvent, QKeySequence
 from PySide6.QtWidgets import QDialog, QMainWindow, QTabWidget, QToolBar, QWidget
 
-from trex_gui.core.files import SettingsError, load, save
+from trex_gui.core.files import load, save
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
@@ -27,6 +27,8 @@ from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import restore_geometry, save_geometry
 from trex_gui.ui.widgets.builders import column, named
+from trex_gui.ui.widgets.document_saver import DocumentSaver
+from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.messages import Banner
 
 _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send", "print")
@@ -50,6 +52,7 @@ class SettingsEditor(QMainWindow):
         self.setWindowIcon(application_icon())
         self.document = document
         document.setParent(self)
+        self.saver = DocumentSaver(document, self)
         self._device = device
         self._linter = SettingsLinter(document.draft, self)
 
@@ -71,6 +74,10 @@ class SettingsEditor(QMainWindow):
         self._build_tool_bar()
         restore_geometry(self, "editor", 1000, 720)
 
+        self.saver.saved.connect(self._on_saved)
+        self.saver.failed.connect(
+            lambda error: self._banner.show_problem(self.tr("Not saved. {0}").format(error))
+        )
         document.changed.connect(self._on_document_changed)
         self._linter.changed.connect(self._on_document_changed)
         document.draft.undo.indexChanged.connect(self._update_actions)
@@ -138,13 +145,9 @@ class SettingsEditor(QMainWindow):
     # --- Saving and printing --------------------------------------------------------------
 
     def save(self) -> bool:
-        """Save the file, after a question if needed; return whether it is saved."""
+        """Begin to save the file; return whether that has begun."""
         path = self.document.path
-        if path is None:
-            return self._ask_and_save()
-        if self.document.changed_on_disk() and not file_questions.may_overwrite(self, path.name):
-            return False
-        return self.save_to(path)
+        return self._ask_and_save() if path is None else self._save(path, ask=True)
 
     def _ask_and_save(self) -> bool:
         title, proposal = self.tr("Save settings file"), self._folder() / self.document.name
@@ -152,21 +155,21 @@ class SettingsEditor(QMainWindow):
         return path is not None and self.save_to(path)
 
     def save_to(self, path: Path) -> bool:
-        """Save the file under this path; return whether it is saved."""
+        return self._save(path, ask=False)
+
+    def _save(self, path: Path, *, ask: bool) -> bool:
         trouble = self.document.trouble
         if trouble and not file_questions.may_write_fresh(self, trouble):
             return False
-        try:
-            self.document.save(path, fresh=bool(trouble))
-        except SettingsError as error:
-            self._banner.show_problem(self.tr("Not saved. {0}").format(error))
-            return False
+        return self.saver.save(path, partial(self.document.content, fresh=bool(trouble)), ask=ask)
+
+    @Slot(object)
+    def _on_saved(self, path: Path) -> None:
         text = self.tr("Saved in {0}.").format(path)
         if not self.document.readable:
             text += " " + self.tr("It still has errors.")
         self._banner.show_news(text)
         self.saved.emit(path)
-        return True
 
     def _printed(self) -> PrintedSettings | None:
         settings = self.document.settings
@@ -294,20 +297,14 @@ class SettingsEditor(QMainWindow):
 
     # --- Closing ------------------------------------------------------------------------
 
-    def may_close(self) -> bool:
-        """Ask whether to save unsaved changes; return whether the window may close."""
-        if not self.document.modified:
-            return True
-        self.activateWindow()
-        match file_questions.before_closing(self, self.document.name):
-            case file_questions.SaveAnswer.SAVE:
-                return self.save()
-            case file_questions.SaveAnswer.DISCARD:
-                return True
-        return False
+    def answer(self) -> SaveAnswer:
+        """Ask what to do with unsaved changes, before the window is closed."""
+        if self.document.modified:
+            self.activateWindow()
+        return self.saver.answer()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self.may_close():
+        if not self.saver.may_leave(self.answer(), self.save, self.close):
             event.ignore()
             return
         self._on_closing()

@@ -1,0 +1,124 @@
+"""Saving a document that the user edits, while its window goes on."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import save_over
+from trex_gui.ui.files import Content, in_background
+from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.file_questions import SaveAnswer
+
+
+class Document(Protocol):
+    """What the user edits."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def on_disk(self) -> bytes | None:
+        """What its file held when it was opened or saved."""
+
+    @property
+    def modified(self) -> bool:
+        """Whether it has changes that are not in the file."""
+
+
+class DocumentSaver(QObject):
+    """Saves a document in the background, and asks before changes are lost.
+
+    What is edited meanwhile stays unsaved. A second save in the same file follows the first; one in
+    another file does not wait, since the first may be on a disk that hangs.
+    """
+
+    saved = Signal(object)  # the `Path`
+    failed = Signal(object)  # the `StudioError` for which nothing was written
+
+    def __init__(self, document: Document, window: QWidget) -> None:
+        super().__init__(window)
+        self._document = document
+        self._window = window
+        self._running: dict[Path, list[Callable[[], object]]] = {}  # and what follows
+        self._begun = self._noted = 0  # numbers of saves
+        self._leave: Callable[[], object] | None = None
+
+    @property
+    def is_saving(self) -> bool:
+        return bool(self._running)
+
+    def save(self, path: Path, make: Callable[[], Content], *, ask: bool = False) -> bool:
+        """Begin to save what `make` returns, or fails with; return whether that has begun.
+
+        With `ask`, the user decides about changes that another program made in the file.
+        """
+        if path in self._running:
+            self._running[path].append(partial(self.save, path, make, ask=ask))
+            return True
+        try:
+            content = make()
+        except StudioError as error:
+            self._on_failed(path, error)
+            return False
+        self._begun += 1
+        self._running[path] = []
+        in_background(
+            self,
+            partial(save_over, path, content.text, self._document.on_disk if ask else None),
+            partial(self._on_ended, path, content, self._begun),
+            partial(self._on_failed, path),
+        )
+        return True
+
+    def _on_ended(self, path: Path, content: Content, number: int, is_written: bool) -> None:
+        if is_written:
+            if number > self._noted:  # else it was overtaken
+                self._noted = number
+                content.note_saved(path)
+            self.saved.emit(path)
+        elif file_questions.may_overwrite(self._window, path.name):
+            self._running[path].insert(0, partial(self.save, path, lambda: content))
+        else:
+            self._leave = None
+        self._go_on(path)
+
+    def _on_failed(self, path: Path, error: StudioError) -> None:
+        self._leave = None
+        self.failed.emit(error)
+        self._go_on(path)
+
+    def _go_on(self, path: Path) -> None:
+        for following in self._running.pop(path, []):
+            following()
+        if not self._running and self._leave is not None:
+            leave, self._leave = self._leave, None
+            leave()
+
+    # --- Before the document is left ----------------------------------------------------
+
+    def may_leave(
+        self, answer: SaveAnswer, save: Callable[[], bool], leave: Callable[[], object]
+    ) -> bool:
+        """Return whether the document may be left; with `SAVE`, call `leave` once it is saved."""
+        if answer is SaveAnswer.SAVE:
+            self.save_and_leave(save, leave)
+        return answer is SaveAnswer.DISCARD
+
+    def answer(self) -> SaveAnswer:
+        """Ask what to do with changes that are not saved; without any, they are discarded."""
+        if self.is_saving:
+            may = file_questions.may_leave_unfinished(self._window, self._document.name)
+            return SaveAnswer.DISCARD if may else SaveAnswer.CANCEL
+        if not self._document.modified:
+            return SaveAnswer.DISCARD
+        return file_questions.before_closing(self._window, self._document.name)
+
+    def save_and_leave(self, save: Callable[[], bool], leave: Callable[[], object]) -> None:
+        """Call `leave` once `save` has begun a save and that has ended well."""
+        if save():
+            self._leave = leave
