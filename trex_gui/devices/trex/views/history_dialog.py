@@ -116,7 +116,7 @@ class HistoryDialog(QDialog):
         stop = StopButton(device, "historyStopButton", self)
         bottom = ui.row(stop, self._bound, 1, self._folder, close)
         ui.column(self._banner, self._question, (self._pages, 1), bottom, into=self)
-        halves.setSizes([510, 670])
+        halves.setSizes([560, 620])
         restore_geometry(self, "history", 1180, 640)
 
         self._table.listed.connect(self._on_listed)
@@ -356,6 +356,8 @@ class _SnapshotList(QWidget):
         for section in SnapshotColumn:
             size = self._view.columnWidth(section) + 2 * character
             self._view.setColumnWidth(section, min(size, _WIDEST * character))
+        last = self._view.horizontalHeader().minimumSectionSize()  # it takes what is left
+        self._view.setColumnWidth(SnapshotColumn.ADAPTER, last)
 
 
 class _BoundField(QWidget):
