@@ -112,9 +112,11 @@ class SafetySupervisor(QObject):
         destroy the thread of the line while it runs, and Qt would abort with the motors turning.
         """
         log.error("the interpreter ends while the window is open")
-        self._program.shut_down()
-        self.report_unconfirmed_stop()
-        os._exit(INTERNAL_ERROR)
+        try:
+            self._program.shut_down()
+            self.report_unconfirmed_stop()
+        finally:
+            os._exit(INTERNAL_ERROR)
 
     @Slot(str)
     def _on_stopped(self, reason: str) -> None:

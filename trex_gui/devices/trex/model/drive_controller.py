@@ -138,7 +138,11 @@ class DriveController(QObject):
         lockout = self._motors.locked_for
         if not self._connection.request(lambda number: Stop(number, lockout), report):
             self._answer(waiting, NoReply(self.tr("No board is connected.")))
-        elif self.may_move and self._connection.settings is not None:
+        elif (
+            self.may_move
+            and self._connection.settings is not None
+            and not self._unsent.isActive()  # pressing Stop again and again is reported in time
+        ):
             self._unsent.setInterval(round(1000 * self._connection.settings.timeouts.guardian))
             self._unsent.start()
 

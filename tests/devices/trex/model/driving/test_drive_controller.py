@@ -167,6 +167,19 @@ def test_stop_that_a_hanging_session_cannot_send_is_reported(
     assert is_braked(simulator)
 
 
+def test_stop_that_is_pressed_again_and_again_is_reported_in_time(
+    driven: Device, simulator: SimulatedDevice, qtbot: QtBot, virtual_time: VirtualRuntime
+) -> None:
+    said: list[str] = []
+    driven.notifier.error.connect(said.append)
+    hang(simulator, 2.0, qtbot)
+    for _ in range(3):
+        driven.motors.press_stop()
+        virtual_time.advance(0.24)
+    assert len(said) == 1
+    assert said[0].startswith("The connection is not responding, so the stop could not be sent.")
+
+
 def test_session_that_did_not_respond_disarms_the_motors(
     driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
