@@ -26,7 +26,8 @@ from types import TracebackType
 CORPUS = Path(__file__).parent / "corpus"
 LONGEST = 64 * 1024  # bytes of a random input
 LONGEST_CASE = 20.0  # seconds of processor time; most inputs take some milliseconds
-GROWTH_EVERY = 500  # inputs between two looks at the memory
+GROWTH_FIRST = 20  # inputs before the first look at the memory
+GROWTH_EVERY = 500  # inputs between two looks at it
 
 _NUMBER = re.compile(rb"-?[0-9]+")
 _NUMBERS = (
@@ -181,7 +182,7 @@ def run(
         origin = f"seed {seed}, number {number}"
         note(attempt(target, target.random_input(seed, number), origin))
         tried[target] += 1
-        if tried[target] % GROWTH_EVERY == 0 and (
+        if (tried[target] - GROWTH_FIRST) % GROWTH_EVERY == 0 and (
             (grown := growth(target, seed, number)) > target.growth
         ):
             error = f"Growth: {grown} bytes for each input"

@@ -16,7 +16,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.fuzz import fuzzing
-from tests.fuzz.fuzzing import Finding, Target, attempt, run
+from tests.fuzz.fuzzing import Finding, Target, attempt, growth, run
 from tests.fuzz.targets import TARGETS
 from tests.fuzz.wire import PACKETS, REPLIES
 from tests.support.matrix import LONG_FACTOR
@@ -72,6 +72,16 @@ def test_random_input_is_taken_as_documented(
         origin = f"seed {seed}, number {number}"
         if finding := attempt(target, target.random_input(seed, number), origin):
             pytest.fail(str(finding))
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(600)
+@pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)
+def test_random_inputs_leave_no_memory_behind(
+    qtbot: QtBot, caplog: pytest.LogCaptureFixture, target: Target, seed: int
+) -> None:
+    caplog.set_level(logging.CRITICAL)  # pytest keeps every record
+    assert growth(target, seed, 0) <= target.growth, f"seed {seed}"
 
 
 # --- What finds faults ------------------------------------------------------------------
