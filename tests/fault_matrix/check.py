@@ -39,6 +39,10 @@ UNWRITABLE = "cannot be written"
 NOT_EXPORTED = "was not written"
 EXPORTED = "written to"
 INTERNAL = "Internal error"
+CONNECTED = "Connected to "
+NO_TREX = "not as a TReX does"
+ECHO_ONLY = "comes back, and nothing else"
+DIFFER = "differ each time"
 CONNECTION_LOST = "The connection was lost."
 FOUND = "1 board found."
 
@@ -49,6 +53,7 @@ _USUAL: dict[str, tuple[Words, ...]] = {
     "recording": ((RECORDED,),),
     "export": ((EXPORTED,),),
     "find": ((FOUND,),),
+    "connect": ((CONNECTED,),),
 }
 
 
@@ -73,7 +78,11 @@ def _said_when_lost(
 SAID: dict[Effect, dict[str, tuple[Words, ...]]] = {
     Effect.NONE: _USUAL,
     # What Apply has to say follows from what is stored: see `_check_applied`.
-    Effect.BRIEF: {**_USUAL, **dict.fromkeys(APPLYING, ())},
+    Effect.BRIEF: {
+        **_USUAL,
+        **dict.fromkeys(APPLYING, ()),
+        "connect": ((CONNECTED, NO_BOARD, NO_TREX, ECHO_ONLY, DIFFER),),
+    },
     Effect.SILENT: _said_when_lost((NOT_RESPONDING,), (NO_BOARD,), (FOUND,)),
     Effect.GONE: _said_when_lost((GONE,), (GONE,), (GONE,)),
     Effect.LOST: _said_when_lost((NOT_RESPONDING, GONE), (NO_BOARD, GONE), (FOUND, GONE)),
@@ -171,7 +180,7 @@ def run_case(scene: Scene, fault_name: str, moment_name: str, starved: Starved =
     assert longest_gap <= moment.longest_gap
     _check_other_boards(scene)
     _check_snapshots(scene)
-    _check_files(scene, fault_name)
+    _check_files(scene, fault_name, said)
 
 
 def _check_motors(scene: Scene, fault: Fault) -> None:
@@ -267,20 +276,22 @@ def _check_close(scene: Scene) -> None:
 
 
 def _check_snapshots(scene: Scene) -> None:
+    """Each is what the board stored before, and there is one before anything is written."""
     history = scene.window.device.history
-    for snapshot in history.snapshots():
-        if snapshot.path not in scene.foreign:
-            assert history.load(snapshot) == scene.before
+    own = [one for one in history.snapshots() if one.path not in scene.foreign]
+    assert all(history.load(snapshot) == scene.before for snapshot in own)
+    stored = scene.stored()
+    assert own or not any(stored[key] == value for key, value in scene.edits.items())
 
 
-def _check_files(scene: Scene, fault: str) -> None:
+def _check_files(scene: Scene, fault: str, said: Collection[str]) -> None:
     """What was recorded or exported is whole, or there is none of it."""
     for path in scene.files:
         if fault == "changed_files":
             continue  # somebody else has written there
         if path.suffix == ".trexrec":
             _check_recording(path, is_cut=fault == "full_disk")
-        elif path.exists():
+        elif path.exists() or any(EXPORTED in text for text in said):
             with path.open(newline="") as file:
                 rows = list(csv.reader(file))
             assert {len(row) for row in rows} == {len(rows[0])}
