@@ -2,7 +2,7 @@
 
 import errno
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -14,10 +14,14 @@ from tests.support.pages.settings import (
     SettingsFiles,
     answer_questions,
 )
+from tests.support.program import trex
 from tests.support.slow_disk import SECONDS, SlowDisk
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
+from trex_gui.core.files import data_folder
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.settings.code_export import Language
+from trex_gui.devices.trex.views.pages.calibration.change_menu import CalibrationFiles
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
@@ -241,4 +245,31 @@ def test_settings_of_the_board_are_saved_before_the_program_closes(
     window.click("saveAndClose")
     window.wait(lambda: not window.window.isVisible())
     assert "serial_timeout: 15" in path.read_text(encoding="utf-8")
+    assert disk.stalls == []
+
+
+# --- Everything else that is saved --------------------------------------------------------
+
+
+def test_window_saves_nothing_itself(
+    connected_window: WindowDriver, disk: SlowDisk, tmp_path: Path
+) -> None:
+    window, workspace = connected_window, trex(connected_window.program).workspace
+    calibration = window.find_only(CalibrationFiles)
+    recorder = workspace.recordings.recorder
+    saves: dict[str, Callable[[Path], object]] = {
+        "code.c": lambda path: workspace.files.export_file(path, Language.C),
+        "board.txt": workspace.files.save_file,
+        "calibrations.txt": calibration.save_file,
+        "a.trexrec": recorder.start,
+    }
+    for name, save in saves.items():
+        save(tmp_path / name)
+    window.device.parameters.edit("serial_timeout", 9)  # is kept for the next start
+    window.wait(lambda: all((tmp_path / name).exists() for name in saves))
+    window.wait(lambda: any((data_folder() / "edits").glob("*.txt")))
+    recorder.stop()
+    window.wait(lambda: not recorder.recording)
+    window.trigger("history")
+    window.wait_for_files()
     assert disk.stalls == []
