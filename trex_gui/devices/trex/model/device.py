@@ -219,8 +219,8 @@ class Device(QObject):
     def reset_to_factory(self) -> None:
         """Let the board reset every parameter at its next start; a snapshot is saved first.
 
-        Pending edits are discarded: the values they change will be gone. `applied` reports the
-        result.
+        Once the board has accepted that, pending edits are discarded: the values they change will
+        be gone. `applied` reports the result.
         """
         if self.state is None or not self.connection.is_open or self.applying:
             return
@@ -228,13 +228,7 @@ class Device(QObject):
         self._expect_after(defaults.parameters)
         spec = self.state.specs[ParameterKey.FACTORY_RESET]
         reason = self.tr("Reset to factory defaults")
-        self._apply.write(
-            self.state,
-            self.settings,
-            reason,
-            ((spec.key, spec.maximum),),
-            sent=self.draft.discard_edits,
-        )
+        self._apply.write(self.state, self.settings, reason, ((spec.key, spec.maximum),))
 
     def cancel_apply(self) -> None:
         """Write nothing, if nothing was sent yet; the edits stay pending."""

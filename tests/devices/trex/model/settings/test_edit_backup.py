@@ -225,6 +225,20 @@ def test_no_edit_is_lost_if_another_model_answers_during_apply(
     assert one.offered == missing
 
 
+def test_reset_that_is_not_written_discards_no_edit(
+    run: Start, quick_simulator: VirtualSimulator
+) -> None:
+    one = run(quick_simulator.url)
+    one.edit(serial_timeout=15)
+    quick_simulator.do("eeprom motor1_acceleration 9")  # as if it were another board
+    one.device.reset_to_factory()
+    one.wait(lambda: not one.device.applying)
+    assert dict(one.device.draft.parameters.pending) == {"serial_timeout": 15}
+    one.device.reset_to_factory()
+    one.wait(lambda: not one.device.applying)
+    assert not one.device.draft.pending
+
+
 def test_board_with_another_number_gets_no_offer(
     run: Start, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
 ) -> None:

@@ -78,12 +78,10 @@ class Apply(QObject):
         reason: str,
         parameters: tuple[tuple[str, int], ...],
         calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
-        *,
-        sent: Callable[[], object] = lambda: None,
     ) -> None:
-        """Write these values, other edits stay pending; `sent` is called with the request.
+        """Write these values; other edits stay pending, but a factory reset discards them.
 
-        A factory reset cannot be read back, so its reply is the only confirmation.
+        It cannot be read back, so its reply is the only confirmation.
         """
         if self.running:
             return
@@ -97,7 +95,7 @@ class Apply(QObject):
         self._cancel_snapshot = start_in_background(
             self,
             lambda _progress: self._history.take(stored, adapter=adapter, reason=reason),
-            partial(self._on_saved, make, sent),
+            partial(self._on_saved, make),
             self._on_not_saved,
         )
         self.changed.emit()
@@ -116,13 +114,10 @@ class Apply(QObject):
             self._cancel_snapshot()
             self._cancel_snapshot = None
 
-    def _on_saved(
-        self, make: Callable[[int], Write], sent: Callable[[], object], _snapshot: Snapshot
-    ) -> None:
+    def _on_saved(self, make: Callable[[int], Write], _snapshot: Snapshot) -> None:
         self._cancel_snapshot = None
         self._request(make, self._on_written)
         if self.running:
-            sent()
             self.changed.emit()
 
     def _on_not_saved(self, error: StudioError) -> None:
@@ -138,9 +133,11 @@ class Apply(QObject):
             return
         written = cast("Written", outcome.value)
         self.written.emit(written)
-        self._draft.reset_pending |= any(
+        if any(
             result.key == ParameterKey.FACTORY_RESET and result.error is None
             for result in written.results
-        )
+        ):
+            self._draft.discard_edits()
+            self._draft.reset_pending = True
         self._draft.parameters.note_results(written.results)
         self.finished.emit(written.results)
