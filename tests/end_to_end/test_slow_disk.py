@@ -139,7 +139,7 @@ ROVER = "product: TReX\nserial_timeout: 5\n"
 
 
 @pytest.fixture
-def editor(window: WindowDriver, tmp_path: Path, disk: SlowDisk) -> SettingsEditorWindow:
+def editor(window: WindowDriver, tmp_path: Path, disk: SlowDisk) -> Iterator[SettingsEditorWindow]:
     """The window of a settings file, with an edit."""
     del disk
     path = tmp_path / "rover.txt"
@@ -149,7 +149,8 @@ def editor(window: WindowDriver, tmp_path: Path, disk: SlowDisk) -> SettingsEdit
     window.wait_for_files()
     editor = files.editor()
     editor.edit("serial_timeout", 9)
-    return editor
+    yield editor
+    files.files.close_all()  # without a question, also after a failure
 
 
 def text_of(editor: SettingsEditorWindow) -> str:
