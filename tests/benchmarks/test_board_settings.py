@@ -60,7 +60,8 @@ def test_whole_board_takes_little_more_than_wire_time(
         read_everything(request)
 
     def write(request: Requester) -> None:
-        results = write_all(request, state.specs, [*state.parameters.items()], calibrations)
+        parameters = [*state.parameters.items()]
+        results = write_all(request, state.specs, parameters, calibrations, before=state)
         assert not any(result.error for result in results)
 
     for name, work in (("board read", read), ("settings file written", write)):
