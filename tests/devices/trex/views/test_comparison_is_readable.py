@@ -95,7 +95,7 @@ def test_rejection_reasons_are_readable(view: ComparisonView, driver: Comparison
     why = "The board refused it: Channels 1, 2 and 3 drive the motors, but not in this mode."
     view.table.set_outcomes({row.key: why for row in view.table.comparison.rows})
     assert cut_short(driver.table) == []
-    view.freeze("Before", "Written")
+    view.freeze("Before", "New value")
     assert cut_short(driver.table) == []
 
 

@@ -111,7 +111,7 @@ class ReviewDialog(QDialog):
         if not wanted or self._phase is not _Phase.REVIEW or not self._can_write:
             return
         self._problem = ""
-        self._rows.freeze(self.tr("Before"), self.tr("Written"))
+        self._rows.freeze(self.tr("Before"), self.tr("New value"))
         self._progress.setRange(0, len(wanted))
         self._progress.setValue(0)
         self._enter(_Phase.WRITING)
