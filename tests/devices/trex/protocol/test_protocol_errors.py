@@ -18,6 +18,7 @@ from trex_gui.core.errors import (
 from trex_gui.devices.trex.protocol import errors as trex_errors
 from trex_gui.devices.trex.protocol.errors import (
     ErrorCode,
+    OtherBoard,
     Rejected,
     ResultCode,
     Skipped,
@@ -39,6 +40,7 @@ EVERY_ERROR: list[StudioError] = [
     TrexRequestError(ErrorCode.LOCKED_OUT),
     TrexNoReplyError(ErrorCode.NO_REPLY, "81"),
     TrexBadReplyError(ErrorCode.OTHER_DEVICE, "COM3", "It is garbled."),
+    OtherBoard(ErrorCode.OTHER_VALUES),
     Skipped(ErrorCode.WRITE_CANCELLED),
 ]
 
