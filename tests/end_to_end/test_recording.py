@@ -179,8 +179,10 @@ def test_esc_in_file_dialog_stops_motors(window: WindowDriver, choose: str) -> N
     def press_esc() -> None:
         dialog = QApplication.activeModalWidget()
         assert isinstance(dialog, QFileDialog)
-        QTest.qWaitForWindowActive(dialog)
-        QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
+        if QApplication.focusWindow() == dialog.windowHandle():
+            QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
+        else:
+            QTimer.singleShot(10, press_esc)
 
     QTimer.singleShot(100, press_esc)
     getattr(trex(window.program).workspace.recordings, choose)()
