@@ -1,6 +1,7 @@
 """Saving a document that the user edits, while its window goes on."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Protocol
@@ -30,6 +31,14 @@ class Document(Protocol):
         """Whether it has changes that are not in the file."""
 
 
+@dataclass(slots=True)
+class _Following:
+    """A save that waits for another one in the same file; what `known` means is in `_begin`."""
+
+    content: Content
+    known: bytes | None
+
+
 class DocumentSaver(QObject):
     """Saves a document in the background, and asks before changes are lost.
 
@@ -44,7 +53,7 @@ class DocumentSaver(QObject):
         super().__init__(window)
         self._document = document
         self._window = window
-        self._running: dict[Path, list[Callable[[], object]]] = {}  # and what follows
+        self._running: dict[Path, list[_Following]] = {}
         self._begun = self._noted = 0  # numbers of saves
         self._leave: Callable[[], object] | None = None
 
@@ -57,32 +66,40 @@ class DocumentSaver(QObject):
 
         With `ask`, the user decides about changes that another program made in the file.
         """
-        if path in self._running:
-            self._running[path].append(partial(self.save, path, make, ask=ask))
-            return True
         try:
             content = make()
         except StudioError as error:
-            self._on_failed(path, error)
+            self._leave = None
+            self.failed.emit(error)
             return False
+        self._begin(path, content, self._document.on_disk if ask else None)
+        return True
+
+    def _begin(self, path: Path, content: Content, known: bytes | None) -> None:
+        """Save in a file that should hold what is `known`; `None`: whatever it holds."""
+        if path in self._running:
+            self._running[path].append(_Following(content, known))
+            return
         self._begun += 1
         self._running[path] = []
         in_background(
             self,
-            partial(save_over, path, content.text, self._document.on_disk if ask else None),
+            partial(save_over, path, content.text, known),
             partial(self._on_ended, path, content, self._begun),
             partial(self._on_failed, path),
         )
-        return True
 
     def _on_ended(self, path: Path, content: Content, number: int, is_written: bool) -> None:
         if is_written:
+            written = content.text.encode("utf-8")
+            for following in self._running[path]:
+                following.known = None if following.known is None else written
             if number > self._noted:  # else it was overtaken
                 self._noted = number
                 content.note_saved(path)
             self.saved.emit(path)
         elif file_questions.may_overwrite(self._window, path.name):
-            self._running[path].insert(0, partial(self.save, path, lambda: content))
+            self._running[path].insert(0, _Following(content, None))
         else:
             self._leave = None
         self._go_on(path)
@@ -93,8 +110,8 @@ class DocumentSaver(QObject):
         self._go_on(path)
 
     def _go_on(self, path: Path) -> None:
-        for following in self._running.pop(path, []):
-            following()
+        for following in self._running.pop(path):
+            self._begin(path, following.content, following.known)
         if not self._running and self._leave is not None:
             leave, self._leave = self._leave, None
             leave()

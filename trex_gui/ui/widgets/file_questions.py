@@ -51,7 +51,7 @@ def may_overwrite(window: QWidget, name: str) -> bool:
 
 def may_leave_unfinished(window: QWidget, name: str) -> bool:
     """Ask before a file is left that a slow disk is still saving."""
-    text = tr("{0} is still being saved. Close without waiting? If that fails, changes are lost.")
+    text = tr("{0} is still being saved. Close without waiting? Changes may be lost.")
     return _may(window, tr("Still saving"), text.format(name))
 
 

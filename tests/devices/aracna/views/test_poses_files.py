@@ -122,6 +122,33 @@ def test_slow_disk_loses_no_edits(
     assert disk.stalls == []
 
 
+def test_second_save_writes_the_file_it_was_meant_for(
+    driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "mine.ppr"
+    questions: list[str] = []
+
+    def question(
+        _window: QWidget, _title: str, text: str, *_: object
+    ) -> QMessageBox.StandardButton:
+        questions.append(text)
+        return QMessageBox.StandardButton.Yes
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    driver.library.add_pose(EIGHT, "mine")
+    driver.page.files.save_to(path)
+    driver.wait_for_files()
+    SlowDisk(monkeypatch)
+    driver.page.files.save()
+    driver.library.add_pose(EIGHT, "later")
+    driver.page.files.save()
+    driver.find(QAction, "aracnaNewFileAction").trigger()
+    driver.wait_for_files()
+    assert [text.split(".ppr ")[1].split(".")[0] for text in questions] == ["is still being saved"]
+    assert "Pose=later:" in path.read_text(encoding="utf-8")
+    assert driver.library.path is None
+
+
 def test_only_first_findings_of_invalid_file_are_reported(
     driver: StagedPageDriver, tmp_path: Path
 ) -> None:
