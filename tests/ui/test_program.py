@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 import shiboken6
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QDockWidget, QLabel, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import trex
@@ -99,6 +99,41 @@ def test_file_of_another_kind_of_device_is_opened_in_a_window_that_never_used_on
     path.write_text("", encoding="ascii")
     started.window.open_file(path)
     assert started.device_manager.current.plugin.key == "aracna"
+
+
+def _panel(program: Program, name: str) -> QDockWidget:
+    return next(one for one in program.window.findChildren(QDockWidget) if one.objectName() == name)
+
+
+def test_first_use_of_another_kind_of_device_changes_nothing_shown(
+    started: Program, qtbot: QtBot
+) -> None:
+    window, left = started.window, Qt.DockWidgetArea.LeftDockWidgetArea
+    panel = _panel(started, "demoPanel")
+    QSettings().setValue("window/state", window.saveState())
+    window.addDockWidget(left, panel)
+    banner = window.findChild(QLabel, "bannerText")
+    assert isinstance(banner, QLabel)
+    started.device_manager.stop_because("The computer was suspended", is_news=True)
+    qtbot.waitUntil(lambda: "suspended" in banner.text())
+    assert len(started.workspaces) == 2
+    assert window.dockWidgetArea(panel) is left
+    assert "suspended" in banner.text()
+
+
+def test_panel_of_device_that_is_not_used_stays_where_it_was(qtbot: QtBot) -> None:
+    del qtbot
+    left = Qt.DockWidgetArea.LeftDockWidgetArea
+    for use in (True, False, True):
+        program = build()
+        if use:
+            panel = _panel(program, "aracnaDemoPanel") if len(program.workspaces) == 2 else None
+            assert panel is not None
+            if not QSettings().contains("window/state"):
+                program.window.addDockWidget(left, panel)
+            assert program.window.dockWidgetArea(panel) is left
+        assert program.window.close()
+        assert program.close()
 
 
 def test_each_menu_entry_has_one_action_with_all_workspaces(started: Program) -> None:

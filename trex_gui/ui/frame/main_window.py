@@ -107,14 +107,16 @@ class MainWindow(QMainWindow):
         self._workspaces += (workspace,)
         self._stack.addWidget(workspace)
         for dock in workspace.docks:
-            self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+            if is_first or not self.restoreDockWidget(dock):
+                self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
         workspace.actions_changed.connect(self._on_actions_changed)
         self._fill_menus()
         if is_first:
             self._connect()
             restore_geometry(self, "window", 1100, 760)
+            self.restoreState(self._store.data("window/state"))
         self._restore(workspace)
-        self._on_device_changed()
+        self._show_current()
         self._on_theme_changed()
 
     def _fill_menus(self) -> None:
@@ -241,10 +243,14 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _on_device_changed(self) -> None:
+        self._help.close()
+        self._notifier.cleared.emit()
+        self._show_current()
+
+    def _show_current(self) -> None:
         self._stack.setCurrentWidget(self._workspace)
         self._actions["stop"].setText(self._workspace.stop_text)
         self._actions["guide"].setText(self._workspace.help_title)
-        self._help.close()
         for workspace in self._workspaces:
             for entry in entries_of(workspace.menus()):
                 self._actions[entry.key].setVisible(workspace is self._workspace)
@@ -252,7 +258,6 @@ class MainWindow(QMainWindow):
             if isinstance(menu := menu_action.menu(), QMenu):
                 offered = (a.isVisible() and not a.isSeparator() for a in menu.actions())
                 menu_action.setVisible(any(offered))
-        self._notifier.cleared.emit()
         self._on_actions_changed()
 
     @Slot()
@@ -319,7 +324,6 @@ class MainWindow(QMainWindow):
         )
 
     def _restore(self, added: Workspace) -> None:
-        self.restoreState(self._store.data("window/state"))
         page = self._store.integer(f"{added.key}/page", 0, 0, added.pages.count() - 1)
         added.pages.setCurrentIndex(page)
         for workspace in self._workspaces:
