@@ -10,7 +10,12 @@ from trex_gui.devices.trex.client.reading import read_everything
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co, SetParameter
-from trex_gui.devices.trex.protocol.errors import ErrorCode, OtherBoard, TrexNoReplyError
+from trex_gui.devices.trex.protocol.errors import (
+    ErrorCode,
+    OtherBoard,
+    Skipped,
+    TrexNoReplyError,
+)
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -167,3 +172,14 @@ def test_changed_device_number_is_that_of_the_same_board() -> None:
     wanted = [("device_number", 9), *WANTED]
     results = write_all(client.request, SPECS, wanted, before=before)
     assert all(result.error is None for result in results)
+
+
+def test_board_that_gets_no_write_is_not_compared_at_the_end() -> None:
+    """The message would be that settings may have been written to it."""
+    stage, settings = staged()
+    client = stage.client(settings)
+    before = read_everything(client.request)
+    _exchange(stage, Board("trexjr"))
+    results = write_all(client.request, SPECS, WANTED, before=before, cancelled=lambda: True)
+    assert all(isinstance(result.error, Skipped) for result in results)
+    assert len(results) == len(WANTED)

@@ -255,7 +255,7 @@ def write_all(
         if key not in {_LINE, _POLYNOMIAL}:
             work.store(key, wire)
     work.store_serial([item for item in ordered if item[0] in {_LINE, _POLYNOMIAL}])
-    if not isinstance(work.fatal_error, PortUnavailable):
+    if work.has_sent and not isinstance(work.fatal_error, PortUnavailable):
         with contextlib.suppress(NoReply, BadReply, PortUnavailable):
             work.require_same_board()
     if before is not None and work.doubtful and not has_crc:
@@ -299,6 +299,7 @@ class _Work:
         doubtful: indexes of the results whose write was repeated or failed.
         repeated: how often writes were repeated or failed: no more settings can have changed.
         unknown: keys whose write failed: they have any value.
+        has_sent: whether any write was sent.
     """
 
     request: Requester
@@ -314,6 +315,7 @@ class _Work:
     doubtful: list[int] = field(default_factory=list)
     repeated: int = 0
     unknown: set[str] = field(default_factory=set)
+    has_sent: bool = False
     _sent: int = 0
     _has_failed: bool = False  # a transaction, since the board was last checked
     _number: int | None = None  # that the board stores; `None` if that is not known
@@ -366,6 +368,7 @@ class _Work:
             if self._has_failed or self._sent:
                 self.require_same_board()
             self._sent += 1
+            self.has_sent = True
         try:
             return self.request(command)
         except (NoReply, BadReply):
