@@ -89,6 +89,25 @@ def board(devices: tuple[FakeDevice, FakeDevice]) -> DeviceManager:
     return manager
 
 
+def test_device_that_is_made_during_a_stop_does_not_end_it(
+    devices: tuple[FakeDevice, FakeDevice], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The stop comes from another thread."""
+    first, second = devices
+    controller = cast("Controller", first)
+    makers = {"first": lambda: controller, "second": lambda: cast("Controller", second)}
+    manager = DeviceManager(makers, DeviceScanner())
+    stops: list[bool] = []
+
+    def stop_now(*, ending: bool = False) -> None:
+        manager.controller("second")
+        stops.append(ending)
+
+    monkeypatch.setattr(first, "stop_now", stop_now)
+    manager.stop_now(ending=True)
+    assert stops == [True]
+
+
 def test_first_device_is_current_by_default(
     board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:

@@ -49,7 +49,8 @@ class DeviceManager(QObject):
             controller.changed.connect(self._on_changed)
             controller.progressed.connect(self.progressed)
             controller.stop_reported.connect(partial(self._on_stop_reported, controller))
-            self._controllers[device] = controller
+            # A new dictionary: another thread may be at `stop_now`.
+            self._controllers = {**self._controllers, device: controller}
         return self._controllers[device]
 
     @property
