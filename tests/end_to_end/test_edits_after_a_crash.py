@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -75,6 +76,22 @@ def test_closing_keeps_or_discards_edits(
     connected_window.click(answer)
     assert not connected_window.window.isVisible()
     assert saved() == kept
+
+
+def test_edits_made_after_closing_was_given_up_are_kept(
+    connected_window: WindowDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window, workspace = connected_window, trex(connected_window.program).workspace
+    window.device.parameters.edit("serial_timeout", 15)
+    monkeypatch.setattr(workspace.files, "may_close", lambda _leave: False)
+    assert not window.window.close()
+    window.click("closeYes")
+    assert window.window.isVisible()
+    window.device.parameters.edit("serial_timeout", 20)
+    window.program.shut_down()
+    workspace.prepare_to_close()
+    workspace.finish()
+    assert saved() == {"serial_timeout": 20}
 
 
 @pytest.mark.usefixtures("crashed")

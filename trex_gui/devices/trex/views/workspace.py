@@ -145,6 +145,7 @@ class TrexWorkspace(Workspace):
             device.draft.pending_changed,
         ):
             changed.connect(self._on_actions_changed)
+        device.draft.pending_changed.connect(self._keep_edits)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
     # --- Pages --------------------------------------------------------------------------
@@ -389,6 +390,11 @@ class TrexWorkspace(Workspace):
                 still=lambda: self._device.draft.pending > 0 and not self._device.applying,
             )
         return False
+
+    @Slot()
+    def _keep_edits(self) -> None:
+        """Keep edits that are made after a question was answered and the window stayed open."""
+        self._keeps_edits = True
 
     def _leave(self, leave: Callable[[], object], agreed: Settings | None) -> None:
         """Leave without a question about the edits, unless others are shown by now."""
