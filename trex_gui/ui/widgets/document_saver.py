@@ -47,7 +47,7 @@ class DocumentSaver(QObject):
     """
 
     saved = Signal(object)  # the `Path`
-    failed = Signal(object)  # the `StudioError` for which nothing was written
+    failed = Signal(object)  # the `StudioError` that prevented it
 
     def __init__(self, document: Document, window: QWidget) -> None:
         super().__init__(window)
@@ -62,9 +62,10 @@ class DocumentSaver(QObject):
         return bool(self._running)
 
     def save(self, path: Path, make: Callable[[], Content], *, ask: bool = False) -> bool:
-        """Begin to save what `make` returns, or fails with; return whether that has begun.
+        """Begin to save what `make` returns now; return whether that has begun.
 
-        With `ask`, the user decides about changes that another program made in the file.
+        If `make` raises a StudioError, `failed` reports it. With `ask`, the user decides about
+        changes that another program made in the file.
         """
         try:
             content = make()

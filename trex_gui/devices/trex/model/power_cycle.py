@@ -49,7 +49,8 @@ class PowerCycle(QObject):
     def begin(self, failed: Collection[str] = ()) -> None:
         """Wait until the board is switched off, and on again.
 
-        After a `failed` write of how the board is reached, it may also be where Apply looks for it.
+        `failed` are the settings whose write failed. If they decide how the board is reached, it is
+        still looked for wherever Apply expected it.
         """
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None or not self._device.is_connected:
