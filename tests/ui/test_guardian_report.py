@@ -4,8 +4,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.core.guardian.log import log_file
+from trex_gui.ui.devices.connection import ConnectionState
 
 
 @pytest.mark.parametrize(
@@ -33,3 +35,14 @@ def test_stop_that_the_program_repeated_is_not_reported(window: WindowDriver) ->
     window.program.report_last_stop()
     window.wait_for_files()
     assert not window.has("bannerText")
+
+
+def test_stop_is_reported_once_the_board_is_connected_that_was_named_at_the_start(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    log_file().parent.mkdir(parents=True, exist_ok=True)
+    log_file().write_text("2026-11-23 12:03:05 unconfirmed: Text.\n", encoding="utf-8")
+    window.program.connect_to_port(quick_simulator.url)
+    window.program.report_last_stop()
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    window.wait_for_text("bannerText", "If a motor still turns, cut its power.")

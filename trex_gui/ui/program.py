@@ -112,8 +112,16 @@ class Program:
         manager.changed.connect(run_once)
 
     def report_last_stop(self) -> None:
-        """Say whether the guardian stopped motors since the last start."""
-        report_last_stop(self._notifier)
+        """Say whether the guardian stopped motors since the last start.
+
+        A connection that is being opened clears messages, so this waits for it.
+        """
+        manager = self.device_manager
+        report = partial(report_last_stop, self._notifier)
+        if manager.is_idle or manager.current.link is ConnectionState.CONNECTED:
+            report()
+        else:
+            self.when_connected(report)
 
     def stop_now(self, *, ending: bool = False) -> None:
         self.device_manager.stop_now(ending=ending)
