@@ -29,7 +29,23 @@ from trex_gui.ui.translations import error_sentence
 
 Index = QModelIndex | QPersistentModelIndex
 
-_COLUMNS = len(ParameterColumn)
+_COLUMN = tuple(ParameterColumn)
+_COLUMNS = len(_COLUMN)
+
+# Made once, and looked at first: Qt asks a thousand times whenever the table is painted.
+_HEADING = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled
+_FIXED = _HEADING | Qt.ItemFlag.ItemNeverHasChildren
+_EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
+_LEFT_TO_THE_STYLE = frozenset(
+    {
+        Qt.ItemDataRole.DecorationRole,
+        Qt.ItemDataRole.SizeHintRole,
+        Qt.ItemDataRole.FontRole,
+        Qt.ItemDataRole.BackgroundRole,
+        Qt.ItemDataRole.ForegroundRole,
+        Qt.ItemDataRole.CheckStateRole,
+    }
+)
 
 
 class Role(IntEnum):
@@ -309,10 +325,9 @@ class ParameterModel(QAbstractItemModel):
         return self._groups[group - 1][1][index.row()] if group else None
 
     def index(self, row: int, column: int, parent: Index | None = None) -> QModelIndex:
-        group = parent.row() if parent is not None and parent.isValid() else -1
         if not (0 <= row < self.rowCount(parent) and 0 <= column < _COLUMNS):
             return QModelIndex()
-        return self._cell(group, row, column)
+        return self._cell(-1 if parent is None else parent.row(), row, column)
 
     def parent(self, index: Index | None = None) -> Any:
         if index is None:
@@ -347,21 +362,19 @@ class ParameterModel(QAbstractItemModel):
     def flags(self, index: Index) -> Qt.ItemFlag:
         if not index.isValid():
             return Qt.ItemFlag.NoItemFlags
-        flags = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled
         spec = self._spec_at(index)
-        if spec is not None:
-            flags |= Qt.ItemFlag.ItemNeverHasChildren
-            if index.column() == ParameterColumn.VALUE and self.can_edit(spec.key):
-                flags |= Qt.ItemFlag.ItemIsEditable
-        return flags
+        if spec is None:
+            return _HEADING
+        is_editable = index.column() == ParameterColumn.VALUE and self.can_edit(spec.key)
+        return _EDITABLE if is_editable else _FIXED
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        if not index.isValid():
+        if role in _LEFT_TO_THE_STYLE or not index.isValid():
             return None
         spec = self._spec_at(index)
         if spec is None:
             return self._heading_data(index.row(), index.column(), role)
-        column = ParameterColumn(index.column())
+        column = _COLUMN[index.column()]
         match role:
             case Qt.ItemDataRole.DisplayRole:
                 return self.text.cell(spec, column)
