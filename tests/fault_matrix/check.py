@@ -100,6 +100,8 @@ SAID_OF: dict[tuple[str, str], tuple[Words, ...]] = {
     ("full_disk", "export"): ((NOT_EXPORTED,),),
     ("read_only_disk", "apply_snapshot"): ((NOTHING_WRITTEN,),),
     ("read_only_disk", "export"): ((NOT_EXPORTED,),),
+    # The other program does not get every byte: the stop may be confirmed.
+    ("stolen_port", "closing"): (),
 }
 """The same for single cases."""
 
