@@ -70,6 +70,7 @@ def complete(program: "Program", collector: "GuiThreadCollector") -> None:
     That blocks this thread for half a second: before a motor can be armed.
     """
     program.complete()
+    program.make_plots()
     collector.exempt_present()
     program.report_last_stop()
 

@@ -86,6 +86,13 @@ def test_window_is_first_shown_with_current_page_only(started: Program) -> None:
     assert tabs.currentIndex() == 3
 
 
+def test_plots_are_made_before_their_pages_are_shown(started: Program) -> None:
+    started.complete()
+    assert started.window.findChild(QWidget, "curvePlot") is None
+    started.make_plots()
+    assert started.window.findChild(QWidget, "curvePlot") is not None
+
+
 def test_window_is_complete_before_a_device_connects(started: Program) -> None:
     started.connect_to_demo("aracna")
     assert "aracnaRobotPage" in _pages(started)

@@ -58,6 +58,11 @@ class Program:
         """
         self.workspace(self.device_manager.current.plugin.key).make_pages()
 
+    def make_plots(self) -> None:
+        """Make the plots of pages that were not shown yet, so that showing one takes no longer."""
+        for workspace in self._workspaces.values():
+            workspace.make_plots()
+
     def workspace(self, device: str) -> Workspace:
         """Return the workspace of a kind of device by its key."""
         found = self._workspaces.get(device)

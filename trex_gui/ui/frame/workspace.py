@@ -91,7 +91,6 @@ class Workspace(QWidget):
         self.pages.setDocumentMode(True)
         self._infos: tuple[PageInfo, ...] = ()
         self._missing: set[int] = set()  # pages that are not made yet
-        self._is_complete = False
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
         """Add a tab for each page; the tab is found by the object name of the page."""
@@ -103,12 +102,12 @@ class Workspace(QWidget):
         self.pages.currentChanged.connect(self._make_page)
 
     def make_pages(self) -> None:
-        """Make the pages that were not shown yet, and their plots, once."""
-        if self._is_complete:
-            return
-        self._is_complete = True
+        """Make the pages that were not shown yet."""
         for index in sorted(self._missing):
             self._make_page(index)
+
+    def make_plots(self) -> None:
+        """Make the plots of pages that were not shown yet."""
         for page in self.pages.findChildren(PlotPage):
             page.need_plot()
 
