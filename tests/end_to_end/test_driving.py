@@ -482,6 +482,35 @@ def test_keys_drive_in_pad_and_if_enabled_elsewhere(armed: MotorsPage) -> None:
     armed.wait_for_brake()
 
 
+def test_pad_shows_held_keys_only(keys: MotorsPage) -> None:
+    def shown() -> str:
+        return keys.pad.accessibleDescription().split(".")[0]
+
+    keys.motors.lockout = 0
+    ends: dict[str, Gesture] = {
+        "key": lambda: keys.release_key(Qt.Key.Key_W),
+        "stop": lambda: keys.click("stopButton"),
+        "Esc": keys.press_escape,
+    }
+    for name, end in ends.items():
+        keys.press_key(Qt.Key.Key_W)
+        assert shown() == "forward 100%, right 0%", name
+        end()
+        assert shown() == "At rest", name
+        keys.release_key(Qt.Key.Key_W)
+        keys.wait_for_brake(name)
+        if not keys.is_armed():
+            keys.arm()
+        assert shown() == "At rest", name
+
+    keys.press_key(Qt.Key.Key_W)
+    keys.press_key(Qt.Key.Key_D)
+    keys.release_key(Qt.Key.Key_W)
+    assert shown() == "forward 0%, right 100%"
+    keys.release_key(Qt.Key.Key_D)
+    assert shown() == "At rest"
+
+
 def test_keys_with_another_function_do_not_drive(keys: MotorsPage) -> None:
     window = keys.window.windowHandle()
     QTest.keyPress(window, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)

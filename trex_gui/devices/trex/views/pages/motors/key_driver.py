@@ -118,8 +118,10 @@ class KeyDriver(QObject):
             return event.key() in _HEADINGS and bool(self._keys)
         if not self._keys:
             return False
-        is_known = self._keys.pop(_place(event), None) is not None
-        if is_known and self._keys and _modifiers(event) == self._modifiers:
+        held = dict(self._keys)
+        is_known = held.pop(_place(event), None) is not None
+        if is_known and held and _modifiers(event) == self._modifiers:
+            self._keys = held
             self._steer()
         else:
             self.release()
