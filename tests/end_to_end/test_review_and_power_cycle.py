@@ -1,12 +1,13 @@
 """Settings are reviewed before they are written and followed until they are active."""
 
 import pytest
+from PySide6.QtTest import QTest
 
 from tests.support.held_line import before_storing
 from tests.support.pages.settings import ComparisonDialog, ReviewDialog, SimulatedPower
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
-from tests.support.window import WindowDriver
+from tests.support.window import LEFT, WindowDriver
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -293,6 +294,9 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     review.close()
     window.trigger("defaults")
     window.click("boardResetButton")
+    assert window.button("defaultsCancelButton").hasFocus()
+    QTest.mouseDClick(window.button("boardResetSureButton"), LEFT)  # it appears under the pointer
+    assert window.has("boardResetSureButton")
     assert not device.draft.reset_pending
     window.click("boardResetSureButton")
     guide = window.dialog("powerCycleDialog")

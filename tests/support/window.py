@@ -32,6 +32,7 @@ from tests.support.program import aracna, trex
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.files import background
 from trex_gui.ui.program import Program
+from trex_gui.ui.widgets.builders import ConfirmButton
 
 ObjectT = TypeVar("ObjectT", bound=QObject)
 
@@ -122,6 +123,8 @@ class WidgetDriver:
         button = self.button(name)
         self.wait(button.isVisible)
         assert button.isEnabled(), f"{name} is disabled"
+        if isinstance(button, ConfirmButton):
+            self.wait(lambda: button.takes_clicks)
         self.scroll_to(button)
         place = QPoint(min(8, button.width() // 2), button.height() // 2)
         QTest.mouseClick(button, LEFT, pos=place)

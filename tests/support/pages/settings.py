@@ -16,6 +16,7 @@ from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColu
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.widgets.builders import ConfirmButton
 from trex_gui.ui.widgets.messages import InlinePrompt
 
 
@@ -61,6 +62,7 @@ class ReviewDialog(ComparisonDialog):
     def open(self) -> None:
         self._window.click("applyButton")
         self.wait(self.root.isVisible)
+        self.wait(lambda: self.find(ConfirmButton, "writeButton").takes_clicks)
 
     def write(self) -> None:
         """Open the review, write what is checked and wait for the result."""

@@ -6,7 +6,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
-from tests.support.window import WidgetDriver
+from tests.support.window import LEFT, WidgetDriver
+from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets.messages import InlinePrompt, PromptAnswer
 
 
@@ -88,3 +89,20 @@ def test_outdated_answer_is_not_run(question: InlinePrompt, driver: WidgetDriver
     driver.click("yes")
     assert done == []
     assert not question.isVisible()
+
+
+def test_repeated_clicks_that_ask_do_not_answer(
+    question: InlinePrompt, driver: WidgetDriver
+) -> None:
+    done: list[str] = []
+    question.ask("Sure?", PromptAnswer("yes", "Yes", lambda: done.append("yes")))
+    yes = driver.button("yes")
+    QTest.mouseDClick(yes, LEFT)
+    runtime().sleep(0.3)
+    QTest.mouseClick(yes, LEFT)
+    runtime().sleep(0.3)
+    QTest.mouseClick(yes, LEFT)
+    assert done == []
+    runtime().sleep(0.5)
+    QTest.mouseClick(yes, LEFT)
+    assert done == ["yes"]

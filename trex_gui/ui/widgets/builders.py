@@ -1,13 +1,15 @@
 """Functions that create a named widget with its usual properties, and layouts from their items."""
 
 from collections.abc import Callable, Iterable
+from math import inf
 from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QObject, Qt, SignalInstance
-from PySide6.QtGui import QAction, QIcon, QKeySequence, QWheelEvent
+from PySide6.QtGui import QAction, QIcon, QKeySequence, QMouseEvent, QShowEvent, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
+    QApplication,
     QBoxLayout,
     QCheckBox,
     QComboBox,
@@ -27,6 +29,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme, tint
 from trex_gui.ui.widgets.behaviour import name_headers
@@ -71,6 +74,32 @@ class RedButton(QPushButton):
             set_bold(self)
 
 
+class ConfirmButton(QPushButton):
+    """Takes no click before it has been in sight for the time of a double click.
+
+    The click that makes it appear under the pointer cannot press it, however often it is repeated.
+    """
+
+    def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
+        super().__init__(text, parent)
+        self._appeared = -inf  # when it was shown, or last clicked too early; seconds
+
+    @property
+    def takes_clicks(self) -> bool:
+        return now() - self._appeared > QApplication.doubleClickInterval() / 1000
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if not event.spontaneous():
+            self._appeared = now()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if self.takes_clicks:
+            super().mousePressEvent(event)
+        else:
+            self._appeared = now()
+
+
 Handler = Callable[..., object] | SignalInstance  # what a signal is connected to
 Part = QWidget | QLayout
 Item = Part | int | tuple[Part, int] | tuple[Part, int, Qt.AlignmentFlag]
@@ -102,14 +131,17 @@ def button(
     accessible: str = "",
     checkable: bool = False,
     default: bool | None = None,
+    confirms: bool = False,
     on_click: Handler | None = None,
     on_toggle: Handler | None = None,
 ) -> QPushButton:
     """Create a push button.
 
     `default`: whether Enter presses it in a dialog; `None` leaves it to Qt.
+    `confirms`: it may appear under the pointer, see `ConfirmButton`.
     """
-    made = named(QPushButton(text, parent), name, accessible=accessible, tip=tip)
+    kind = ConfirmButton if confirms else QPushButton
+    made = named(kind(text, parent), name, accessible=accessible, tip=tip)
     made.setCheckable(checkable)
     if default:
         made.setDefault(True)

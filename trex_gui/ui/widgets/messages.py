@@ -130,7 +130,7 @@ class InlinePrompt(_MessageRow):
         self._text.setText(text)
         self.setAccessibleName(text)
         for answer in answers:
-            button = ui.button(self, answer.name, answer.text, default=False)
+            button = ui.button(self, answer.name, answer.text, default=False, confirms=True)
             button.clicked.connect(partial(self._on_answered, answer))
             self._layout.insertWidget(self._layout.indexOf(self._cancel), button)
             self._buttons.append(button)

@@ -33,7 +33,7 @@ class DefaultsDialog(QDialog):
             "boardResetButton",
             self.tr("Let the board reset itself…"),
             tip=self.tr("Every parameter, by the board's own command, at its next start"),
-            on_click=lambda: self._confirm_reset(True),
+            on_click=self._on_reset_clicked,
         )
         # Within the dialog: a message box in front of it would block the stop button.
         self._question = label(
@@ -47,15 +47,19 @@ class DefaultsDialog(QDialog):
             wrap=True,
         )
         self._sure = button(
-            self, "boardResetSureButton", self.tr("Reset the board"), on_click=self._on_sure_clicked
+            self,
+            "boardResetSureButton",
+            self.tr("Reset the board"),
+            confirms=True,
+            on_click=self._on_sure_clicked,
         )
         self._take = button(
             self, "takeDefaultsButton", default=True, on_click=self._on_take_clicked
         )
-        cancel = button(self, "defaultsCancelButton", self.tr("Cancel"), on_click=self.close)
+        self._cancel = button(self, "defaultsCancelButton", self.tr("Cancel"), on_click=self.close)
 
         stop = StopButton(device, "defaultsStopButton", self)
-        buttons = row(stop, self._reset, self._sure, 1, self._take, cancel)
+        buttons = row(stop, self._reset, self._sure, 1, self._take, self._cancel)
         column(self._intro, (self._rows, 1), self._inferred, self._question, buttons, into=self)
 
         self._rows.ticked_changed.connect(self._describe)
@@ -101,6 +105,11 @@ class DefaultsDialog(QDialog):
         self._device.draft.stage(self._rows.table.ticked, self.windowTitle())
         self.close()
         self.staged.emit()
+
+    @Slot()
+    def _on_reset_clicked(self) -> None:
+        self._cancel.setFocus()  # before the button is hidden and Qt moves on to the confirmation
+        self._confirm_reset(True)
 
     def _confirm_reset(self, confirming: bool) -> None:
         self._question.setVisible(confirming)

@@ -47,7 +47,9 @@ class ReviewDialog(QDialog):
         self._progress = progress_bar(self, "reviewProgress", self.tr("Progress of writing"))
         self._progress.setTextVisible(True)
         self._power = PowerCyclePanel(self._cycle, self)
-        self._write = button(self, "writeButton", icon="apply", on_click=self._on_write_clicked)
+        self._write = button(
+            self, "writeButton", icon="apply", confirms=True, on_click=self._on_write_clicked
+        )
         self._close = button(self, "reviewCloseButton", on_click=self.close)
 
         buttons = row(
