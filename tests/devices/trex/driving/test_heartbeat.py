@@ -21,7 +21,7 @@ def test_mode_change_stops_motors_and_drops_setpoints() -> None:
         stage.script.at(1.0 + step / 20, SetMotor(1, Drive.at(60 + step % 40)))
     stopped = seen_at(stage, 4.5, lambda: is_stopped(stage.board))
     reports = among(run_for(stage, 5.0), Connected)
-    assert [(one.occasion, one.may_move) for one in reports][-1] == (ReadReason.MODE_CHANGED, False)
+    assert [(one.occasion, one.may_move) for one in reports][-1] == (ReadReason.RESTARTED, False)
     assert stopped == [True]
 
 

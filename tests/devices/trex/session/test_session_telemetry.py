@@ -1,6 +1,7 @@
 """What a session asks again and again, how often, and what becomes of it."""
 
 import itertools
+from collections.abc import Callable
 
 import pytest
 
@@ -10,6 +11,7 @@ from tests.devices.trex.session.helpers import (
     moving,
     run_for,
     samples,
+    seen_at,
     staged,
     timed_run,
 )
@@ -29,7 +31,7 @@ from trex_gui.devices.trex.client.telemetry import (
 )
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.driving.requests import Arm, SetMotor
-from trex_gui.devices.trex.protocol.commands import GetMode, GetStatus, SetParameter
+from trex_gui.devices.trex.protocol.commands import GetMode, GetParameter, GetStatus, SetParameter
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
 from trex_gui.devices.trex.session import session
@@ -317,7 +319,7 @@ def test_mode_change_after_power_cycle_is_detected(stage: Stage) -> None:
     first, second = among(stage.reports, Connected)
     assert first.state.mode is Mode.SERIAL_RC
     assert second.state.mode is Mode.ANALOG
-    assert second.occasion is ReadReason.MODE_CHANGED
+    assert second.occasion is ReadReason.RESTARTED
     assert second.state.calibrations != first.state.calibrations
 
 
@@ -369,3 +371,63 @@ def test_board_is_read_again_after_a_write_on_a_port_that_was_jammed() -> None:
     stage.script.at(1.0, Write(1, (("serial_timeout", 5),)))
     reports = run_for(stage, 5.0, settings)
     assert among(reports, Connected)[-1].state.parameters["serial_timeout"] == 5
+
+
+def reset_unnoticed(stage: Stage, **changes: int) -> Callable[[], None]:
+    """Return what changes stored values in a power failure that is too short for a lost reply."""
+
+    def change() -> None:
+        for key, wire in changes.items():
+            stage.board.eeprom.write(key, wire)
+        stage.board.power_cycle()
+
+    return change
+
+
+@pytest.mark.parametrize("baud", [1200, 19200, 115200])
+@pytest.mark.parametrize("key", ["serial_timeout", "uart_error_shutdown"])
+def test_changed_safety_parameter_is_found_within_some_two_seconds(key: str, baud: int) -> None:
+    stage, settings = staged(baud)
+    stage.board.eeprom.write("serial_timeout", 50)
+    stage.script.at(6.0, reset_unnoticed(stage, **{key: 0}))
+    reading_s = 3.5 if baud == 1200 else 1.0
+    run_for(stage, 7.5 + reading_s, settings)
+    _, second = among(stage.reports, Connected)
+    assert second.state.parameters[key] == 0
+    assert second.occasion is ReadReason.RESTARTED
+
+
+def test_changed_safety_parameter_locks_out_armed_motors(stage: Stage) -> None:
+    stage.board.eeprom.write("serial_timeout", 50)
+    stage.script.at(1.0, Arm()).at(1.1, SetMotor(1, Drive.at(50)))
+    stage.script.at(1.5, reset_unnoticed(stage, serial_timeout=0))
+    stage.script.at(4.0, SetMotor(1, Drive.at(60)))
+    run_for(stage, 4.5)
+    assert among(stage.reports, Connected)[-1].state.serial_timeout == 0
+    assert stage.board.motors[0].speed != 60
+
+
+def test_corrupted_reply_does_not_count_as_changed_safety_parameter(stage: Stage) -> None:
+    receive = stage.line.read
+    corrupted: list[bytes] = []
+
+    def read(size: int, seconds: float) -> bytes:
+        reply = receive(size, seconds)
+        if stage.line.now > 2.0 and stage.transport.sent[-2:-1] == b"\x9f" and not corrupted:
+            corrupted.append(reply)
+            return bytes([reply[0] ^ 1])
+        return reply
+
+    stage.line.read = read  # type: ignore[method-assign] # a knob
+    run_for(stage, 4.0)
+    assert corrupted
+    assert len(among(stage.reports, Connected)) == 1
+
+
+def test_safety_parameters_are_not_read_while_unwatched(stage: Stage) -> None:
+    stage.script.at(0.0, SetWatched(False))
+    marks = seen_at(stage, 2.0, lambda: len(stage.transport.sent))
+    run_for(stage, 5.0)
+    late = commands(stage.transport.sent[marks[0] :])
+    assert late
+    assert not any(isinstance(command, GetParameter) for command in late)

@@ -136,7 +136,7 @@ class BoardEvents(EventLog):
                 self._seen.clear()
             case ReadReason.RETURNED:
                 self.add(EventKind.LINK, self.tr("The board responds again"))
-            case ReadReason.MODE_CHANGED:
+            case ReadReason.RESTARTED:
                 self.add(EventKind.LINK, self.tr("The board was switched off and on"))
             case ReadReason.RELOADED:
                 pass

@@ -78,13 +78,13 @@ class ReadReason(Enum):
 
     OPENED = auto()
     RETURNED = auto()
-    MODE_CHANGED = auto()
+    RESTARTED = auto()
     RELOADED = auto()
 
     @property
     def power_cycled(self) -> bool:
         """Whether the board's power was probably off since it was read before."""
-        return self in {ReadReason.RETURNED, ReadReason.MODE_CHANGED}
+        return self in {ReadReason.RETURNED, ReadReason.RESTARTED}
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,7 @@ It knows neither threads nor Qt. Order of service: stop, drive, requests, pollin
 one motor command that is sent unprompted.
 """
 
+import itertools
 import logging
 import math
 from collections import deque
@@ -26,7 +27,7 @@ from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.client.client import Requester, TrexClient, diagnose
-from trex_gui.devices.trex.client.reading import DeviceState, other_board, read_everything
+from trex_gui.devices.trex.client.reading import DeviceState, agreed, other_board, read_everything
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, StatusReader
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
@@ -35,6 +36,7 @@ from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped, Sto
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     GetMode,
+    GetParameter,
     ReplyT_co,
     Signature,
 )
@@ -71,6 +73,11 @@ log = logging.getLogger(__name__)
 
 _STALE_READS = 3
 _STALE_READ_INTERVAL = 2.0  # seconds; telemetry goes on between two of these readings
+
+_SAFETY_PARAMETERS = (ParameterKey.SERIAL_TIMEOUT, ParameterKey.UART_ERROR_SHUTDOWN)
+_SAFETY_READ_INTERVAL = 0.5
+"""Seconds between two queries of `_SAFETY_PARAMETERS` in turn, so each is read every second. At
+1200 baud they take a twentieth of the line."""
 
 
 class TrexSession:
@@ -110,6 +117,8 @@ class TrexSession:
         # How often to read again what the board may store otherwise than `_state` says, and when:
         self._stale_reads = 0
         self._stale_read_at = -math.inf
+        self._safety_keys = itertools.cycle(_SAFETY_PARAMETERS)
+        self._safety_read_at = -math.inf
         self._is_guarded = False
         self._port_rates: frozenset[int] | None = None
         self._signature: Signature | None = None  # of the board that was read last
@@ -244,14 +253,20 @@ class TrexSession:
             self._serve(self._queue.jobs.popleft())
         elif self._liveness.silent and now >= self._liveness.retry_at:
             self._try_to_reconnect()
+        elif not self._liveness.silent and now >= self._safety_read_at and self._is_watched:
+            self._check_safety_parameter(now)
         elif not self._liveness.silent and (topic := self._next_topic(now)):
             self._poll(topic)
         else:
             self._collect(self._seconds_to_wait(now))
 
-    def _set_pace(self, now: float) -> None:
+    @property
+    def _is_watched(self) -> bool:
         motors = self._motors
-        watched = self._queue.is_watched or motors.is_armed or motors.may_move
+        return self._queue.is_watched or motors.is_armed or motors.may_move
+
+    def _set_pace(self, now: float) -> None:
+        watched = self._is_watched
         self._polling.set_watched(watched, now)
         self._batcher.interval = FRAME if watched else UNWATCHED_INTERVAL
 
@@ -429,13 +444,37 @@ class TrexSession:
             if isinstance(sample, ModeSample) and sample.mode is not self._state.mode:
                 # The power was off and a jumper was moved: everything may have changed.
                 self._stop_if_moving()
-                self._read_everything(ReadReason.MODE_CHANGED)
+                self._read_everything(ReadReason.RESTARTED)
             elif self._stale_reads and self._now() >= self._stale_read_at:
                 self._stale_reads -= 1
                 self._stale_read_at = self._now() + _STALE_READ_INTERVAL
                 self._read_everything(ReadReason.RELOADED)
         except (NoReply, BadReply) as error:
             self._note_failure(error, topic)
+
+    def _check_safety_parameter(self, now: float) -> None:
+        """Read a stored value that decides whether motors stop by themselves.
+
+        If it changed unnoticed, the power was off too briefly for a missing reply: everything is
+        read, and motors have to be armed again.
+        """
+        self._safety_read_at = now + _SAFETY_READ_INTERVAL
+        key = next(self._safety_keys)
+        known = self._state.parameters.get(key)
+        if known is None:
+            return
+        command = GetParameter(self._state.specs[key].number)
+        try:
+            if self._line.request(command) == known:
+                return
+            if agreed(self._request, command, has_crc=self._line.has_crc) != known:
+                # A failed write may have changed it as well.
+                failed_write = bool(self._stale_reads)
+                if not failed_write:
+                    self._stop_if_moving()
+                self._read_everything(ReadReason.RELOADED if failed_write else ReadReason.RESTARTED)
+        except (NoReply, BadReply) as error:
+            self._note_failure(error)
 
     def _note_status(self, latched: LatchedStatus | None) -> None:
         stops_on_error = self._state.parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)
