@@ -3,7 +3,6 @@
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import (
-    QDialog,
     QFrame,
     QLabel,
     QListWidget,
@@ -17,6 +16,7 @@ from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import ScanFinding
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _PORT = Qt.ItemDataRole.UserRole
@@ -24,7 +24,7 @@ _ENABLED = Qt.ItemFlag.ItemIsEnabled
 _CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
 
 
-class FindDialog(QDialog):
+class FindDialog(ReusedDialog):
     """A dialog beside the window; closing it ends the scan."""
 
     def __init__(

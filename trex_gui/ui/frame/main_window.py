@@ -18,7 +18,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QApplication,
-    QDialog,
     QDialogButtonBox,
     QMainWindow,
     QMenu,
@@ -51,7 +50,7 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import restore_geometry, save_geometry
+from trex_gui.ui.widgets.behaviour import ReusedDialog, restore_geometry, save_geometry
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, PromptAnswer
 
@@ -369,7 +368,7 @@ class MainWindow(QMainWindow):
         super().closeEvent(event)
 
 
-class HelpDialog(QDialog):
+class HelpDialog(ReusedDialog):
     """Help beside the window, so that it can be tried while it is read."""
 
     def __init__(self, parent: QWidget | None = None) -> None:

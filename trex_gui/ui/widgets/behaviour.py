@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QAbstractSpinBox,
     QApplication,
+    QDialog,
     QHeaderView,
     QWidget,
 )
@@ -51,6 +52,20 @@ class FocusFramed(QWidget):
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self.update()
+
+
+class ReusedDialog(QDialog):
+    """A dialog that is kept while it is hidden, and opens the same way each time.
+
+    Qt leaves the focus where it was when the dialog was closed, and a focused button takes Enter
+    from the default one.
+    """
+
+    def setVisible(self, visible: bool) -> None:
+        focused = self.focusWidget()
+        if visible and not self.isVisible() and focused is not None:
+            focused.clearFocus()
+        super().setVisible(visible)
 
 
 def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") -> None:

@@ -7,7 +7,6 @@ from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, Qt, QUrl, S
 from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QDialog,
     QLineEdit,
     QStackedWidget,
     QStyledItemDelegate,
@@ -35,7 +34,7 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.behaviour import restore_geometry, save_geometry
+from trex_gui.ui.widgets.behaviour import ReusedDialog, restore_geometry, save_geometry
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, PromptAnswer
 
 _MOST_KEPT = 999_999
@@ -43,7 +42,7 @@ _WIDEST = 34
 """The initial width of a column, in characters."""
 
 
-class HistoryDialog(QDialog):
+class HistoryDialog(ReusedDialog):
     """The settings of boards before each change, compared with the present or with each other.
 
     It is not modal, has its own stop button, and writes nothing: restored values become pending

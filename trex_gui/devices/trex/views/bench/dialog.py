@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QImage, QKeyEvent, QMouseEvent, QShowEvent
-from PySide6.QtWidgets import QDialog, QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.core.timing import FRAME_MS
 from trex_gui.devices.trex.bench.figures import BAND
@@ -19,7 +19,7 @@ from trex_gui.devices.trex.views.pages.currents import current_limit
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.behaviour import ReusedDialog, only_when_visible
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -98,7 +98,7 @@ class HoldButton(QPushButton):
         return super().event(event)
 
 
-class BenchDialog(QDialog):
+class BenchDialog(ReusedDialog):
     """Not modal; Esc stops the motors here as everywhere.
 
     Closing it while a test runs stops and disarms all motors.

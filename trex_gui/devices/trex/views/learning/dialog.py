@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QSize, Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QDialog, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.flags import CHANNELS
@@ -16,6 +16,7 @@ from trex_gui.devices.trex.views.learning.live_pages import (
 )
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -66,7 +67,7 @@ class StepStrip(QLabel):
             self.setText(f"<b>{self._now + 1}/{len(steps)}: {self._steps[self._now]}</b>")
 
 
-class LearnDialog(QDialog):
+class LearnDialog(ReusedDialog):
     """Shows one step at a time; the red button of the window can always be pressed.
 
     Esc stops the motors, as everywhere, and ends it. Nothing is changed before Use these values.

@@ -1,7 +1,7 @@
 """Restore the defaults: show the changes, then make edits or let the board reset itself."""
 
 from PySide6.QtCore import Signal, Slot
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
@@ -9,10 +9,11 @@ from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import factory_settings, serial_defaults
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, row
 
 
-class DefaultsDialog(QDialog):
+class DefaultsDialog(ReusedDialog):
     """Not modal; writes nothing before the review or a confirmation."""
 
     staged = Signal()  # the selected changes are edits now; show them for review

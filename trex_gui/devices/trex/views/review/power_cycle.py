@@ -1,10 +1,11 @@
 """The steps of a power cycle: a panel of the review, and a dialog of its own."""
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtWidgets import QDialog, QFrame, QWidget
+from PySide6.QtWidgets import QFrame, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, grid, label, named, row, set_bold
 from trex_gui.ui.widgets.labels import Note, Sign
 
@@ -119,7 +120,7 @@ class PowerCyclePanel(QFrame):
         return "", False
 
 
-class PowerCycleDialog(QDialog):
+class PowerCycleDialog(ReusedDialog):
     """Not modal: the stop button stays in reach."""
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:

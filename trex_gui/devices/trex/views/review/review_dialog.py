@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from enum import Enum, auto
 
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -17,6 +17,7 @@ from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.review.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, progress_bar, row
 from trex_gui.ui.widgets.labels import Note
 
@@ -27,7 +28,7 @@ class _Phase(Enum):
     DONE = auto()
 
 
-class ReviewDialog(QDialog):
+class ReviewDialog(ReusedDialog):
     """Not modal, with a stop button of its own; follows the edits until they are written."""
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:

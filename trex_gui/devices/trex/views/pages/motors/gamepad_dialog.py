@@ -4,7 +4,7 @@ from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QGroupBox, QLabel, QWidget
+from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QGroupBox, QLabel, QWidget
 
 from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
 from trex_gui.devices.trex.model.motors import mix
@@ -21,6 +21,7 @@ from trex_gui.gamepad.profile import (
 )
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import with_sign
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.leds import Lamp
 
@@ -153,7 +154,7 @@ class PartRow(QWidget):
             self._detect.setChecked(detecting)
 
 
-class GamepadDialog(QDialog):
+class GamepadDialog(ReusedDialog):
     """Applies choices at once and stores them for this kind of gamepad.
 
     Not modal. Its owner has to keep the gamepad from driving while it is open.

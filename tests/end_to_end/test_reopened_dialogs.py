@@ -1,0 +1,61 @@
+"""A dialog that is opened again is as it was the first time: Enter and the focus, too."""
+
+from collections.abc import Callable
+
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog, QPushButton
+
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
+from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
+from trex_gui.ui.frame.main_window import HelpDialog
+from trex_gui.ui.widgets.behaviour import ReusedDialog
+
+
+def openers(window: WindowDriver) -> dict[str, Callable[[], object]]:
+    """Return what opens each dialog of the window, by its name."""
+    return {
+        "benchDialog": lambda: window.trigger("bench"),
+        "defaultsDialog": lambda: window.trigger("defaults"),
+        "findDialog": lambda: window.click("findButton"),
+        "gamepadDialog": window.find_only(GamepadPanel)._on_set_up_clicked,
+        "helpDialog": lambda: window.find_only(HelpDialog).show_text("Help", "Text"),
+        "historyDialog": lambda: window.trigger("history"),
+        "learnDialog": lambda: window.trigger("learn"),
+        "powerCycleDialog": window.find_only(PowerCycleDialog).guide,
+        "reviewDialog": lambda: window.trigger("apply"),
+    }
+
+
+def enter_and_focus(dialog: QDialog) -> tuple[list[str], str]:
+    """Return the buttons that Enter presses, and the widget with the focus."""
+    defaults = [each.objectName() for each in dialog.findChildren(QPushButton) if each.isDefault()]
+    focused = dialog.focusWidget()
+    return defaults, focused.objectName() if focused is not None else ""
+
+
+def test_reopened_dialog_has_the_same_default_and_focus(connected_window: WindowDriver) -> None:
+    window = connected_window
+    window.open_page("motorsPage")
+    window.device.parameters.edit("serial_timeout", 9)
+    opens = openers(window)
+    for name, open_dialog in opens.items():
+        open_dialog()
+        dialog = window.find(QDialog, name)
+        assert isinstance(dialog, ReusedDialog), name
+        window.wait(dialog.isVisible)
+        dialog.activateWindow()
+        QTest.qWait(0)
+        first = enter_and_focus(dialog)
+        buttons = [each for each in dialog.findChildren(QPushButton) if each.isVisible()]
+        for button in (buttons[0], buttons[-1]):
+            button.setFocus()
+            dialog.close()
+            assert not dialog.isVisible(), name
+            open_dialog()
+            window.wait(dialog.isVisible)
+            QTest.qWait(0)
+            assert enter_and_focus(dialog) == first, (name, button.objectName())
+        dialog.close()
+    dialogs = {each.objectName() for each in window.find_all(QDialog)}
+    assert dialogs == set(opens)
