@@ -172,7 +172,8 @@ def test_sigterm_while_recording_ends_program_cleanly(
 
 
 @pytest.mark.parametrize("choose", ["choose_and_open", "toggle"])
-def test_esc_in_file_dialog_stops_motors(window: WindowDriver, choose: str) -> None:
+def test_esc_in_file_dialog_stops_motors(connected_window: WindowDriver, choose: str) -> None:
+    window = connected_window
     stops: list[str] = []
     window.device.motors.stop_requested.connect(lambda: stops.append("stop"))
 

@@ -1,11 +1,15 @@
 """Everything in the window that stops the motors of a simulated board."""
 
+from collections.abc import Callable
+from functools import partial
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMessageBox, QSlider
+from PySide6.QtWidgets import QComboBox, QMenu, QMessageBox, QSlider
 
-from tests.support.pages.motors import MotorsPage, is_stopped
+from tests.support.pages.motors import Gesture, MotorsPage, is_stopped
+from tests.support.pages.parameters import ParametersPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
@@ -95,6 +99,58 @@ def test_motors_stop_at_every_stop_control_and_lost_control(driving: DrivingWind
     driving.motors.abort("drive pad", "The Motors page was left.")
     driving.expect_stop("lost control")
     driving.wait_for_text("motorStateLabel", "The Motors page was left.")
+
+
+@pytest.mark.qt_log_ignore("does not support", extend=True)  # popups offscreen
+def test_escape_that_closes_something_stops_only_what_may_move(driving: DrivingWindow) -> None:
+    menu = driving.window.menuBar().actions()[0].menu()
+    assert isinstance(menu, QMenu)
+    combo = QComboBox(driving.window)
+    combo.addItems(["1", "2"])
+    combo.show()
+    page = ParametersPage(driving)
+    value = page.index_of("serial_timeout")
+
+    def is_edited() -> bool:
+        return page.view.indexWidget(value) is not None
+
+    things: dict[str, tuple[Gesture, Callable[[], bool]]] = {
+        "menu": (lambda: menu.popup(QPoint(9, 9)), menu.isVisible),
+        "list": (combo.showPopup, combo.view().isVisible),
+        "editor": (lambda: page.view.edit(value), is_edited),
+    }
+
+    def is_not(so: Callable[[], bool]) -> bool:
+        return not so()
+
+    for name, (open_it, is_open) in things.items():
+        open_it()
+        driving.wait(is_open)
+        driving.press_escape()
+        driving.expect_stop(name)
+        driving.wait(partial(is_not, is_open))
+        driving.drive()
+        driving.open_page("parametersPage")
+
+    driving.motors.stop()
+    driving.wait(lambda: not driving.program.device_manager.needs_stop)
+    stops: list[str] = []
+    driving.motors.stop_requested.connect(lambda: stops.append("stop"))
+    for name, (open_it, is_open) in things.items():
+        open_it()
+        driving.wait(is_open)
+        driving.press_escape()
+        driving.wait(partial(is_not, is_open))
+        assert not stops, name
+    driving.press_escape()
+    assert stops == ["stop"]
+
+
+def test_escape_without_a_board_claims_nothing(window: WindowDriver) -> None:
+    window.motors.lockout = 3
+    window.press_escape()
+    assert not window.motors.locked_for
+    assert window.text("motorStateLabel") == "Motors: N/A"
 
 
 def test_drag_continued_after_escape_drives_nothing(driving: DrivingWindow) -> None:

@@ -192,7 +192,13 @@ class DeviceController(QObject, Generic[SettingsT]):
         """Warning about motors that may turn although the line is closed; empty if none may."""
         return ""
 
+    @property
+    def needs_stop(self) -> bool:
+        """Whether Esc has to stop whatever else it closes: something moves, or perhaps does."""
+        return self.link is not ConnectionState.DISCONNECTED
+
     def press_stop(self) -> None:
+        """Stop for the user."""
         raise NotImplementedError
 
     def stop_because(self, reason: str) -> str:

@@ -139,6 +139,10 @@ class DeviceManager(QObject):
     def may_move(self) -> bool:
         return any(controller.may_move for controller in self._controllers.values())
 
+    @property
+    def needs_stop(self) -> bool:
+        return any(controller.needs_stop for controller in self._controllers.values())
+
     def stop_now(self, *, ending: bool = False) -> None:
         """Stop every device, from any thread; close the ports if the program is `ending`."""
         for controller in self._controllers.values():

@@ -17,6 +17,7 @@ from PySide6.QtGui import (
     QWindow,
 )
 from PySide6.QtWidgets import (
+    QAbstractItemView,
     QApplication,
     QDialogButtonBox,
     QMainWindow,
@@ -142,7 +143,7 @@ class MainWindow(QMainWindow):
         theme().changed.connect(self._on_theme_changed)
         app = QApplication.instance()
         if isinstance(app, QApplication):
-            self._escape = EscapeWatch(app, self._manager.press_stop, self)
+            self._escape = EscapeWatch(app, self._manager, self)
 
     @property
     def pages(self) -> QTabWidget:
@@ -400,11 +401,16 @@ class EscapeWatch(QObject):
 
     Modal dialogs block a shortcut, and editors in a table consume the key. The filter is on the
     native windows, so only their events pass through Python.
+
+    Esc that closes a menu, a list or an editor in a table is no stop while nothing can be moving;
+    otherwise it does both.
     """
 
-    def __init__(self, app: QGuiApplication, stop: Callable[[], None], parent: QObject) -> None:
+    def __init__(
+        self, app: QGuiApplication, device_manager: DeviceManager, parent: QObject
+    ) -> None:
         super().__init__(parent)
-        self._stop = stop
+        self._manager = device_manager
         app.focusWindowChanged.connect(self._on_focus_window_changed)
         self._on_focus_window_changed(app.focusWindow())
 
@@ -416,14 +422,26 @@ class EscapeWatch(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         del watched
-        if (
-            event.type() == QEvent.Type.KeyPress
-            and isinstance(event, QKeyEvent)
-            and event.key() == Qt.Key.Key_Escape
-            and not event.isAutoRepeat()
-        ):
-            self._stop()
+        if not isinstance(event, QKeyEvent) or event.key() != Qt.Key.Key_Escape:
+            return False
+        if event.type() == QEvent.Type.ShortcutOverride and _is_closed_by_escape():
+            event.accept()  # it comes as a key press, not as the shortcut of the menu
+            return True
+        is_pressed = event.type() == QEvent.Type.KeyPress and not event.isAutoRepeat()
+        if is_pressed and (not _is_closed_by_escape() or self._manager.needs_stop):
+            self._manager.press_stop()
         return False
+
+
+def _is_closed_by_escape() -> bool:
+    """Whether a menu, a list or an editor in a table is open, which Esc closes."""
+    if QApplication.activePopupWidget() is not None:
+        return True
+    focus = QApplication.focusWidget()
+    parent = None if focus is None or focus.isWindow() else focus.parentWidget()
+    while parent is not None and not isinstance(parent, QAbstractItemView):
+        parent = None if parent.isWindow() else parent.parentWidget()
+    return parent is not None
 
 
 class UnconfirmedStopWarning(QObject):

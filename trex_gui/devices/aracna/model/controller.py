@@ -6,6 +6,7 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.demo import DemoRobot
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.client import LINE
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
@@ -27,6 +28,13 @@ class AracnaController(DeviceController[PortSettings]):
         super().__init__(plugin, robot, ports, scanner, settings)
         self.robot = robot
         self.demo_robot = DemoRobot(self.simulator, self)
+
+    @property
+    def needs_stop(self) -> bool:
+        robot = self.robot
+        return robot.remaining() > 0 or (
+            self.link is not ConnectionState.DISCONNECTED and not robot.is_at_rest
+        )
 
     def press_stop(self) -> None:
         self.robot.halt()

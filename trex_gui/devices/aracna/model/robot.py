@@ -324,11 +324,7 @@ class Robot(DeviceConnection[PortSettings]):
         if self.link is ConnectionState.DISCONNECTED:
             text = self.tr("{0}. No robot is connected; the motion continues (about {1:.0f} s).")
             return text.format(reason, max(left, 1)) if left > 0 else ""
-        state = self.state
-        is_busy = state.moving is not None or state.play is not None or self.dragging
-        is_stopped = (
-            self.link is ConnectionState.CONNECTED and not is_busy and not state.may_be_moving
-        )
+        is_stopped = self.is_at_rest
         self.events.add(EventKind.NOTE, f"{reason}.")
         self.halt()
         if left > 0:
@@ -341,6 +337,14 @@ class Robot(DeviceConnection[PortSettings]):
             return self.tr("{0}. Nothing more is sent to the robot.").format(reason)
         text = self.tr("{0}. Nothing more is sent; a running motion continues to its goal.")
         return text.format(reason)
+
+    @property
+    def is_at_rest(self) -> bool:
+        """Whether nothing moves or is about to, as far as a connected robot tells."""
+        state = self.state
+        is_busy = state.moving is not None or state.play is not None or state.may_be_moving
+        is_asked_to = self.dragging or self._pending_moves > 0
+        return self.link is ConnectionState.CONNECTED and not is_busy and not is_asked_to
 
     def aim_at_present(self) -> None:
         """Set the targets to the present positions, so that the next move starts there."""

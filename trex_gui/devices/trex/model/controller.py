@@ -140,8 +140,26 @@ class TrexController(DeviceController[ConnectionSettings]):
             )
         return "\n".join(filter(None, texts))
 
+    @property
+    def needs_stop(self) -> bool:
+        device = self.device
+        if self.link is ConnectionState.DISCONNECTED:
+            return bool(self.unconfirmed_stop)
+        is_at_rest = (
+            self.link is ConnectionState.CONNECTED
+            and device.telemetry.serial_controls
+            and not self.is_armed
+            and not self.may_move
+            and not any(device.telemetry.motor_currents or ())  # driven by another program
+        )
+        return not is_at_rest
+
     def press_stop(self) -> None:
-        self.device.motors.press_stop()
+        """Stop; without a board there is nothing to lock, and nothing to say but what may turn."""
+        if self.link is not ConnectionState.DISCONNECTED:
+            self.device.motors.press_stop()
+        elif text := self.unconfirmed_stop:
+            self.device.notifier.error.emit(text)
 
     def stop_because(self, reason: str) -> str:
         return self._automatic_stop.stop(reason)
