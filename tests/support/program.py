@@ -57,7 +57,7 @@ def new_ports() -> Ports:
 
 def new_controller(device: Device, ports: Ports | None = None) -> TrexController:
     """Return a controller of a TReX with a scanner of its own, without a window."""
-    return TrexController(TREX, device, ports or new_ports(), DeviceScanner())
+    return TrexController(TREX, device, ports or new_ports(), DeviceScanner([TREX]))
 
 
 def scanner_of(controller: TrexController) -> DeviceScanner:

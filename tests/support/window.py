@@ -29,6 +29,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import aracna, trex
+from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.files import background
 from trex_gui.ui.program import Program
@@ -197,7 +198,11 @@ class WindowDriver(WidgetDriver):
         self.window = program.window
         self.device = trex(program).device
         self.motors = trex(program).device.motors
-        self.robot = aracna(program).robot
+
+    @property
+    def robot(self) -> Robot:
+        """The Aracna, which is loaded for it."""
+        return aracna(self.program).robot
 
     # --- Connect ------------------------------------------------------------------------
 

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QDockWidget, QLabel, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import trex
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.composition import build
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -97,6 +97,17 @@ def test_window_is_complete_before_a_device_connects(started: Program) -> None:
     started.connect_to_demo("aracna")
     assert "aracnaRobotPage" in _pages(started)
     assert started.window.pages is started.workspace("aracna").pages
+
+
+def test_search_finds_a_kind_of_device_that_was_never_used(
+    started: Program, start_simulator: StartSimulator, qtbot: QtBot
+) -> None:
+    robot = start_simulator("--aracna", "--unpaced")
+    port, scanner = started.ports.add_typed(robot.url), started.device_manager.scanner
+    scanner.start([port])
+    qtbot.waitUntil(lambda: not scanner.running, timeout=60_000)
+    (finding,) = scanner.findings
+    assert finding.device == "aracna"
 
 
 def test_file_of_another_kind_of_device_is_opened_in_a_window_that_never_used_one(

@@ -30,7 +30,7 @@ class Program:
         self.timeouts = timeouts or Timeouts()
         self._notifier = notifier = Notifier()
         self.ports = Ports(plugins)
-        self._scanner = scanner = DeviceScanner(timeouts=self.timeouts)
+        self._scanner = scanner = DeviceScanner(plugins, timeouts=self.timeouts)
         makers = {plugin.key: partial(self._make_controller, plugin) for plugin in plugins}
         self.device_manager = manager = DeviceManager(makers, scanner)
         # Before the window is told: it wants the workspace of the device.

@@ -1,36 +1,40 @@
 """An internal error on one port does not end the scan of the next."""
 
+from dataclasses import replace
+
 import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.discovery import scan
 from trex_gui.core.discovery.prober import Prober, ProberInfo
+from trex_gui.core.plugin import Lazy
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.scanner import DeviceScanner, ScanWorker
-from trex_gui.ui.devices.simulator import Simulator
 
 
 def at(url: str) -> Port:
     return Port(PortKind.TYPED, url, url, "trex")
 
 
+def _unexpected(settings: PortSettings, *, full: bool, known: bool) -> Prober:
+    raise ZeroDivisionError("on purpose")
+
+
+ODD = ProberInfo("Odd", _unexpected)
+
+
 @pytest.fixture
 def finder(qtbot: QtBot) -> DeviceScanner:
-    finder = DeviceScanner()
-    finder.add(TREX, Simulator(TREX))
-    return finder
+    odd = replace(TREX, key="odd", name="Odd", prober=Lazy(f"{__name__}:ODD"))
+    return DeviceScanner([TREX, odd])
 
 
 def test_internal_error_is_listed_and_the_scan_continues(
     finder: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    def unexpected(settings: PortSettings, *, full: bool, known: bool) -> Prober:
-        raise ZeroDivisionError("on purpose")
-
-    finder._probers["odd"] = ProberInfo("Odd", unexpected)
     finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
     qtbot.waitUntil(lambda: not finder.running)
     first, second = finder.findings

@@ -27,8 +27,8 @@ def until(qtbot: QtBot) -> Until:
 @pytest.fixture
 def finder(qtbot: QtBot) -> Iterator[DeviceScanner]:
     simulator = Simulator(TREX)
-    finder = DeviceScanner()
-    finder.add(TREX, simulator)
+    finder = DeviceScanner([TREX])
+    finder.add_simulator("trex", simulator)
     yield finder
     assert finder.shut_down()
     simulator.stop()

@@ -65,7 +65,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         self.demo_in_use = False
         self._after_scan: Port | None = None
         self.simulator = Simulator(plugin, self)
-        scanner.add(plugin, self.simulator)
+        scanner.add_simulator(plugin.key, self.simulator)
 
         self.simulator.ready.connect(self._on_simulator_ready)
         self.simulator.failed.connect(self._on_simulator_failed)

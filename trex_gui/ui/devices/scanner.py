@@ -90,10 +90,17 @@ class DeviceScanner(QObject):
     finished = Signal()  # the ports are free again
     simulators_changed = Signal()  # `can_search` of the port of a simulated device
 
-    def __init__(self, parent: QObject | None = None, *, timeouts: Timeouts | None = None) -> None:
+    def __init__(
+        self,
+        plugins: Sequence[DevicePlugin] = (),
+        parent: QObject | None = None,
+        *,
+        timeouts: Timeouts | None = None,
+    ) -> None:
+        """Look for these kinds of devices; see `core.discovery.scan` for the order."""
         super().__init__(parent)
+        self._plugins = tuple(plugins)
         self._timeouts = timeouts or Timeouts()
-        self._probers: dict[str, ProberInfo] = {}
         self._simulators: dict[str, Simulator] = {}
         self._found_kinds: dict[str, str] = {}
         self._worker: ScanWorker | None = None
@@ -108,16 +115,18 @@ class DeviceScanner(QObject):
         self._cancelled = False
         self._faults = 0
 
-    def add(self, plugin: DevicePlugin, simulator: Simulator) -> None:
-        """Look for this kind of device too; see `core.discovery.scan` for the order."""
-        self._probers[plugin.key] = plugin.prober.load()
-        self._simulators[plugin.key] = simulator
+    def add_simulator(self, device: str, simulator: Simulator) -> None:
+        """Search the simulated device of a kind, too, while it runs."""
+        self._simulators[device] = simulator
         simulator.ready.connect(self.simulators_changed)
         simulator.ended.connect(self.simulators_changed)
 
     def can_search(self, port: Port) -> bool:
         """Whether a port can be scanned: a simulated device has to run."""
-        return port.kind is not PortKind.DEMO or bool(self._simulators[port.device].url)
+        if port.kind is not PortKind.DEMO:
+            return True
+        simulator = self._simulators.get(port.device)
+        return simulator is not None and bool(simulator.url)
 
     @property
     def running(self) -> bool:
@@ -167,13 +176,14 @@ class DeviceScanner(QObject):
         return in_time
 
     def _job(self, port: Port) -> ScanJob:
+        probers = {plugin.key: plugin.prober.load() for plugin in self._plugins}
         if port.kind is not PortKind.DEMO:
             first = self._found_kinds.get(port.url, port.device)
             settings = PortSettings(port.url, timeouts=self._timeouts)
-            return ScanJob(settings, dict(self._probers), first)
+            return ScanJob(settings, probers, first)
         simulator = self._simulators[port.device]
         settings = PortSettings(simulator.url, name=simulator.label, timeouts=self._timeouts)
-        return ScanJob(settings, {port.device: self._probers[port.device]})
+        return ScanJob(settings, {port.device: probers[port.device]})
 
     @Slot(int, object)
     def _on_stepped(self, index: int, step: ScanProgress) -> None:
