@@ -54,7 +54,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         super().__init__()
         self.plugin = plugin
         self._model = model
-        self._ports = ports
+        self.ports = ports
         self._scanner = scanner
         # For the next connection; the address comes with the port.
         self.settings = self._demo_settings = default
@@ -165,7 +165,7 @@ class DeviceController(QObject, Generic[SettingsT]):
     @Slot()
     def _on_link_changed(self) -> None:
         if self.link is ConnectionState.CONNECTED and self.port is not None:
-            self._ports.note_used(self.port)
+            self.ports.note_used(self.port)
         if self.link is ConnectionState.DISCONNECTED and not self.starting:
             self.port = None
         self.changed.emit()

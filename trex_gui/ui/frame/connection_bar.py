@@ -115,7 +115,7 @@ class ConnectionBar(QWidget):
             return
         shown = self._combo.currentData()
         if isinstance(shown, Port):
-            self._connect_to(shown)
+            self.connect_to(shown)
         else:
             self._combo.setFocus()
             self._combo.showPopup()
@@ -135,7 +135,7 @@ class ConnectionBar(QWidget):
         choice = self._combo.itemData(index)
         if isinstance(choice, Port):
             if choice != self._manager.current.port:
-                self._connect_to(choice)
+                self.connect_to(choice)
         elif choice == _OTHER:
             self._ask_for_address()
         elif choice == _NOT_CONNECTED:
@@ -155,17 +155,19 @@ class ConnectionBar(QWidget):
             ),
         )
         if given and address.strip():
-            self._connect_to(self._ports.add_typed(address))
+            self.connect_to(self._ports.add_typed(address))
         else:
             self._on_ports_changed()
 
-    def _connect_to(self, port: Port) -> None:
-        def connect_to() -> None:
+    def connect_to(self, port: Port) -> None:
+        """Connect to a port, after a question while settings are being written."""
+
+        def connect() -> None:
             self._chosen, self._wants_none = port, False
             self.connecting.emit()
             self._manager.connect_to(port)
 
-        self._unless_busy(connect_to)
+        self._unless_busy(connect)
 
     # --- What has changed ---------------------------------------------------------------
 

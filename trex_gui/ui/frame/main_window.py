@@ -32,7 +32,7 @@ from PySide6.QtWidgets import (
 from trex_gui import __version__
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
-from trex_gui.ui.devices.ports import Ports
+from trex_gui.ui.devices.ports import Port, Ports
 from trex_gui.ui.frame.connection_bar import ConnectionBar
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
@@ -144,6 +144,9 @@ class MainWindow(QMainWindow):
         app = QApplication.instance()
         if isinstance(app, QApplication):
             self._escape = EscapeWatch(app, self._manager, self)
+
+    def connect_to(self, port: Port) -> None:
+        self._connection.connect_to(port)
 
     @property
     def pages(self) -> QTabWidget:

@@ -27,6 +27,7 @@ from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.channels import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
+from trex_gui.devices.trex.views.pages.start import StartPanel
 from trex_gui.devices.trex.views.pages.status import StatusPage
 from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
@@ -91,7 +92,7 @@ class TrexWorkspace(Workspace):
         tabs.setAccessibleName(self.tr("Pages"))
         self.add_pages(
             (
-                PageInfo("status", self.tr("S&tatus"), partial(StatusPage, device, self)),
+                PageInfo("status", self.tr("S&tatus"), self._make_status_page),
                 PageInfo("channels", self.tr("&Channels"), partial(ChannelsPage, device, self)),
                 PageInfo("calibration", self.tr("Cali&bration"), self._make_calibration_page),
                 PageInfo("motors", self.tr("&Motors"), self._make_motors_page),
@@ -149,6 +150,16 @@ class TrexWorkspace(Workspace):
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
     # --- Pages --------------------------------------------------------------------------
+
+    def _make_status_page(self) -> QWidget:
+        start = StartPanel(
+            self._controller.ports,
+            self.key,
+            self._frame.connect_to,
+            lambda key: self._actions[key].trigger(),
+            self,
+        )
+        return StatusPage(self._device, start, self)
 
     # The first window is shown without these pages, and without what they import.
 

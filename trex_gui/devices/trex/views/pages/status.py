@@ -17,15 +17,19 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 
 
 class StatusPage(QWidget):
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, start: QWidget, parent: QWidget | None = None) -> None:
+        """`start` is shown while nothing is connected."""
         super().__init__(parent)
         self.setObjectName("statusPage")
         self._device = device
+        self._start = start
+        self._report = QWidget(self)
 
         self._values: dict[str, QLabel] = {}
         self._errors: list[tuple[QTableWidgetItem, QTableWidgetItem, QTableWidgetItem]] = []
@@ -59,7 +63,8 @@ class StatusPage(QWidget):
             on_click=device.errors.reset,
         )
         ui.column(self._table, (reset, 0, Qt.AlignmentFlag.AlignRight), into=errors)
-        ui.column(ui.row((board, 3), (line, 2)), (errors, 1), into=self)
+        ui.column(ui.row((board, 3), (line, 2)), (errors, 1), into=self._report, margins=0)
+        ui.column(start, (self._report, 1), into=self)
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
@@ -103,6 +108,9 @@ class StatusPage(QWidget):
     def _on_device_changed(self) -> None:
         state, settings = self._device.state, self._device.settings
         is_connected = self._device.is_connected
+        is_idle = self._device.link is ConnectionState.DISCONNECTED
+        self._start.setVisible(is_idle)
+        self._report.setVisible(not is_idle)
         for label in self._values.values():
             label.setText(self.tr("N/A"))
             label.setEnabled(is_connected)

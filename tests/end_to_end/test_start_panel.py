@@ -1,0 +1,54 @@
+"""What leads a newcomer to a first connection."""
+
+import pytest
+from PySide6.QtWidgets import QPushButton, QWidget
+from serial.tools.list_ports_common import ListPortInfo
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WindowDriver
+from trex_gui.ui.devices.connection import ConnectionState
+
+
+@pytest.fixture
+def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
+    """The serial ports that this computer is taken to have."""
+    present: list[ListPortInfo] = []
+    monkeypatch.setattr("trex_gui.ui.devices.ports.list_ports.comports", lambda: list(present))
+    return present
+
+
+@pytest.mark.usefixtures("computer")
+def test_panel_is_shown_while_nothing_is_connected(window: WindowDriver) -> None:
+    status = window.open_page("statusPage")
+    assert status.find(QWidget, "startPanel").isVisible()
+    assert not status.find(QWidget, "errorsTable").isVisible()
+    assert status.find(QWidget, "startNoPort").isVisible()
+
+    window.click("startDemo")
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    assert not status.find(QWidget, "startPanel").isVisible()
+    assert status.find(QWidget, "errorsTable").isVisible()
+
+    window.disconnect()
+    assert status.find(QWidget, "startPanel").isVisible()
+
+
+def test_port_that_is_plugged_in_is_offered_and_connected(
+    computer: list[ListPortInfo], window: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    adapter = ListPortInfo(simulator.url, skip_link_detection=True)
+    adapter.description = "CP2102 & a very long name of a USB to UART bridge controller"
+    computer.append(adapter)
+    window.wait(lambda: not window.find(QWidget, "startNoPort").isVisible())
+    panel = window.find(QWidget, "startPanel")
+    button = next(b for b in panel.findChildren(QPushButton) if simulator.url in b.toolTip())
+    assert adapter.description in button.toolTip()
+    assert button.sizeHint().width() < panel.width() / 2
+    button.click()
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+
+
+@pytest.mark.parametrize(("button", "dialog"), [("startFind", "findDialog")])
+def test_button_opens_what_the_menu_opens(window: WindowDriver, button: str, dialog: str) -> None:
+    window.click(button)
+    assert window.dialog(dialog).root.isVisible()
