@@ -1,7 +1,7 @@
 """What differs between two sets of settings, and what one cannot take from the other."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 
 from trex_gui.devices.trex.protocol.calibration import (
@@ -10,7 +10,7 @@ from trex_gui.devices.trex.protocol.calibration import (
     CalibrationKey,
 )
 from trex_gui.devices.trex.protocol.device_table import Model
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
 from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.writer import calibration_text
 
@@ -27,6 +27,7 @@ class ComparisonRow:
     after: int | Calibration | None  # likewise; `None` leaves a setting as it is
     text_before: str  # in physical units; empty for `None`
     text_after: str  # likewise
+    kind: ParameterKind | None = None  # of a parameter
 
     @property
     def changed(self) -> bool:
@@ -148,7 +149,7 @@ def _parameter_row(key: str, before: Settings, after: Settings) -> ComparisonRow
     spec = _specs(before)[key]
     old_text = "" if old is None else spec.text(old)
     new_text = "" if new is None else _specs(after)[key].text(new)
-    return ComparisonRow(key, spec.name, old, new, old_text, new_text)
+    return ComparisonRow(key, spec.name, old, new, old_text, new_text, spec.kind)
 
 
 def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonRow]:

@@ -306,7 +306,7 @@ def test_values_are_shown_in_physical_units(model: ParameterModel) -> None:
     for key, wire, text in (
         ("motor1_current_limit", 25, "2 A"),
         ("motor1_acceleration", 4, "3.2 s to full speed"),
-        ("motor1_acceleration", 127, "100 ms to full speed"),
+        ("motor1_acceleration", 127, "0.1 s to full speed"),
         ("motor1_acceleration", 0, "no ramp"),
         ("motor1_pwm_maximum", 63, "127 (2441 Hz)"),
         ("motor1_pwm_prescaler", 1, "clock / 64 (2441 Hz)"),

@@ -11,7 +11,11 @@ from pytestqt.qtbot import QtBot
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
-from trex_gui.devices.trex.model.parameters.text import ParameterColumn
+from trex_gui.devices.trex.model.parameters.text import (
+    ParameterColumn,
+    acceleration_text,
+    acceleration_wire,
+)
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec, parameters_of
 
@@ -137,7 +141,13 @@ def test_pwm_maximum_shows_the_resulting_frequency(model: ParameterModel) -> Non
 
 def test_acceleration_shows_the_time_to_full_speed(model: ParameterModel) -> None:
     edit(model, "motor1_acceleration", 127)
-    assert "100 ms to full speed" in text(model, "motor1_acceleration")
+    assert "0.1 s to full speed" in text(model, "motor1_acceleration")
+
+
+def test_every_acceleration_is_shown_as_seconds_that_mean_it() -> None:
+    for wire in range(1, 128):
+        seconds, rest = acceleration_text(wire).split(" ", 1)
+        assert (acceleration_wire(float(seconds)), rest) == (wire, "s to full speed")
 
 
 def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:

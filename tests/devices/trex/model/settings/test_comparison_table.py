@@ -154,6 +154,9 @@ def test_freezing_keeps_only_checked_rows(table: ComparisonTable) -> None:
     tick(table, "serial_timeout", False)
     table.freeze("Was", "Is")
     assert keys(table) == ["motor1_acceleration"]
+    assert index(table, "motor1_acceleration", ComparisonColumn.AFTER).data() == (
+        "1.4 s to full speed"
+    )
     assert not tick(table, "motor1_acceleration", False)
 
 

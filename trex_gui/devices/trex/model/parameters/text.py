@@ -4,10 +4,11 @@ from collections.abc import Mapping
 from enum import IntEnum
 from html import escape
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QCoreApplication, QObject
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.draft import Draft
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import (
     ParameterKind,
@@ -16,7 +17,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     other_motor_key,
 )
 
-FULL_SPEED_MS = 12_700  # milliseconds to full speed (127) at one speed step in 100 ms
+FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step in 100 ms
 _PWM = {"pwm_maximum": "pwm_prescaler", "pwm_prescaler": "pwm_maximum"}
 
 
@@ -95,19 +96,13 @@ class ParameterText(QObject):
 
     def physical(self, spec: ParameterSpec, wire: int) -> str:
         """Return a wire value in its unit, with the frequency or time that it results in."""
-        text = spec.text(wire)
-        if spec.kind is ParameterKind.ACCELERATION and wire:
-            return self.tr("{0} to full speed").format(duration(FULL_SPEED_MS / wire))
-        if spec.kind is ParameterKind.UART:
-            return text.replace("no error detection", self.tr("no check"))
+        text = value_text(spec, wire)
         hertz = self._frequency(spec, wire)
         return text if hertz is None else self.tr("{0} ({1:.0f} Hz)").format(text, hertz)
 
     def with_wire(self, spec: ParameterSpec, wire: int) -> str:
         """Return wire and physical value, `15 (1.5 s)`, or one number where both are the same."""
-        text = spec.text(wire)
-        if spec.kind is ParameterKind.ACCELERATION:
-            text = self.physical(spec, wire)
+        text = value_text(spec, wire)
         return text if text == str(wire) else f"{wire} ({text})"
 
     def source(self, spec: ParameterSpec) -> str:
@@ -118,10 +113,12 @@ class ParameterText(QObject):
 
     def limits(self, spec: ParameterSpec) -> str:
         """Return range and default, wire values included."""
-        text = self.tr("Range: {0}.").format(spec.range_text())
+        shown = spec.range_text()
         if spec.kind is ParameterKind.ACCELERATION:
-            text += " " + self.tr("As time to full speed: {0}.").format(self._range(spec))
-        return text + " " + self._default(spec)
+            shown = self.tr("{0} (wire value {1} to {2})").format(
+                acceleration_range(spec), spec.minimum, spec.maximum
+            )
+        return self.tr("Range: {0}.").format(shown) + " " + self._default(spec)
 
     def origin(self, spec: ParameterSpec) -> str:
         """Return where limits and default come from, and what that means."""
@@ -183,8 +180,7 @@ class ParameterText(QObject):
 
     def _range(self, spec: ParameterSpec) -> str:
         if spec.kind is ParameterKind.ACCELERATION:
-            fast, slow = (FULL_SPEED_MS / 1000 / wire for wire in (spec.maximum, 1))
-            return self.tr("{0}, {1:.1f} to {2:.1f} s").format(spec.text(0), fast, slow)
+            return acceleration_range(spec)
         return spec.short_range()
 
     def _frequency(self, spec: ParameterSpec, wire: int) -> float | None:
@@ -208,8 +204,41 @@ def pwm_partner(key: str) -> str | None:
     return None
 
 
-def duration(milliseconds: float) -> str:
-    """Return a duration with a unit: `508 ms`, `3.2 s`."""
-    if milliseconds < 1000:
-        return f"{milliseconds:.0f} ms"
-    return f"{milliseconds / 1000:.1f} s"
+def value_text(spec: ParameterSpec, wire: int) -> str:
+    """Return a wire value in the unit that the window shows."""
+    match spec.kind:
+        case ParameterKind.ACCELERATION if wire:
+            return acceleration_text(wire)
+        case ParameterKind.UART:
+            return spec.text(wire).replace("no error detection", _tr("no check"))
+    return spec.text(wire)
+
+
+# --- Acceleration -----------------------------------------------------------------------
+
+
+def acceleration_text(wire: int) -> str:
+    """Return an acceleration as the time to full speed: `0.5 s to full speed`."""
+    return _tr("{0} s to full speed").format(_seconds_text(wire))
+
+
+def acceleration_range(spec: ParameterSpec) -> str:
+    fast, slow = _seconds_text(spec.maximum), _seconds_text(1)
+    return _tr("{0}, or {1} to {2} s to full speed").format(spec.zero, fast, slow)
+
+
+def acceleration_wire(seconds: float) -> int:
+    """Return the wire value with the nearest time to full speed; 0 for none."""
+    if seconds <= 0:
+        return 0
+    return min(range(1, FULL_SCALE + 1), key=lambda wire: abs(FULL_SPEED_S / wire - seconds))
+
+
+def _seconds_text(wire: int) -> str:
+    """Return the shortest number of seconds that means this wire value."""
+    texts = (f"{FULL_SPEED_S / wire:.{decimals}f}" for decimals in range(1, 5))
+    return next(text for text in texts if acceleration_wire(float(text)) == wire)
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("ParameterText", text)

@@ -13,8 +13,10 @@ from PySide6.QtCore import (
     Signal,
 )
 
+from trex_gui.devices.trex.model.parameters.text import acceleration_text
 from trex_gui.devices.trex.model.settings.rows import renew_rows
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
+from trex_gui.devices.trex.protocol.parameters import ParameterKind
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, wire_text
 
 Index = QModelIndex | QPersistentModelIndex
@@ -203,8 +205,9 @@ class ComparisonTable(QAbstractTableModel):
         """Return one side in physical units; each differing field of a calibration has a line."""
         if value is None:
             return self.tr("not given")
-        if not row.differing_fields:
-            return text
+        if isinstance(value, int):
+            is_ramp = row.kind is ParameterKind.ACCELERATION and value
+            return acceleration_text(value) if is_ramp else text
         source = CALIBRATION_KEYS[row.key].source
         return "\n".join(f"{f} {source.text(getattr(value, f))}" for f in row.differing_fields)
 

@@ -10,6 +10,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.bench.run import LONGEST, SHORTEST, Profile, Shape
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import motor_name
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
@@ -267,7 +268,9 @@ class TuningForm(QGroupBox):
                     editor.setValue(wire)
             if parameters.is_modified(key) and stored is not None:
                 text = self.tr("{0} (stored: {1})")
-                edited.append(text.format(label.text(), parameters.spec_of(key).text(stored)))
+                edited.append(
+                    text.format(label.text(), value_text(parameters.spec_of(key), stored))
+                )
         self._edited.setText(self.tr("Not applied: {0}").format(", ".join(edited)))
         self._edited.setVisible(bool(edited))
         palette = self.palette()

@@ -6,15 +6,19 @@ from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.model.parameters.text import FULL_SPEED_MS, duration
+from trex_gui.devices.trex.model.parameters.text import (
+    FULL_SPEED_S,
+    acceleration_range,
+    acceleration_wire,
+    value_text,
+)
 from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
 from trex_gui.devices.trex.views.count_editor import UnitSpinBox
 from trex_gui.ui.widgets.builders import NoWheelComboBox, check_box, combo_box, row
 
-_TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(ms|s)\b.*", re.IGNORECASE)
-_IN_BRACKETS = re.compile(r"\s*\([^)]*\)?\s*$")
+_TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(?:(ms|s)\b.*)?", re.IGNORECASE)
 _TOLERANCE = 1.01
 
 
@@ -35,33 +39,33 @@ class NumberEditor(UnitSpinBox):
 
 
 class AccelerationEditor(NumberEditor):
-    """Also shows and takes the time to full speed."""
+    """Shows and takes the time to full speed; speed steps need their unit, `25 per 100 ms`."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
-        slow, fast = (duration(FULL_SPEED_MS / wire) for wire in (1, spec.maximum))
-        self._times = self.tr("{0} to {1}").format(slow, fast)
         self.setToolTip(
-            self.tr("{0}; or the time to full speed, {1}").format(spec.range_text(), self._times)
+            self.tr("{0}; or speed steps, such as {1}").format(
+                acceleration_range(spec), spec.text(25)
+            )
         )
 
     def textFromValue(self, val: int) -> str:
-        text = super().textFromValue(val)
-        return self.tr("{0} ({1})").format(text, duration(FULL_SPEED_MS / val)) if val else text
+        return value_text(self._spec, val)
 
     def parse(self, text: str) -> int:
         found = _TIME.fullmatch(text.strip())
         if found is None:
-            return super().parse(_IN_BRACKETS.sub("", text))
-        milliseconds = float(found[1].replace(",", ".")) * (1 if found[2].lower() == "ms" else 1000)
-        shortest, longest = FULL_SPEED_MS / self._spec.maximum, FULL_SPEED_MS
-        if not shortest / _TOLERANCE <= milliseconds <= longest * _TOLERANCE:
+            return super().parse(text)
+        is_ms = (found[2] or "").lower() == "ms"
+        seconds = float(found[1].replace(",", ".")) / (1000 if is_ms else 1)
+        shortest = FULL_SPEED_S / self._spec.maximum / _TOLERANCE
+        if seconds and not shortest <= seconds <= FULL_SPEED_S * _TOLERANCE:
             raise BadRequest(
-                self.tr("{0} reaches full speed in {1}, not in {2}").format(
-                    self._spec.name, self._times, text.strip()
+                self.tr("{0} is {1}, not {2}").format(
+                    self._spec.name, acceleration_range(self._spec), text.strip()
                 )
             )
-        return round(FULL_SPEED_MS / milliseconds)
+        return acceleration_wire(seconds)
 
 
 class ChoiceEditor(NoWheelComboBox):

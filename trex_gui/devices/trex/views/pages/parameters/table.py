@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
-from trex_gui.devices.trex.model.parameters.text import ParameterColumn
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn, value_text
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.settings.rules import LintFinding
@@ -174,7 +174,7 @@ class ParameterHelp(QLabel):
         notes = [text.stored(spec), text.other_motor(spec), index.data(Role.PROBLEM)]
         active = index.data(Role.WAITING)
         if active is not None:
-            notes.append(self.tr("Still active: {0}.").format(spec.text(active)))
+            notes.append(self.tr("Still active: {0}.").format(value_text(spec, active)))
         if note := " ".join(escape(note) for note in notes if note):
             lines.append(f"<b>{note}</b>")
         return lines
