@@ -54,17 +54,17 @@ was {0}</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>&amp;Take %n value(s) into {0}</source>
+        <source>&amp;Copy %n value(s) to {0}</source>
         <translation>
-            <numerusform>&amp;Take %n value into {0}</numerusform>
-            <numerusform>&amp;Take %n values into {0}</numerusform>
+            <numerusform>&amp;Copy %n value to {0}</numerusform>
+            <numerusform>&amp;Copy %n values to {0}</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n value(s) taken from {0}.</source>
+        <source>%n value(s) copied from {0}.</source>
         <translation>
-            <numerusform>%n value taken from {0}.</numerusform>
-            <numerusform>%n values taken from {0}.</numerusform>
+            <numerusform>%n value copied from {0}.</numerusform>
+            <numerusform>%n values copied from {0}.</numerusform>
         </translation>
     </message>
 </context>
@@ -388,10 +388,10 @@ was {0}</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n setting(s) would become edits; nothing is written before Apply.</source>
+        <source>%n setting(s) would become edits; nothing is written until you click Apply.</source>
         <translation>
-            <numerusform>%n setting would become an edit; nothing is written before Apply.</numerusform>
-            <numerusform>%n settings would become edits; nothing is written before Apply.</numerusform>
+            <numerusform>%n setting would become edits; nothing is written until you click Apply.</numerusform>
+            <numerusform>%n settings would become edits; nothing is written until you click Apply.</numerusform>
         </translation>
     </message>
 </context>

@@ -57,11 +57,11 @@ def test_another_model_at_the_line_warns_until_the_window_is_closed(
     lose(window, first)
     window.connect(second.url)
     warning = (
-        f"As far as the program knows, the TReX 1.2 that was driven at {first.url} got no stop: "
-        "another board answered. If its motor still turns, cut its power."
+        f"No stop is known to have reached the TReX 1.2 that was driven at {first.url}: another "
+        f"board responded. If its motor still turns, cut its power."
     )
     window.wait_for_text(
-        "bannerText", f"Another board answers now: TReX Jr 1.2, at {second.url}. {warning}"
+        "bannerText", f"Another board responds now: TReX Jr 1.2, at {second.url}. {warning}"
     )
     assert "Cut their power." in window.text("motorStateLabel")
     assert not window.window.close()

@@ -57,7 +57,7 @@ def test_device_sending_unsolicited_data_is_reported(
 ) -> None:
     window.device.connect_to(ConnectionSettings(unsolicited_sender))
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
-    assert "not as a TReX does" in window.text("bannerText")
+    assert "not like a TReX" in window.text("bannerText")
     assert window.device.shut_down()
 
 

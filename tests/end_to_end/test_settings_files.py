@@ -59,7 +59,7 @@ def test_load_dialog_compares_the_file_with_the_board(
     assert "Load 1 change" in dialog.button_text()
 
     window.disconnect()
-    window.wait_for_text("bannerText", "rover.txt was not loaded: no board is connected any more")
+    window.wait_for_text("bannerText", "rover.txt was not loaded: the board is no longer connected")
     assert files.load_dialogs() == []
 
 

@@ -63,7 +63,7 @@ TREX: list[tuple[Said, str, bool]] = [
     ),
     ((b"\x80\x09\x02", b"R"), "device 9: get mode → RC mode", False),
     ((b"\xff", b""), "null command: nothing", False),
-    ((b"\x12", b""), "no packet of a TReX: a data byte outside a packet", False),
+    ((b"\x12", b""), "not a TReX packet: a data byte outside a packet", False),
     ((b"\xc2\x00\xca\x00", b""), "set motor 1 to forward 0; set motor 2 to forward 0", False),
     ((b"\xc2\x00\x82", b"r"), "set motor 1 to forward 0; get mode → serial mode, RC inputs", False),
     ((b"", b"\x55\x55"), "unsolicited bytes", True),

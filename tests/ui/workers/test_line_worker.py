@@ -310,7 +310,7 @@ def test_other_device_is_reported_as_bad_reply(stranger: Make, watch: Watch) -> 
     watched.worker.start()
     watched.wait(Closed)
     assert isinstance(watched.end.error, BadReply)
-    assert "not as a TReX does" in str(watched.end.error)
+    assert "not like a TReX" in str(watched.end.error)
 
 
 @pytest.mark.realtime

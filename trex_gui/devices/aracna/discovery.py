@@ -32,7 +32,7 @@ _SLICE = 0.02
 _KEPT = 48
 
 _HELLO = b"h\r\n"
-_RESETS = "Opening this port has reset its board: it answers about a second later."
+_RESETS = "Opening this port has reset the board: it responds about a second later."
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +121,7 @@ class AracnaProber:
         if is_echo(self._received):
             return Diagnosis(
                 Evidence.ECHO,
-                f"No Aracna answers on {self._settings.text()}: everything sent comes back, and "
+                f"No Aracna responds on {self._settings.text()}: everything sent comes back, and "
                 "nothing else. The adapter's TX and RX are joined; an Aracna never echoes.",
             )
         text = str(diagnose(self._settings, self._received))

@@ -337,7 +337,7 @@ class TrexProber:
         url = self._settings.label
         if self._several is not None:
             return Evidence.KNOWN, (
-                f"Several boards answer at once on {url} at {self._several.text()}. The full scan "
+                f"Several boards reply at once on {url} at {self._several.text()}. The full scan "
                 "tries each device number."
             )
         if self._strange:
@@ -357,24 +357,24 @@ class TrexProber:
             f"No TReX responds on {url} at any baud rate, with any parity or with CRC. Check "
             "that the board has power (an LED is lit), that the adapter's TX goes to SI and its "
             "RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board "
-            "with a CRC polynomial of its own is only found by the full scan."
+            "with a custom CRC polynomial is only found by the full scan."
         )
 
     def _strange_evidence(self, url: str) -> tuple[Evidence, str]:
         if all(data == _LOADER for _, data in self._strange):
             return Evidence.KNOWN, (
-                f"The device on {url} answers as a TReX that waits for new firmware. Take the "
-                "SO-G jumper off, then switch the board off and on."
+                f"The device on {url} is a TReX in its boot loader, waiting for new firmware. "
+                "Remove the SO–G jumper, then switch the board off and on."
             )
         line, data = self._strange[0]
         shown = data[:_SHOWN].hex(" ").upper() + (" …" if len(data) > _SHOWN else "")
         often = f", and something at {more} more" if (more := len(self._strange) - 1) else ""
         text = (
-            f"Something is connected to {url}, but it does not answer as a TReX does: "
-            f"{shown} came at {line.text()}{often}. It is another device, or the line is noisy."
+            f"Something is connected to {url}, but it does not respond like a TReX: it sent "
+            f"{shown} at {line.text()}{often}. It is another device, or the line is noisy."
         )
         if self._echo:
-            text += " What is sent comes back, too."
+            text += " It also echoes what is sent."
         return Evidence.STRANGE, text
 
 

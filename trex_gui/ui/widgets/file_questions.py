@@ -43,8 +43,7 @@ def may_overwrite(window: QWidget, name: str) -> bool:
         window,
         tr("Changed on disk"),
         tr(
-            "{0} was changed by another program since it was opened here. Overwrite that with "
-            "what is shown here?"
+            "{0} was changed by another program since it was opened here. Overwrite those changes?"
         ).format(name),
     )
 
@@ -59,10 +58,10 @@ def may_write_fresh(window: QWidget, trouble: str) -> bool:
     """Ask before comments in a file are lost."""
     return _may(
         window,
-        tr("Save as a fresh text"),
+        tr("Rewrite the file"),
         tr(
-            "The changes cannot be put into the text as it is: {0}.\n\nWrite the settings as a "
-            "fresh text? Comments of the old one are not in it."
+            "The changes cannot be merged into the text of the file: {0}.\n\nRewrite the file from "
+            "the settings? Its comments will be lost."
         ).format(trouble),
     )
 

@@ -64,7 +64,7 @@ def test_query_of_trex_reports_no_aracna(
 ) -> None:
     result = trexcmd("aracna", "query", "--port", quick_simulator.url)
     assert result.exit_code == 1
-    assert "No Aracna answers" in result.stderr or "not as an Aracna does" in result.stderr
+    assert "No Aracna responds" in result.stderr or "not like an Aracna" in result.stderr
 
 
 def test_speeds_sets_motors_and_prints_held_speeds(
@@ -145,7 +145,7 @@ def test_pose_names_blocked_motor_and_exits(trexcmd: RunCommand, robot: Simulate
     robot.do("servo 2 block")
     result = trexcmd("aracna", "pose", "--speed", "1000", *["530"] * 8)
     assert result.exit_code == 1
-    assert "waits for motor 2" in result.stderr
+    assert "is waiting for motor 2" in result.stderr
     assert "servo power" in result.stderr
 
 

@@ -33,7 +33,7 @@ def test_find_on_silent_port_reports_each_device_kind(
     assert result.exit_code == 1
     _, trex, aracna, summary = result.stderr.splitlines()
     assert trex.startswith(f"No TReX responds on {robot.url} at any baud rate")
-    assert aracna.startswith(f"No Aracna answers on {robot.url} at 38400 baud")
+    assert aracna.startswith(f"No Aracna responds on {robot.url} at 38400 baud")
     assert summary == "Error: No board was found."
 
 

@@ -131,7 +131,7 @@ def test_faulty_servos_delay_robot_and_are_named(panel: DemoRobotPanel) -> None:
     panel.window.move()  # from a known place a late answer is called late sooner
     panel.begin_to_move(100)
     panel.click("aracnaDemoDead3")
-    panel.wait_for_report("waits for motor 3")
+    panel.wait_for_report("is waiting for motor 3")
     assert panel.window.text("aracnaState3") == "stuck here"
     assert "dead" in panel.gauge(3).toolTip()
     panel.click("aracnaDemoDead3")
@@ -140,7 +140,7 @@ def test_faulty_servos_delay_robot_and_are_named(panel: DemoRobotPanel) -> None:
 
     panel.begin_to_move(500)
     panel.click("aracnaDemoBlocked5")
-    panel.wait_for_report("waits for motor 5")
+    panel.wait_for_report("is waiting for motor 5")
     assert "cannot reach 500" in panel.gauge(5).toolTip()
     panel.click("aracnaDemoBlocked5")
     panel.wait_for_report("has reached its goal")
@@ -149,7 +149,7 @@ def test_faulty_servos_delay_robot_and_are_named(panel: DemoRobotPanel) -> None:
     panel.wait(lambda: panel.snapshot.servos[0].load == pytest.approx(0.9))
     assert "90 %" in panel.find(StickSlider, "aracnaDemoLoad0").toolTip()
     panel.begin_to_move(100)
-    panel.wait_for_report("waits for motor 0")
+    panel.wait_for_report("is waiting for motor 0")
     servos = panel.snapshot.servos
     assert servos[7].position < servos[0].position - 100
     panel.slide("aracnaDemoLoad0", 0)

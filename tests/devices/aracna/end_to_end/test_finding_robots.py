@@ -70,7 +70,7 @@ def test_search_reports_failed_attempts(window: RobotWindow, robot: SimulatedDev
     assert kinds(search(window, robot.url)) == ["TReX", "Aracna", "TReX"]
     trex, aracna = window.text("findText0").split("\n\n")
     assert trex.startswith(f"No TReX responds on {robot.url} at any baud rate")
-    assert aracna.startswith(f"No Aracna answers on {robot.url} at 38400 baud")
+    assert aracna.startswith(f"No Aracna responds on {robot.url} at 38400 baud")
     label = window.find(QLabel, "findText0")
     window.wait(lambda: label.height() >= label.heightForWidth(label.width()) > 0)
     window.find(QDialog, "findDialog").close()

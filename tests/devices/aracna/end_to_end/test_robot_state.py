@@ -53,7 +53,7 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     window, robot = connected_window, connected_window.robot
     window.move()
     window.block_and_lose_motor(3)
-    window.wait_for_text("aracnaReport", "waits for motor 3")
+    window.wait_for_text("aracnaReport", "is waiting for motor 3")
     assert "servo power" in window.text("aracnaReport")
     assert "does not stop the servos" in window.text("aracnaReport")
     assert "motor 3" in window.text("aracnaMotionLabel")
@@ -62,7 +62,7 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     for name in ("aracnaMoveButton", "aracnaPlay", "aracnaGoTo"):
         assert not window.is_enabled(name), name
     for name in ("aracnaMoveButton", "aracnaPlay"):
-        assert "waits for motor 3" in window.button(name).toolTip(), name
+        assert "is waiting for motor 3" in window.button(name).toolTip(), name
     assert not window.action("aracna_move").isEnabled()
     assert not window.action("aracna_play").isEnabled()
     window.show_page(ROBOT_PAGE)
@@ -79,9 +79,9 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     window.block_and_lose_motor(3)
     window.press_disconnect()
     window.select("portCombo", window.program.ports.demo_of("aracna"))
-    window.wait_for_text("bannerText", "No Aracna answers")
+    window.wait_for_text("bannerText", "No Aracna responds")
     message = window.text("bannerText")
-    assert "may still be moving and cannot listen meanwhile; wait until it has stopped" in message
+    assert "does not listen while it moves: if it is moving, wait until it stops" in message
     assert "Find a board (Ctrl+Shift+F)" in message
 
 
@@ -159,8 +159,8 @@ def test_unpowered_servos_are_reported(connected_window: RobotWindow) -> None:
     window = connected_window
     window.control("servo power off")
     window.robot.set_speeds((300,) * 8)
-    window.wait(lambda: "No motor took" in str(window.robot.state.speed_error))
-    message = "No motor took its speed: do the servos have power?"
+    window.wait(lambda: "No motor accepted" in str(window.robot.state.speed_error))
+    message = "No motor accepted its speed. Check the servo power."
     assert window.text("aracnaReport") == message
     assert window.logged()[0] == message
 

@@ -147,8 +147,12 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     assert silences
     assert reports == session.reported
     markers = [row for row in found if isinstance(row, Marker)]
-    assert any("waits for motor" in each.text for each in markers if each.kind == EventKind.NOTE)
-    assert any("waits for motor 3" in each.text for each in markers if each.kind == EventKind.FAULT)
+    assert any(
+        "is waiting for motor" in each.text for each in markers if each.kind == EventKind.NOTE
+    )
+    assert any(
+        "is waiting for motor 3" in each.text for each in markers if each.kind == EventKind.FAULT
+    )
     assert any("restarted" in each.text for each in markers)
     assert any(each.kind == EventKind.LINK for each in markers)
 

@@ -199,7 +199,7 @@ def test_rejected_servo_speed_is_reported(robot: Robot, harness: RobotHarness) -
     harness.simulator.do("servo 5 dead")
     robot.set_speeds((200,) * 8)
     harness.wait(lambda: bool(harness.of(SpeedsHeld)))
-    assert "Motor 5 did not take its speed" in str(robot.state.speed_error)
+    assert "Motor 5 did not accept speed" in str(robot.state.speed_error)
 
 
 def test_stuck_motor_is_named_until_it_answers(robot: Robot, harness: RobotHarness) -> None:
@@ -209,7 +209,7 @@ def test_stuck_motor_is_named_until_it_answers(robot: Robot, harness: RobotHarne
     stuck = robot.state.stuck
     assert stuck is not None
     assert stuck.motor == 3
-    assert any("waits for motor 3" in event.text for event in robot.events.all)
+    assert any("is waiting for motor 3" in event.text for event in robot.events.all)
     harness.simulator.do("servo 3 alive")
     harness.wait(lambda: robot.state.moved is not None)
     assert robot.state.stuck is None

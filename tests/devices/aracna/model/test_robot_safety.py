@@ -38,7 +38,7 @@ def test_move_needs_servo_power_and_keeps_chosen_speed(
     robot.set_speeds((30,) * 8)
     assert robot.move((440,) * 8)
     harness.wait(lambda: any("Not moved" in text for text in harness.messages))
-    assert "do the servos have power?" in harness.messages[-1]
+    assert "Check the servo power" in harness.messages[-1]
     assert not harness.sent
     harness.simulator.do("servo power on")
     harness.move((440,) * 8)
@@ -84,7 +84,7 @@ def test_commands_while_motor_is_stuck_are_never_sent(robot: Robot, harness: Rob
     harness.wait(lambda: robot.state.stuck is not None)
     assert not robot.move((350,) * 8)
     assert not robot.play(Play(0, steps(HIGH, LOW)))
-    assert "waits for motor 3" in harness.messages[-1]
+    assert "is waiting for motor 3" in harness.messages[-1]
     harness.simulator.do("servo 3 alive")
     harness.wait(lambda: robot.state.moving is None)
     harness.move((490,) * 8)
@@ -104,4 +104,4 @@ def test_drag_with_rejected_speed_is_reported_once(robot: Robot, harness: RobotH
     harness.move((310,) * 8)
     assert harness.sent == [LOW, (310,) * 8]
     assert len(harness.messages) == 1
-    assert "Motor 5 did not take its speed of 200" in harness.messages[0]
+    assert "Motor 5 did not accept speed 200" in harness.messages[0]

@@ -67,7 +67,7 @@ def test_robot_reset_by_opening_port_is_found_after_boot(ago: float, *, keeps_la
     if ago:
         stage.line.receive()  # opening a port commonly discards what came before
     [found] = search(stage).found
-    assert ("has reset its board" in found.note) == (ago == 0.0)
+    assert ("has reset the board" in found.note) == (ago == 0.0)
     assert stage.now < 2.0
     assert stage.line.station.firmware.boots == 1
 
@@ -116,7 +116,7 @@ def test_silent_port_is_reported_with_hint_within_3_s() -> None:
     result = search(stage)
     assert not result.found
     assert stage.now - begun < 3.0
-    assert "No Aracna answers on virtual at 38400" in result.diagnoses[0].text
+    assert "No Aracna responds on virtual at 38400" in result.diagnoses[0].text
     assert "power" in result.diagnoses[0].text
 
 
@@ -124,7 +124,7 @@ def test_unknown_reply_is_shown_in_diagnosis() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b"\r\nERR 7\r\n")
-    assert "not as an Aracna does: ERR 7" in diagnosis(stage)
+    assert "not like an Aracna: ERR 7" in diagnosis(stage)
 
 
 def test_robot_that_boots_but_never_answers_is_reported() -> None:
@@ -156,7 +156,7 @@ def test_noise_is_not_reported_as_echo() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b"\xff\x00\xff")
-    assert "not as an Aracna does: FF 00 FF" in diagnosis(stage)
+    assert "not like an Aracna: FF 00 FF" in diagnosis(stage)
 
 
 def test_search_reports_progress_and_can_be_cancelled() -> None:

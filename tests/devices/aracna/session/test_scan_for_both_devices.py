@@ -77,7 +77,7 @@ def test_aracna_reset_by_opening_port_is_found(first: str | None, ago: float) ->
         stage.line.receive()
     result = search(stage.transport, first)
     assert result.device == "aracna"
-    assert ("has reset its board" in result.found[0].note) == (ago == 0.0)
+    assert ("has reset the board" in result.found[0].note) == (ago == 0.0)
     assert stage.now < 3.0
     assert stage.line.station.firmware.boots == 1, "the port was opened once"
 
@@ -108,8 +108,8 @@ def test_silent_port_is_reported_for_both_devices() -> None:
     stage.do("power off")
     trex, aracna = search(stage.transport).lines
     assert trex.startswith("No TReX responds on virtual at any baud rate")
-    assert aracna.startswith("No Aracna answers on virtual at 38400 baud")
-    assert "may still be moving" in aracna
+    assert aracna.startswith("No Aracna responds on virtual at 38400 baud")
+    assert "does not listen while it moves" in aracna
 
 
 def test_echo_is_reported_for_both_devices() -> None:
@@ -118,7 +118,7 @@ def test_echo_is_reported_for_both_devices() -> None:
     trex, aracna = search(Wire(TrexLine([board], echo=True))).lines
     assert trex.startswith("No TReX responds on virtual: everything sent comes back")
     assert "RS-232 side" in trex
-    assert aracna.startswith("No Aracna answers on virtual at 38400 baud")
+    assert aracna.startswith("No Aracna responds on virtual at 38400 baud")
     assert "everything sent comes back" in aracna
 
 
@@ -127,8 +127,8 @@ def test_aracna_hello_is_reported_before_missing_trex() -> None:
     stage.do("power off")
     stage.line.inject(b".h\r\n")
     aracna, trex = search(stage.transport).lines
-    assert "reports that it starts, but does not answer" in aracna
-    assert "2E 68 0D 0A came at 38400 baud" in trex
+    assert "reports that it starts, but does not respond" in aracna
+    assert "it sent 2E 68 0D 0A at 38400 baud" in trex
 
 
 def test_reply_to_aracna_probe_is_reported_first() -> None:
@@ -152,7 +152,7 @@ def test_reply_to_aracna_probe_is_reported_first() -> None:
 
     aracna, trex = scan_port(VIRTUAL, PROBERS, open_wire=hear_something).lines
     assert sent == 5
-    assert "not as an Aracna does" in aracna
+    assert "not like an Aracna" in aracna
     assert trex.startswith("No TReX responds")
 
 

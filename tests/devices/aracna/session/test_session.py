@@ -85,7 +85,7 @@ def test_silent_line_closes_session_after_boot_loader_time() -> None:
     closed = session.reports[-1]
     assert isinstance(closed, Closed)
     assert isinstance(closed.error, NoReply)
-    assert "No Aracna answers on virtual at 38400" in str(closed.error)
+    assert "No Aracna responds on virtual at 38400" in str(closed.error)
     assert session.when(Closed)[0] == pytest.approx(BOOT_TIMEOUT, abs=0.6)
     [outcome] = session.of(Outcome)
     assert outcome.id == 1
@@ -99,7 +99,7 @@ def test_reply_of_other_device_is_shown_in_error() -> None:
     session.run()
     [closed] = session.of(Closed)
     assert isinstance(closed.error, BadReply)
-    assert "not as an Aracna does" in str(closed.error)
+    assert "not like an Aracna" in str(closed.error)
     assert "TReX" in str(closed.error)
 
 

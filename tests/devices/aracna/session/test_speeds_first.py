@@ -49,7 +49,7 @@ def test_move_needs_servo_power_and_keeps_requested_speed() -> None:
     session.at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE, SLOW))
     session.at(2.0, lambda: session.stage.do("servo power on")).at(2.1, Move(3, THERE, SLOW))
     session.until(8.0).run()
-    assert "servos have power" in errors(session)[2]
+    assert "Check the servo power" in errors(session)[2]
     assert errors(session)[3] == ""
     [moved] = session.of(Moved)
     assert moved.seconds > 1.2, "88 units at 30 are 1.29 s"
@@ -60,7 +60,7 @@ def test_motor_rejecting_its_speed_is_named_and_none_moves() -> None:
     session = ScriptedSession().at(0.1, lambda: session.stage.do("servo 3 dead"))
     session.at(0.2, Move(1, THERE, SLOW)).at(1.0, Drag(THERE, SLOW)).until(3.0)
     session.run()
-    assert errors(session)[1] == "Motor 3 did not take its speed of 30, it does not answer."
+    assert errors(session)[1] == "Motor 3 did not accept speed 30: it does not respond."
     [dropped] = session.of(DragDropped)
     assert str(dropped.error) == errors(session)[1]
     assert not lines(session, "c")
@@ -132,7 +132,7 @@ def test_rejected_step_speed_ends_playback() -> None:
     )
     session.until(5.0).run()
     assert [ended.why for ended in session.of(PlayEnded)] == [Ending.SPEEDS]
-    assert "Motor 5 did not take its speed" in errors(session)[2]
+    assert "Motor 5 did not accept speed" in errors(session)[2]
     assert lines(session, "c") == ["512"]
 
 

@@ -159,7 +159,7 @@ def test_disabled_buttons_show_reason_in_tooltip(driver: StagedPageDriver) -> No
     driver.connect()
     for name in ("aracnaPlay", "aracnaGoTo"):
         assert not driver.button(name).isEnabled()
-        assert driver.button(name).toolTip().startswith("The robot waits for motor 3")
+        assert driver.button(name).toolTip().startswith("The robot is waiting for motor 3")
 
 
 def test_duplicated_gait_becomes_editable_sequence(driver: StagedPageDriver) -> None:

@@ -100,7 +100,7 @@ def test_unchanged_setting_is_not_written_again(
     again = trexcmd(*words)
     assert again.exit_code == 0, again.stderr
     assert again.stdout == first.stdout
-    assert "has this value already; nothing is written" in again.stderr
+    assert "already has this value; nothing is written" in again.stderr
     assert len(SettingsHistory().snapshots()) == 1
 
 
@@ -304,7 +304,7 @@ def test_restore_defaults_without_changes_still_prompts(
 @pytest.mark.parametrize(
     ("model", "stored", "message"),
     [
-        ("trexjr", "aux_acceleration", "Another board answers now: TReX Jr 1.2. Nothing was "),
+        ("trexjr", "aux_acceleration", "Another board responds now: TReX Jr 1.2. Nothing was "),
         ("trex", "device_number", "The board no longer stores the settings that were read"),
         ("trex", "aux_acceleration", "The board no longer stores the settings that were read"),
     ],
@@ -356,7 +356,7 @@ def test_board_that_replaces_a_silent_one_during_set_settings_is_not_written_to(
     exchange_at(nothing, other, lambda _data: next(lost) == 1)
     result = trexcmd("set-settings", str(file))
     assert result.exit_code == 1
-    assert "Another board answers now: TReX Jr 1.2." in result.stderr
+    assert "Another board responds now: TReX Jr 1.2." in result.stderr
     assert next(writes) == 2
     assert quick_simulator.show()["parameters"]["motor1_acceleration"] == 9
     assert everything(other) == before

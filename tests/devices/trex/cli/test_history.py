@@ -151,7 +151,7 @@ def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> Non
     for minutes in range(5):
         take(minutes)
     result = trexcmd("history", "keep", "2", stdin="n\n")
-    assert "Remove the oldest 3 of 5 snapshots for good?" in result.stderr
+    assert "Remove the oldest 3 of 5 snapshots permanently?" in result.stderr
     assert result.exit_code == 1
     assert len(SettingsHistory().snapshots()) == 5
     assert SettingsHistory().bound() == Bound()

@@ -55,7 +55,7 @@ class SettingsWrite:
         assert all(stored[key] == self.wanted.parameters[key] for key in named_stored)
         assert all(stored[key] == self.before.parameters[key] for key in untried)
         assert len(given - named_stored - untried) <= 1
-        assert re.search(r"\d+ of \d+ changes are stored and read back", said)
+        assert re.search(r"\d+ of \d+ changes stored and verified", said)
         assert "not all settings were stored" in said.lower()
 
     def differs(self, key: str) -> bool:

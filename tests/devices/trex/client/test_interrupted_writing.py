@@ -515,8 +515,8 @@ def test_possible_factory_line_settings_are_reported() -> None:
     assert last.key == "uart_settings"
     assert isinstance(last.error, NoReply)
     assert str(last.error).endswith(
-        "UART Settings may be the factory default meanwhile: the board, switched off and on, then "
-        "runs at 19200 baud, no error detection, 1 stop bit"
+        "UART Settings may have gone back to the factory default: after a power cycle the board "
+        "would run at 19200 baud, no error detection, 1 stop bit"
     )
 
 

@@ -500,7 +500,7 @@ def test_unknown_device_is_reported_with_its_bytes() -> None:
     read = wire.read
     wire.read = lambda size, seconds: read(size, seconds) or b"ERR"  # type: ignore[method-assign]
     diagnosis = diagnosis_of(wire)
-    assert "not answer as a TReX does: 45 52 52" in diagnosis
+    assert "not respond like a TReX: it sent 45 52 52" in diagnosis
 
 
 def test_board_waiting_for_firmware_is_reported() -> None:
@@ -514,7 +514,7 @@ def test_board_waiting_for_firmware_is_reported() -> None:
         return heard + b"?" if heard else b""
 
     wire.read = loader  # type: ignore[method-assign]
-    assert "waits for new firmware" in diagnosis_of(wire)
+    assert "waiting for new firmware" in diagnosis_of(wire)
 
 
 def test_unsupported_baud_rates_are_skipped() -> None:

@@ -58,7 +58,7 @@ def test_symmetric_travel_is_equal_and_reaches_every_output(
 def test_side_without_travel_cannot_be_mirrored() -> None:
     one_sided = Calibration(3750, 3750, 5000, 75)
     why = why_not_symmetric(one_sided, InputSource.RC, larger=False)
-    assert why.startswith("That would leave 0 µs to each side of neutral")
+    assert why.startswith("That would leave 0 µs on each side of neutral")
     assert not why_not_symmetric(one_sided, InputSource.RC, larger=True)
     assert symmetric(one_sided, InputSource.RC, larger=True) == USUAL
 

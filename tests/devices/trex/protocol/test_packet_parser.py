@@ -84,7 +84,7 @@ def test_command_byte_ends_expanded_packet_without_command(cut: str) -> None:
 def test_unknown_command_is_malformed_at_once(opcode: int) -> None:
     (event,) = PacketParser().feed(bytes([opcode]))
     assert isinstance(event, Malformed)
-    assert f"{opcode:#04x} is no command of a TReX" in event.reason
+    assert f"{opcode:#04x} is not a TReX command" in event.reason
 
 
 @pytest.mark.parametrize("command", ["00", "08", "25", "72", "7e"])

@@ -126,7 +126,7 @@ def test_byte_after_command_without_reply_is_malformed() -> None:
 def test_invalid_reply_is_malformed_with_reason() -> None:
     result = ReplyParser(GetMode()).feed(b"x")
     assert isinstance(result, Malformed)
-    assert "no mode" in result.reason
+    assert "not a TReX mode" in result.reason
 
 
 @pytest.mark.parametrize(

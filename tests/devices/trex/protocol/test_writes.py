@@ -40,7 +40,7 @@ def test_calibration_write_reply_is_a_result_code(code: int, meaning: ResultCode
 @pytest.mark.parametrize("command", WRITES)
 @pytest.mark.parametrize("code", [4, 0x55, 0xFF])
 def test_unknown_result_code_is_rejected(command: Command[ResultCode], code: int) -> None:
-    with pytest.raises(BadReply, match="no result code"):
+    with pytest.raises(BadReply, match="not a TReX result code"):
         command.parse(bytes([code]))
 
 

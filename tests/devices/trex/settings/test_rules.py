@@ -172,8 +172,8 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Context(),
             Expected(
                 "crc_that_checks_nothing",
-                "With 0x80 as CRC-7 Polynomial the checksum of every packet is 0, so CRC-7 finds "
-                "no damage at all.",
+                "With 0x80 as CRC-7 Polynomial the checksum of every packet is 0, so CRC-7 detects "
+                "no errors at all.",
                 ("crc7_polynomial", "uart_settings"),
                 {"crc7_polynomial": 9},
                 "Set CRC-7 Polynomial to 0x89",

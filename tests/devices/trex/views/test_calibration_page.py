@@ -311,7 +311,7 @@ def test_calibration_is_copied_made_symmetric_and_reset(page: CalibrationPage) -
     steps = undo.count()
     shorter = page.action("symmetricSmaller")
     assert not shorter.isEnabled()
-    assert "too little for every output" in shorter.toolTip()
+    assert "too little to reach every output" in shorter.toolTip()
     shorter.trigger()
     assert undo.count() == steps
     undo.undo()

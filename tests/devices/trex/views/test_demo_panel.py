@@ -76,7 +76,7 @@ def test_packet_led_is_shown_without_flicker(flicker: str) -> None:
         (SERIAL, "on", "serial commands control"),
         (RC, "on", "the channels control"),
         (RC, "fast flash", "safe-start, the motors wait"),
-        (RC, PACKETS, "while a packet comes in"),
+        (RC, PACKETS, "while a packet arrives"),
         (replace(RC, power=False), "off", "the power is off"),
         (
             replace(RC, boot_mode=BootStep.LEARN_READY),

@@ -50,7 +50,7 @@ def test_empty_history_says_when_snapshots_are_taken(dialog: HistoryDialog) -> N
     dialog.open()
     empty = dialog.find(QLabel, "historyEmpty")
     dialog.wait(empty.isVisible)
-    assert "Before each Apply" in empty.text()
+    assert "Before settings are applied" in empty.text()
     assert not dialog.root.isModal()
 
 

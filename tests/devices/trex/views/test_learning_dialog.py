@@ -84,7 +84,7 @@ def test_noisy_channel_is_left_out_and_drifting_one_is_learned(learning: Learnin
         lambda: "Not every channel is at rest" in learning.head,
         lambda passed: learning.transmitter.put(2, 0.0, passed),
     )
-    assert "a deadband that holds it still" in learning.problem(1)
+    assert "a deadband wide enough to hide it" in learning.problem(1)
     assert learning.problem(2) == ""
 
     learning.sample_rest()

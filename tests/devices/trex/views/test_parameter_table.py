@@ -342,7 +342,7 @@ def test_both_motors_are_edited_as_one(parameters: ParametersDriver, qtbot: QtBo
 
 def test_help_follows_the_parameter_and_its_edits(parameters: ParametersDriver) -> None:
     parameters.go_to("motor1_current_limit")
-    for text in ("0x13", "off to 10.16 A", "Default: 0 (off)", "the board has the last word"):
+    for text in ("0x13", "off to 10.16 A", "Default: 0 (off)", "The board rejects any value"):
         assert text in help_text(parameters)
     assert "Motor 2" not in help_text(parameters)
     parameters.model.edit("motor2_current_limit", 25)

@@ -320,7 +320,7 @@ def test_file_is_rewritten_after_a_question(
     editor.edit("motor_mode", 1)
     requested = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
     editor.save()
-    assert "fresh text" in requested[0]
+    assert "Rewrite the file" in requested[0]
     assert editor.document.modified
     answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
     editor.save()
@@ -363,7 +363,7 @@ def test_files_are_compared_and_values_taken(editor: EditorDriver, tmp_path: Pat
     assert "3 settings differ, 0 match" in dialog.text("comparisonSummary")
     dialog.click("takeValuesButton")
     assert (editor.value_of("motor_mode"), editor.value_of("serial_timeout")) == (1, 5)
-    assert "2 values taken from other.txt" in editor.banner
+    assert "2 values copied from other.txt" in editor.banner
     dialog.wait_for_text("comparisonSummary", "1 setting differs, 2 match")
     editor.trigger("Undo")
     assert editor.document.text == TEXT

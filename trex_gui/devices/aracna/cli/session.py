@@ -103,7 +103,7 @@ class CommandSession:
         for fault in self.faults:
             say(fault)
         if self.faults:
-            raise CommandFailed("Not every motor did as commanded.")
+            raise CommandFailed("Some motors did not do what was commanded.")
 
     # --- For subclasses -----------------------------------------------------------------
 
@@ -226,9 +226,10 @@ def _raise_fault(report: Report) -> None:
             )
         case Stuck(motor=motor):
             raise CommandFailed(
-                f"The robot waits for motor {motor}, which does not arrive: it is blocked, has no "
-                "power or does not respond, or the board itself has no power. Until it arrives, or "
-                "the board is reset, the robot reads nothing. Only servo power stops its motors."
+                f"The robot is waiting for motor {motor}, which has not reached its goal: it is "
+                "blocked, has no power or does not respond, or the board itself has no power. "
+                "Until it arrives, or the board is reset, the robot reads nothing. Only servo "
+                "power stops its motors."
             )
         case NotResponding(error=error):
             raise CommandFailed(error)

@@ -73,7 +73,7 @@ class NameModel(QAbstractListModel):
             return ", ".join(map(str, pose.positions)) if pose else ""
         played = self._library.playable(key)
         if isinstance(played, Gait):
-            ours = self.tr("It is made of the authors' poses, but not theirs.")
+            ours = self.tr("Uses the authors' poses, but was not made by them.")
             return f"{played.about} {ours}" if played.ours else played.about
         if played is None:
             return ""

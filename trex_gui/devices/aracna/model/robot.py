@@ -362,7 +362,7 @@ class Robot(DeviceConnection[PortSettings]):
             return ""
         if stuck.motor is None:
             return self.tr("The robot does not respond.")
-        text = self.tr("The robot waits for motor {0} and reads nothing until it responds.")
+        text = self.tr("The robot is waiting for motor {0} and reads nothing until it responds.")
         return text.format(stuck.motor)
 
     def _can_move(self) -> bool:

@@ -115,7 +115,7 @@ def stuck_text(motor: int | None) -> str:
     if motor is None:
         return tr("The robot does not respond at all. Check its power and the cable.")
     return tr(
-        "The robot waits for motor {0}, and reads nothing until it responds. Check the servo "
+        "The robot is waiting for motor {0} and reads nothing until it responds. Check the servo "
         "power, the board's power, the cable of this servo, and whether it is blocked. A reset "
         "of the board ends the wait; it does not stop the servos."
     ).format(motor)

@@ -155,7 +155,7 @@ GAITS = (
     Gait(
         "lie down",
         (GaitStage(HALF_STAND, 2.0), GaitStage(FLAT, 2.0)),
-        "Over half-stand to flat, from any position.",
+        "By way of half-stand to flat, from any position.",
         cyclic=False,
         ours=True,
     ),

@@ -13,8 +13,8 @@ class ErrorCode(Enum):
 
     NO_ROBOT = QT_TRANSLATE_NOOP(
         "AracnaErrors",
-        "No Aracna answers on {0}. It may still be moving and cannot listen meanwhile; wait until "
-        "it has stopped. Check that the robot's board has power, that the adapter's TX goes to its "
+        "No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until "
+        "it stops. Check that the robot's board has power, that the adapter's TX goes to its "
         "RX and its RX to its TX (or that both radios are on the same channel), and that ground is "
         "connected.",
     )
@@ -24,37 +24,37 @@ class ErrorCode(Enum):
     )
     BOOT_LOOP = QT_TRANSLATE_NOOP(
         "AracnaErrors",
-        "An Aracna on {0} reports that it starts, but does not answer afterwards. It may be "
+        "An Aracna on {0} reports that it starts, but does not respond afterwards. It may be "
         "restarting repeatedly: check its power supply.",
     )
     OTHER_DEVICE = QT_TRANSLATE_NOOP(
         "AracnaErrors",
-        "Something responds on {0}, but not as an Aracna does: {1}. Another device, perhaps a TReX "
+        "Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX "
         "at another baud rate, or interference on the line.",
     )
     NOT_READY = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "The robot has not answered yet; it is still being queried."
+        "AracnaErrors", "The robot has not replied yet; it is still being queried."
     )
     COMMAND_PENDING = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "One command at a time: the last one has not been answered yet."
+        "AracnaErrors", "One command at a time: the robot has not replied to the last one yet."
     )
-    TIMEOUT = QT_TRANSLATE_NOOP("AracnaErrors", "The robot did not answer in time.")
+    TIMEOUT = QT_TRANSLATE_NOOP("AracnaErrors", "The robot did not reply in time.")
     UNEXPECTED_REPLY = QT_TRANSLATE_NOOP(
         "AracnaErrors", "The reply does not match the command: {0}."
     )
     MOTOR_STUCK = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "The robot is waiting for motor {0}, which does not arrive."
+        "AracnaErrors", "The robot is waiting for motor {0}, which has not reached its goal."
     )
     STUCK = QT_TRANSLATE_NOOP("AracnaErrors", "The robot is stuck: nothing was sent.")
     SPEEDS_REJECTED = "{0}"
     SPEED_REJECTED = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "Motor {0} did not take its speed of {1}, it holds {2}."
+        "AracnaErrors", "Motor {0} did not accept speed {1}; it still has speed {2}."
     )
     SPEED_UNREADABLE = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "Motor {0} did not take its speed of {1}, it does not answer."
+        "AracnaErrors", "Motor {0} did not accept speed {1}: it does not respond."
     )
     NO_SERVO_POWER = QT_TRANSLATE_NOOP(
-        "AracnaErrors", "No motor took its speed: do the servos have power?"
+        "AracnaErrors", "No motor accepted its speed. Check the servo power."
     )
     SPEEDS_UNCONFIRMED = QT_TRANSLATE_NOOP(
         "AracnaErrors", "The robot did not confirm its speeds, so no motor was moved. {0}"
@@ -68,7 +68,7 @@ class ErrorCode(Enum):
     SUPERSEDED = QT_TRANSLATE_NOOP("AracnaErrors", "Newer speeds replaced these.")
     HALTED = QT_TRANSLATE_NOOP("AracnaErrors", "Stopped before it was sent.")
     RESTARTED = QT_TRANSLATE_NOOP("AracnaErrors", "The robot's board has restarted.")
-    OTHER_ROBOT = QT_TRANSLATE_NOOP("AracnaErrors", "Another robot answers on this port now.")
+    OTHER_ROBOT = QT_TRANSLATE_NOOP("AracnaErrors", "Another robot now responds on this port.")
     NOT_RESPONDING = QT_TRANSLATE_NOOP("AracnaErrors", "The robot stopped responding.")
     CLOSED = QT_TRANSLATE_NOOP("AracnaErrors", "The connection was closed before this was done.")
     INTERNAL = QT_TRANSLATE_NOOP("AracnaErrors", "Internal error in the connection: {0}")

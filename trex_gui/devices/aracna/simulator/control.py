@@ -80,7 +80,7 @@ def _one_servo(servo: Servo, words: list[str]) -> str:
         case ["lose", ("moving" | "position" | "speed") as name, *times] if len(times) < 2:
             count = amount(times[0], "a number of reads") if times else 1
             servo.to_fail[Register(name)] = count
-            return f"does not answer the next {count} reads of {name}"
+            return f"does not reply to the next {count} reads of {name}"
     raise WrongUsage
 
 

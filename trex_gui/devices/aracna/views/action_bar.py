@@ -116,7 +116,7 @@ class ActionBar(QWidget):
     def _stuck_text(self, motor: int | None) -> str:
         if motor is None:
             return self.tr("The robot does not respond.")
-        return self.tr("Stuck: the robot waits for motor {0} and reads nothing.").format(motor)
+        return self.tr("Stuck: the robot is waiting for motor {0} and reads nothing.").format(motor)
 
     def _wait_text(self, left: float) -> str:
         state = self._robot.state

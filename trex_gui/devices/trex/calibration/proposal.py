@@ -75,8 +75,10 @@ def _ends_reason(neutral: Neutral, travel: Travel) -> str:
     inside = swing_text(max(margins), neutral.source).removeprefix("±")
     text = f"The measured ends are up to {inside} further out."
     if (idle := travel.idle) is not None:
-        where, name = ("above", "Maximum") if idle is Way.UP else ("below", "Minimum")
-        text += f" It never goes {where} its rest: {name} is put as far out as the input can be."
+        where, name = ("above", "maximum") if idle is Way.UP else ("below", "minimum")
+        text += (
+            f" It never goes {where} its rest position, so {name} is set to the limit of the input."
+        )
     return text
 
 

@@ -60,7 +60,7 @@ def change_one(
     before, link = settings_of(state), client.settings
     result = compare(before, after)
     if not result.changed:
-        say(f"{what} has this value already; nothing is written.")
+        say(f"{what} already has this value; nothing is written.")
         return
     require_serial_mode(state, what)
     warn(after, context)

@@ -148,7 +148,7 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
     and order are kept; only repairable faults are changed, such as a last line without an end.
     """
     if as_json and out == "-":
-        raise click.UsageError("--json and OUT cannot both have standard output.")
+        raise click.UsageError("--json and OUT cannot both use standard output.")
     settings: Settings | None = None
     with refusals():
         data = content_of(file)
@@ -278,7 +278,7 @@ def _write(
     _say_failures(failed, names)
     if failed and stored:
         say(f"Stored: {', '.join(names[key] for key in stored)}.")
-    say(f"{len(stored)} of {len(results)} changes are stored and read back.")
+    say(f"{len(stored)} of {len(results)} changes stored and verified.")
     after = {key: wire for key, wire in stored.items() if isinstance(wire, int)}
     say_what_follows(client, chosen, state, after)
     if failed:

@@ -141,7 +141,7 @@ def keep(count: str | None, yes: bool) -> None:
     if (gone := len(history.beyond(kept))) and not yes:
         total = len(history.snapshots())
         which = "the oldest one" if gone == 1 else f"the oldest {gone}"
-        click.confirm(f"Remove {which} of {total} snapshots for good?", abort=True, err=True)
+        click.confirm(f"Remove {which} of {total} snapshots permanently?", abort=True, err=True)
     with refusals():
         removed = len(history.keep(kept))
     if removed:

@@ -87,7 +87,7 @@ def stream(file: str | None, seconds: float | None, as_json: bool, **options: An
         finally:
             target.flush()
             if count:
-                say(f"{count} rows.")
+                say(f"{count} row{'' if count == 1 else 's'}.")
         if reason:
             raise CommandFailed(reason)
 

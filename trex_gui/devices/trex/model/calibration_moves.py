@@ -138,8 +138,8 @@ def why_not_symmetric(calibration: Calibration, source: InputSource, *, larger: 
         return ""
     return translate(
         "CalibrationMoves",
-        "That would leave {0} to each side of neutral, of which the deadband takes {1}: too "
-        "little for every output up to full.",
+        "That would leave {0} on each side of neutral, {1} of it deadband: too little to reach "
+        "every output value.",
     ).format(source.text(travel), source.text(calibration.deadband))
 
 

@@ -96,7 +96,7 @@ class DriveController(QObject):
         allowed = self._is_connected and bool(self._telemetry.serial_controls)
         if allowed != self._motors.is_available:
             if self._motors.armed and self._is_connected and not allowed:
-                self._motors.stop(self.tr("Serial commands do not reach the motors any more."))
+                self._motors.stop(self.tr("Serial commands no longer reach the motors."))
             self._motors.set_available(allowed)
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
@@ -202,8 +202,8 @@ class DriveController(QObject):
         if not self._lost:
             return ""
         text = self.tr(
-            "As far as the program knows, the {0} that was driven at {1} got no stop: another "
-            "board answered. If its motor still turns, cut its power."
+            "No stop is known to have reached the {0} that was driven at {1}: another board "
+            "responded. If its motor still turns, cut its power."
         )
         return text.format(_name_of(self._lost[0]), _port_of(self._lost[0]))
 
@@ -254,7 +254,7 @@ class DriveController(QObject):
             self._motors.set_available(False)
         if is_back:
             self.may_move = True
-            self._motors.stop(self.tr("The board that was lost when driven is back."))
+            self._motors.stop(self.tr("The board that disconnected while driving is back."))
 
     @Slot()
     def _on_out_of_reach(self) -> None:
@@ -277,11 +277,11 @@ class DriveController(QObject):
         """Warn that the stopped board is not, or may not be, the one that was lost when driven."""
         if self._is_connected and not self._is_loss_reported and self._board is not None:
             self._is_loss_reported = True
-            text = self.tr("Another board answers now: {0}, at {1}.")
+            text = self.tr("Another board responds now: {0}, at {1}.")
             if self._lost and self._lost[-1].state.signature == self._board.state.signature:
                 text = self.tr(
-                    "Perhaps another board answers now: {0}, at {1}, does not store the settings "
-                    "of the one that was driven."
+                    "This may be another board: {0}, at {1}, does not store the settings of the "
+                    "one that was driven."
                 )
             text = text.format(_name_of(self._board), _port_of(self._board))
             self._notifier.error.emit(f"{text} {self.lost_board}")
@@ -320,7 +320,7 @@ def why_the_board_stopped(latched: LatchedStatus, *, errors_stop: bool) -> str:
     if latched.uart & UartError.TIMEOUT:
         return QCoreApplication.translate(
             "board_stop",
-            "The board received nothing for the Serial Timeout and stopped its motors.",
+            "The board received nothing within its Serial Timeout and stopped its motors.",
         )
     if latched.uart and errors_stop:
         names = ", ".join(name for bit, (name, _) in UART_MEANING.items() if latched.uart & bit)

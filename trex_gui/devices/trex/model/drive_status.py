@@ -138,10 +138,10 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
         "remove the mode jumper and switch it on."
     )
     if now.perhaps_held:
-        held = _tr("Safe-start may be holding the motors: let the sticks rest once.")
+        held = _tr("Safe-start may be holding the motors: release all sticks.")
         channels = f"{channels} {held}"
     else:
-        after_power_up = _tr("After power-up safe-start waits for sticks at rest.")
+        after_power_up = _tr("After power-up, safe-start waits until all sticks are at rest.")
         override = f"{override} {after_power_up}"
     missing = Plural.tr(
         "Safe-start keeps the motors off: no signal on required channel(s) {0}.",

@@ -237,7 +237,7 @@ class Gamepad(QObject):
         match self.request.waits:
             case Waits.REST:
                 return self.tr(
-                    "Release the sticks: nothing drives before both axes were at rest. "
+                    "Release the sticks: driving starts only after both axes have been at rest. "
                     "A worn stick may need a wider dead zone."
                 )
             case Waits.RELEASE:

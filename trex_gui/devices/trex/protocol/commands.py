@@ -130,7 +130,7 @@ class GetSignature(Command[Signature]):
                 major, dot, minor = version[:1], version[1:2], version[2:]
                 if dot == "." and f"{major}{minor}".isascii() and f"{major}{minor}".isdigit():
                     return Signature(model, version)
-        raise BadReply(f"{reply!r} is not the signature of a TReX")
+        raise BadReply(f"{reply.hex(' ').upper()} is not the signature of a TReX")
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +144,7 @@ class GetMode(Command[Mode]):
         try:
             return Mode(reply.decode("latin-1"))
         except ValueError:
-            raise BadReply(f"{reply[0]:#04x} is no mode of a TReX (R, A, r or a)") from None
+            raise BadReply(f"{reply[0]:#04x} is not a TReX mode (R, A, r or a)") from None
 
 
 @dataclass(frozen=True, slots=True)
@@ -343,7 +343,7 @@ def _result(reply: bytes) -> ResultCode:
     try:
         return ResultCode(reply[0])
     except ValueError:
-        raise BadReply(f"{reply[0]} is no result code of a TReX (0 to 3)") from None
+        raise BadReply(f"{reply[0]} is not a TReX result code (0 to 3)") from None
 
 
 def _without_format_bytes(data: bytes) -> bytes:

@@ -39,8 +39,8 @@ class ErrorCode(Enum):
     )
     OTHER_DEVICE = QT_TRANSLATE_NOOP(
         "TrexErrors",
-        "Something responds on {0}, but not as a TReX does. {1} Most often the baud rate, parity "
-        "or CRC is not the one set in the board; or another device is connected.",
+        "Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC "
+        "differs from the board's setting, or another device is connected.",
     )
     # Transactions
     NO_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "No reply to {0}.")
@@ -75,7 +75,7 @@ class ErrorCode(Enum):
     LOCKED_OUT = QT_TRANSLATE_NOOP(
         "TrexErrors", "The motors are locked for a while after a stop; nothing was sent."
     )
-    OVERTAKEN_BY_STOP = QT_TRANSLATE_NOOP("TrexErrors", "A stop came before it; nothing was sent.")
+    OVERTAKEN_BY_STOP = QT_TRANSLATE_NOOP("TrexErrors", "A stop came first; nothing was sent.")
     # Writes
     BAD_PARAMETER = QT_TRANSLATE_NOOP(
         "TrexErrors",
@@ -98,12 +98,12 @@ class ErrorCode(Enum):
         "TrexErrors", "{0} is for {1} inputs, but the board reads {2} now"
     )
     OTHER_BOARD = QT_TRANSLATE_NOOP(
-        "TrexErrors", "Another board answers now: {0}. Nothing was written to it."
+        "TrexErrors", "Another board responds now: {0}. Nothing was written to it."
     )
     OTHER_BOARD_AFTER_WRITING = QT_TRANSLATE_NOOP(
         "TrexErrors",
-        "Another board answers now: {0}. Settings may have been written to it; compare it with its "
-        "last snapshot.",
+        "Another board responds now: {0}. Settings may have been written to it; compare it with "
+        "its last snapshot.",
     )
     OTHER_VALUES = QT_TRANSLATE_NOOP(
         "TrexErrors",
@@ -125,8 +125,8 @@ class ErrorCode(Enum):
     )
     LINE_SETTINGS_UNCERTAIN = QT_TRANSLATE_NOOP(
         "TrexErrors",
-        "{0} {1} may be the factory default meanwhile: the board, switched off and on, then runs "
-        "at {2}",
+        "{0} {1} may have gone back to the factory default: after a power cycle the board would "
+        "run at {2}",
     )
     # The session
     SCANNING = QT_TRANSLATE_NOOP("TrexErrors", "The board is not responding; scanning for it.")

@@ -55,7 +55,7 @@ STATUS_MEANING: dict[Status, tuple[str, str]] = {
     ),
     Status.UART_ERROR: (
         "UART error",
-        "Something went wrong on the serial line; the UART error bits say what.",
+        "A serial error occurred; the UART error bits show which.",
     ),
 }
 """Name and explanation of each status bit, highest bit first."""
@@ -63,7 +63,7 @@ STATUS_MEANING: dict[Status, tuple[str, str]] = {
 UART_MEANING: dict[UartError, tuple[str, str]] = {
     UartError.TIMEOUT: (
         "Serial timeout",
-        "No byte arrived for the time of Serial Timeout, so the motors were shut down.",
+        "No byte arrived within the Serial Timeout, so the board stopped its motors.",
     ),
     UartError.FORMAT: (
         "Format error",

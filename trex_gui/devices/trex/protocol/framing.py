@@ -163,7 +163,7 @@ class PacketParser:
         cls = COMMANDS.get(opcode)
         if cls is None:
             # How many data bytes follow is not known: those are reported as strays.
-            return self._give_up(f"{opcode:#04x} is no command of a TReX")
+            return self._give_up(f"{opcode:#04x} is not a TReX command")
         has_crc = self._polynomial is not None and opcode != 0xFF
         size = head + cls.data_size + has_crc
         if len(held) < size:

@@ -92,7 +92,7 @@ class TrexDecoder(Decoder):
 
     def _said(self, packet: Packet | Malformed) -> str:
         if isinstance(packet, Malformed):
-            return f"no packet of a TReX: {packet.reason}"
+            return f"not a TReX packet: {packet.reason}"
         said = describe(packet.command, self.board)
         if packet.device_number is None:
             return said

@@ -349,7 +349,8 @@ _MESSAGES: Mapping[str, str] = {
         "packet is checked with it."
     ),
     "crc_that_checks_nothing": (
-        "With {value} as {name} the checksum of every packet is 0, so CRC-7 finds no damage at all."
+        "With {value} as {name} the checksum of every packet is 0, so CRC-7 detects no errors at "
+        "all."
     ),
     "half_rate": (
         "A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects "

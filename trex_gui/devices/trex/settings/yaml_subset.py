@@ -55,7 +55,7 @@ def compose(text: str, name: str) -> MappingNode:
         mark = error.problem_mark or error.context_mark
         line = 1 if mark is None else mark.line + 1
         problem = shortened(error.problem or error.context or "no YAML", 100)
-        message = f"the text breaks off or is damaged here ({problem}); {_PLAIN_YAML}"
+        message = f"the text is incomplete or damaged here ({problem}); {_PLAIN_YAML}"
         raise SettingsError.of(name, message, line) from None
     if node is None:
         raise SettingsError.of(name, "there are no settings here; the first is 'product: TReX'", 1)
@@ -113,7 +113,7 @@ class _Composer(Composer):
         elif getattr(event, "value", None) == "<<" and not event.style:
             problem = f"merge keys (<<) are not allowed; {_PLAIN_YAML}"
         elif self.nodes > MOST_NODES:
-            problem = "there is more here than any board can be set to"
+            problem = "there are more settings here than any board has"
         elif is_collection and self.open_collections == _DEEPEST:
             problem = f"this is nested too deeply; {_PLAIN_YAML}"
         else:

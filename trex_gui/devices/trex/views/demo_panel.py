@@ -63,7 +63,7 @@ def led_meaning(snapshot: DemoSnapshot, pattern: str) -> str:
     if snapshot.serial_controls:
         on = tr("on: serial commands control the motors")
     return {
-        PACKETS: tr("lights while a packet comes in"),
+        PACKETS: tr("lit while a packet arrives"),
         "fast flash": tr("fast flash: safe-start, the motors wait"),
         "on": on,
     }.get(pattern, pattern)
@@ -173,7 +173,9 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
             "demoFactory",
             self.tr("Factory state"),
             icon="reload",
-            tip=self.tr("As new: stored settings, jumpers, sticks, loads and a quiet line"),
+            tip=self.tr(
+                "Resets everything: stored settings, jumpers, sticks, loads and faults of the line"
+            ),
             on_click=board.restore_factory,
         )
         columns = Columns(tr("5 override"), "2100\u00a0µs", (tr("No signal"),))
@@ -189,7 +191,7 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
     def absent_text(self, *, starting: bool) -> str:
         if starting:
             return self.tr("The simulated board is being started …")
-        return self.tr("The simulated board does not run. Press Connect.")
+        return self.tr("The simulated board is not running. Press Connect.")
 
     def state_text(self, snapshot: DemoSnapshot) -> str:
         return state_text(snapshot)

@@ -92,10 +92,9 @@ class HistoryDialog(ReusedDialog):
             self,
             "historyEmpty",
             self.tr(
-                "There are no snapshots yet.\n\nBefore each Apply and each restoring of defaults, "
-                "in this window or with trexcmd, everything that the board stores is saved here "
-                "first. You can then compare it with the board and restore all or some "
-                "of it."
+                "There are no snapshots yet.\n\nBefore settings are applied or defaults restored, "
+                "in this window or with trexcmd, everything that the board stores is saved here. "
+                "You can compare a snapshot with the board and restore all or part of it."
             ),
             wrap=True,
         )
@@ -285,7 +284,7 @@ class _SnapshotList(QWidget):
         header = self._view.horizontalHeader()
         header.setStretchLastSection(True)
         header.setResizeContentsPrecision(50)  # rows that are measured for a width
-        self._none = ui.label(self, "snapshotNoMatch", self.tr("No snapshot has these words."))
+        self._none = ui.label(self, "snapshotNoMatch", self.tr("No snapshot matches the search."))
 
         ui.column(self._search, (self._view, 1), self._none, into=self, margins=0)
 

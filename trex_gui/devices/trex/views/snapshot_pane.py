@@ -227,7 +227,9 @@ class SnapshotPane(QWidget):
     def _restore_note(self, snapshot: Snapshot) -> str:
         ticked = len(self._rows.table.ticked)
         text = self.tr(
-            "%n setting(s) would become edits; nothing is written before Apply.", "", ticked
+            "%n setting(s) would become edits; nothing is written until you click Apply.",
+            "",
+            ticked,
         )
         here = self._device.parameters.stored_of(ParameterKey.DEVICE_NUMBER)
         number = snapshot.device_number

@@ -93,14 +93,14 @@ def start(start_simulator: StartSimulator) -> Start:
 
 def runs_on(driven: DrivenBoard) -> str:
     return (
-        f"As far as the program knows, the TReX 1.2 that was driven at {driven.board.url} got no "
-        "stop: another board answered. If its motor still turns, cut its power."
+        f"No stop is known to have reached the TReX 1.2 that was driven at {driven.board.url}: "
+        "another board responded. If its motor still turns, cut its power."
     )
 
 
 def test_another_model_does_not_confirm_the_stop(driven: DrivenBoard, start: Start) -> None:
     driven.exchange(start("--model", "trexjr"))
-    text = f"Another board answers now: TReX Jr 1.2, at {driven.board.url}. {runs_on(driven)}"
+    text = f"Another board responds now: TReX Jr 1.2, at {driven.board.url}. {runs_on(driven)}"
     assert driven.errors[-1] == text
     assert driven.closing_text() == runs_on(driven)
 
@@ -111,7 +111,7 @@ def test_other_stored_settings_are_reported_as_perhaps_another_board(
     other = start()
     other.do("eeprom serial_timeout 7")
     driven.exchange(other)
-    assert driven.errors[-1].startswith("Perhaps another board answers now: TReX 1.2, at ")
+    assert driven.errors[-1].startswith("This may be another board: TReX 1.2, at ")
     assert driven.closing_text() == runs_on(driven)
 
 

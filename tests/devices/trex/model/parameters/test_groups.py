@@ -341,8 +341,8 @@ def test_source_column_names_what_is_inferred(model: ParameterModel) -> None:
     for key, text, reports in (
         ("device_number", "range inferred", "default is confirmed"),
         ("serial_timeout", "default inferred", "range is confirmed"),
-        ("motor1_current_limit", "inferred", "the board has the last word"),
-        ("uart_settings", "inferred", "So is what a wire value means"),
+        ("motor1_current_limit", "inferred", "The board rejects any value"),
+        ("uart_settings", "inferred", "The meaning of the wire values is inferred"),
     ):
         assert said(model, key, ParameterColumn.SOURCE) == text
         assert reports in said(model, key, ParameterColumn.SOURCE, TIP)

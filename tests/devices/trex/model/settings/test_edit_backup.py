@@ -335,7 +335,7 @@ def test_failing_disk_is_reported_once(
     first.edit(serial_timeout=15)
     first.edit(serial_timeout=16)
     (error,) = errors
-    assert error.startswith("Edits that are not applied yet cannot be kept for the next start.")
+    assert error.startswith("Unapplied edits cannot be saved for the next start.")
     folder.unlink()
     first.edit(serial_timeout=17)
     assert len(files()) == 1

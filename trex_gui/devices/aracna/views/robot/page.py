@@ -103,7 +103,7 @@ class RobotPage(QWidget):
         )
         if self._robot.speeds_chosen:
             return text
-        more = self.tr("That move runs at speed {0} ({1}), unless you choose others.")
+        more = self.tr("That move runs at speed {0} ({1}), unless you choose other speeds.")
         return f"{text} {more.format(FIRST_SPEED, speed_text(FIRST_SPEED))}"
 
 

@@ -23,7 +23,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
     )
     weak = _tr("Bring the transmitter nearer, or check antenna and cable.")
     noisy = _tr(
-        "At rest its noise is {0}: a deadband that holds it still would take a quarter of the "
+        "At rest its noise is {0}: a deadband wide enough to hide it would take a quarter of the "
         "travel. Repair the cable, the supply or the stick first."
     )
     open_input = _tr("An input to which nothing is connected does that, too.")

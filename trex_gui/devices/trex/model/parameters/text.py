@@ -124,11 +124,11 @@ class ParameterText(QObject):
         """Return where limits and default come from, and what that means."""
         text = self._sources[spec.limits_confirmed, spec.default_confirmed][1]
         if {"scale", "bits"} & spec.inferred:
-            text += " " + self.tr("So is what a wire value means.")
+            text += " " + self.tr("The meaning of the wire values is inferred, too.")
         if not (spec.limits_confirmed and spec.default_confirmed):
             text += " " + self.tr(
-                "The vendor's parameter document was not available: the board has the last word, "
-                "and rejects a value that it does not accept."
+                "The vendor's parameter document was not available. The board rejects any value "
+                "that it does not support."
             )
         return text
 

@@ -122,7 +122,7 @@ class Apply(QObject):
 
     def _on_not_saved(self, error: StudioError) -> None:
         self.end()
-        text = self.tr("Nothing was written, since no snapshot could be saved first. {0}")
+        text = self.tr("Nothing was written because no snapshot could be saved first. {0}")
         self.failed.emit(text.format(error_sentence(error)))
 
     def _on_written(self, outcome: Outcome) -> None:

@@ -197,7 +197,7 @@ class EditBackup(QObject):
             self._is_read = True
             return
         if result.failure is not None and not self._is_failing:
-            text = self.tr("Edits that are not applied yet cannot be kept for the next start. {0}")
+            text = self.tr("Unapplied edits cannot be saved for the next start. {0}")
             self.failed.emit(text.format(error_sentence(result.failure)))
         self._is_failing = result.failure is not None
         self._due = {**result.unsaved, **self._due}  # newer edits replace them

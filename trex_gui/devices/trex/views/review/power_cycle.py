@@ -78,7 +78,7 @@ class PowerCyclePanel(QFrame):
         if self._cycle.stage is PowerCycleStage.BACK:
             return self.tr("Power cycle completed.")
         if self._waiting:
-            text = self.tr("Not active before the board is switched off and on: {0}.")
+            text = self.tr("Not active until the board is switched off and on: {0}.")
             return text.format(", ".join(self._waiting))
         return self.tr("The board has to be switched off and on.")
 

@@ -103,7 +103,7 @@ class LoadDialog(QDialog):
         if self._device.state is not None:
             self._update_take()
         elif self.isVisible():
-            text = self.tr("{0} was not loaded: no board is connected any more.")
+            text = self.tr("{0} was not loaded: the board is no longer connected.")
             self.ended.emit(text.format(self._name))
             self.close()
 
@@ -133,7 +133,7 @@ class LoadDialog(QDialog):
 
     def _show_rows(self, comparison: Comparison) -> None:
         text = self.tr(
-            "Checked changes become edits. Nothing is written to the board before Apply."
+            "Checked changes become edits. Nothing is written to the board until you click Apply."
         )
         if missing := [row for row in comparison.rows if row.is_missing]:
             names = ", ".join(row.name for row in missing[:_NAMED])
@@ -248,18 +248,18 @@ class CompareDialog(QDialog):
     @Slot()
     def _update_take(self) -> None:
         count = len(self._view.table.ticked)
-        text = self.tr("&Take %n value(s) into {0}", "", count)
+        text = self.tr("&Copy %n value(s) to {0}", "", count)
         self._take.setText(text.format(self._document.name))
         self._take.setEnabled(count > 0)
 
     @Slot()
     def _on_take_clicked(self) -> None:
         rows = self._view.table.ticked
-        text = self.tr("Take values of {0}").format(self._other_name)
+        text = self.tr("Copy values from {0}").format(self._other_name)
         try:
             self._document.draft.stage(rows, text)
         except BadRequest as error:
             self._trouble.show_note(error_sentence(error), alarming=True)
             return
-        text = self.tr("%n value(s) taken from {0}.", "", len(rows))
+        text = self.tr("%n value(s) copied from {0}.", "", len(rows))
         self.taken.emit(text.format(self._other_name))

@@ -149,7 +149,7 @@ class TextPage(QWidget):
         if document.trouble:
             return self.tr(
                 "This is the text as it was opened, without your changes: {0}. Save offers to "
-                "write the settings as a fresh text."
+                "rewrite the file from the settings."
             ).format(document.trouble)
         return self.tr(
             "Save writes this text. Comments and the order of the lines stay as they are; change "

@@ -286,7 +286,9 @@ class SettingsEditor(QMainWindow):
     @Slot()
     def _on_checked(self) -> None:
         if self.document.readable:
-            self._banner.show_news(self.tr("The text has no errors any more; every page is open."))
+            self._banner.show_news(
+                self.tr("The text no longer has errors; all pages are available.")
+            )
         else:
             self._banner.clear()
 

@@ -38,7 +38,7 @@ class ParametersPage(QWidget):
             "makeActiveButton",
             self.tr("Make active…"),
             icon="power",
-            tip=self.tr("Be guided through switching the board off and on"),
+            tip=self.tr("Show the steps for switching the board off and on"),
             on_click=self.power_cycle_requested,
         )
         self._discard = button(
@@ -82,9 +82,11 @@ class ParametersPage(QWidget):
         if pending := self._device.draft.pending:
             return self.tr("%n pending change(s): click Apply settings to write.", "", pending)
         if waiting := self._model.waiting_for_power:
-            text = self.tr("Stored, but not active before the board is switched off and on: {0}.")
+            text = self.tr("Stored, but not active until the board is switched off and on: {0}.")
             return text.format(", ".join(waiting))
-        return self.tr("Double-click a value to change it. Nothing is written before Apply.")
+        return self.tr(
+            "Double-click a value to change it. Nothing is written until you click Apply."
+        )
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:

@@ -227,7 +227,9 @@ class FindingsList(QWidget):
                 line,
                 f"acceptFinding{number}",
                 finding.proposal,
-                tip=self.tr("Make this change an edit; nothing is written before Apply"),
+                tip=self.tr(
+                    "Add this change to the edits; nothing is written until you click Apply"
+                ),
                 on_click=partial(self._linter.accept, finding),
             )
             layout.addWidget(accept)
