@@ -27,7 +27,7 @@ class ComparisonRow:
     after: int | Calibration | None  # likewise; `None` leaves a setting as it is
     text_before: str  # in physical units; empty for `None`
     text_after: str  # likewise
-    kind: ParameterKind | None = None  # of a parameter
+    kind: ParameterKind | None = field(default=None, compare=False)  # of a parameter
 
     @property
     def changed(self) -> bool:
