@@ -53,7 +53,7 @@ from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog, restore_geometry, save_geometry
 from trex_gui.ui.widgets.file_drop import FileDrop
-from trex_gui.ui.widgets.messages import Banner, InlinePrompt, PromptAnswer
+from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom, PromptAnswer
 
 _LOG_OUT_S = 60.0
 """Seconds after the start of a log-out within which closing the window is part of it."""
@@ -86,7 +86,9 @@ class MainWindow(QMainWindow):
         self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
         self._stack = QStackedWidget(frame)
         banner = Banner(frame, notifier)
-        ui.column(self._connection, banner, self.question, (self._stack, 1), into=frame)
+        self._messages = MessageRoom(frame, banner, self.question)
+        below = ui.column(self._messages, (self._stack, 1), spacing=0)
+        ui.column(self._connection, (below, 1), into=frame)
         self.setCentralWidget(frame)
         self._workspaces: tuple[Workspace, ...] = ()
         self._actions: dict[str, QAction] = {}
@@ -285,6 +287,7 @@ class MainWindow(QMainWindow):
         }
         for key, is_possible in enabled_actions.items():
             self._actions[key].setEnabled(is_possible)
+        self._messages.hold(self._manager.is_armed)
         self.question.reconsider()
 
     @Slot(object)

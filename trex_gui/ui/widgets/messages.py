@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from PySide6.QtCore import Qt, Slot
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, QObject, Qt, Slot
+from PySide6.QtGui import QKeyEvent, QMoveEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 
 from trex_gui.ui.notifier import Notifier
@@ -76,6 +76,52 @@ class Banner(_MessageRow):
         # Screen readers need a name while there is no message.
         self._text.setAccessibleName("" if text else self.tr("No message"))
         self.setVisible(bool(text))
+
+
+class MessageRoom(QWidget):
+    """Room for messages in a layout, as high as they are; `hold` keeps its height.
+
+    Messages that need more then cover what is above: nothing below moves under the pointer.
+    """
+
+    def __init__(self, parent: QWidget, *messages: QWidget) -> None:
+        super().__init__(parent)
+        self._held = False
+        self._cover = QWidget(parent)  # not in the layout
+        self._cover.setAutoFillBackground(True)
+        self._rows = ui.column(*messages, into=self._cover, margins=0)
+        self._cover.installEventFilter(self)
+        self.setFixedHeight(0)
+
+    def hold(self, held: bool) -> None:
+        if held != self._held:
+            self._held = held
+            self._fit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._cover and event.type() == QEvent.Type.LayoutRequest:
+            self._fit()
+        return False
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def moveEvent(self, event: QMoveEvent) -> None:
+        super().moveEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        height = 0
+        if not self._rows.isEmpty():
+            height = self._rows.totalHeightForWidth(self.width())
+        if not self._held:
+            self.setMinimumWidth(self._rows.totalMinimumSize().width())
+            self.setFixedHeight(height and height + self._rows.spacing())
+        bottom = self.height() - (self.height() and self._rows.spacing())
+        top = self.y() if height <= bottom else max(0, self.y() + bottom - height)
+        self._cover.setGeometry(self.x(), top, self.width(), height)
+        self._cover.raise_()
 
 
 @dataclass(frozen=True, slots=True)
