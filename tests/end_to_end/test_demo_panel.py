@@ -244,7 +244,7 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
 
     panel.pull_cable()
     panel.plug_cable()
-    window.select("portCombo", window.program.ports.demo_of("trex"))
+    window.connect_port(window.program.ports.demo_of("trex"))
     panel.wait_for(ConnectionState.CONNECTED)
 
     panel.click("demoPower")

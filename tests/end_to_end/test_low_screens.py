@@ -14,6 +14,7 @@ from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import runtime
+from trex_gui.ui.widgets.builders import ConfirmButton
 from trex_gui.ui.widgets.messages import InlinePrompt
 
 LOW = (960, 500)
@@ -197,7 +198,7 @@ def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) 
     ways: list[Gesture] = [
         lambda: asking.click("connectButton"),
         lambda: asking.trigger("disconnect"),
-        lambda: asking.combo("portCombo").activated.emit(0),
+        lambda: asking.connect_port(asking.program.ports.demo_of("aracna")),
     ]
     for disconnect in ways:
         assert not asking.has_question()
@@ -206,7 +207,7 @@ def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) 
         assert "Settings are still being written. Disconnect anyway?" in asking.question.text
         assert asking.link() is ConnectionState.CONNECTED
         asking.click("questionCancel")
-    asking.click("connectButton")
+    asking.trigger("disconnect")
     asking.click("disconnectYes")
     asking.may_store = True
     asking.wait(lambda: asking.link() is ConnectionState.DISCONNECTED)
@@ -233,6 +234,7 @@ def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
     assert not asking.window.close()
     assert "Settings are still being written. Close anyway?" in asking.question.text
     assert asking.is_shown()
+    asking.wait(lambda: asking.find(ConfirmButton, "closeYes").takes_clicks)
     asking.may_store = True  # closing waits for what is being stored
     asking.click("closeYes")
     assert not asking.is_shown()

@@ -295,7 +295,7 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     window.trigger("defaults")
     window.click("boardResetButton")
     assert window.button("defaultsCancelButton").hasFocus()
-    QTest.mouseDClick(window.button("boardResetSureButton"), LEFT)  # it appears under the pointer
+    QTest.mouseClick(window.button("boardResetSureButton"), LEFT)  # it appears under the pointer
     assert window.has("boardResetSureButton")
     assert not device.draft.reset_pending
     window.click("boardResetSureButton")

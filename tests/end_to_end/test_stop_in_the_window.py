@@ -186,7 +186,7 @@ def test_disconnecting_and_closing_stop_the_motors(driving: DrivingWindow) -> No
 def test_stop_pressed_while_board_is_read_is_sent(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
-    window.select("portCombo", window.program.ports.add_typed(simulator.url))
+    window.connect_port(window.program.ports.add_typed(simulator.url))
     assert window.device.link is ConnectionState.CONNECTING
     window.click("stopButton")
     window.wait(lambda: simulator.show()["counters"]["packets"] > 2)

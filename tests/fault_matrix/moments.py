@@ -53,7 +53,7 @@ class Moment:
 def _connect(scene: Scene, inject: Inject) -> None:
     done = scene.at_step(3, inject)
     ports = scene.window.program.ports
-    scene.window.select("portCombo", ports.add_typed(scene.url))
+    scene.window.connect_port(ports.add_typed(scene.url))
     scene.window.wait(done)
 
 

@@ -31,6 +31,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.program import aracna, trex
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.devices.ports import Port
 from trex_gui.ui.files import background
 from trex_gui.ui.program import Program
 from trex_gui.ui.widgets.builders import ConfirmButton
@@ -208,8 +209,13 @@ class WindowDriver(WidgetDriver):
 
     def connect(self, url: str) -> None:
         """Choose the port of a TReX and wait until the board is read."""
-        self.select("portCombo", self.program.ports.add_typed(url))
+        self.connect_port(self.program.ports.add_typed(url))
         self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
+
+    def connect_port(self, port: Port) -> None:
+        """Choose an entry of the list of ports and press Connect; returns at once."""
+        self.select("portCombo", port)
+        self.click("connectButton")
 
     def connect_to_demo(self, kind: str = "trex") -> None:
         """Choose the simulated TReX or Aracna and wait until it is read."""

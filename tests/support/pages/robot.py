@@ -67,7 +67,7 @@ class RobotWindow(WindowDriver):
 
     def choose_demo(self, kind: str = "aracna") -> None:
         """Choose a simulated device in the list of ports and wait until it is read."""
-        self.select("portCombo", self.program.ports.demo_of(kind))
+        self.connect_port(self.program.ports.demo_of(kind))
         self.wait_until_up(kind)
 
     def wait_until_up(self, kind: str = "aracna") -> None:

@@ -97,7 +97,7 @@ def test_repeated_clicks_that_ask_do_not_answer(
     done: list[str] = []
     question.ask("Sure?", PromptAnswer("yes", "Yes", lambda: done.append("yes")))
     yes = driver.button("yes")
-    QTest.mouseDClick(yes, LEFT)
+    QTest.mouseClick(yes, LEFT)
     runtime().sleep(0.3)
     QTest.mouseClick(yes, LEFT)
     runtime().sleep(0.3)

@@ -16,10 +16,10 @@ _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 
 class ConnectionBar(QWidget):
-    """Choosing a port connects to it, as in Pololu's programs.
+    """Choosing a port only chooses it; the button connects, or disconnects the connected one.
 
-    The list shows the connected port, or the one that Connect opens: at first the port that was
-    used last or the only one, then the one that was connected or chosen last.
+    The list shows the port that was connected or chosen last; at first the port that was used last
+    or the only one.
     """
 
     connecting = Signal()
@@ -54,7 +54,9 @@ class ConnectionBar(QWidget):
         self._combo.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
-        self._connect = ui.button(self, "connectButton", self.tr("&Connect"), on_click=self.toggle)
+        # A double click on Connect does not disconnect.
+        self._connect = ui.named(ui.ConfirmButton(self.tr("&Connect"), self), "connectButton")
+        self._connect.clicked.connect(self.toggle)
         self._line = ui.tool_button(
             self,
             "lineButton",
@@ -93,10 +95,17 @@ class ConnectionBar(QWidget):
 
     @Slot()
     def toggle(self) -> None:
-        if self._manager.is_idle:
+        if self._would_connect:
             self.connect_shown()
         else:
             self.leave()
+
+    @property
+    def _would_connect(self) -> bool:
+        """Whether the button connects: nothing is connected, or the list shows another port."""
+        shown = self._combo.currentData()
+        is_other = isinstance(shown, Port) and shown != self._manager.current.port
+        return is_other or self._manager.is_idle
 
     def leave(self) -> None:
         """Disconnect, after a question while settings are being written."""
@@ -104,14 +113,13 @@ class ConnectionBar(QWidget):
 
     def _unless_busy(self, then: Callable[[], object]) -> None:
         if self._manager.current.is_busy:
-            self._on_ports_changed()  # the list already shows the choice
             self.interruption_wanted.emit(then)
         else:
             then()
 
     def connect_shown(self) -> None:
         """Connect to the port that the list shows; if it shows none, open the list."""
-        if not self._manager.is_idle:
+        if not self._would_connect:
             return
         shown = self._combo.currentData()
         if isinstance(shown, Port):
@@ -134,16 +142,15 @@ class ConnectionBar(QWidget):
     def _on_activated(self, index: int) -> None:
         choice = self._combo.itemData(index)
         if isinstance(choice, Port):
-            if choice != self._manager.current.port:
-                self.connect_to(choice)
+            self._choose(choice)
         elif choice == _OTHER:
             self._ask_for_address()
         elif choice == _NOT_CONNECTED:
-            self._unless_busy(self._leave_for_good)
+            self._choose(None)
 
-    def _leave_for_good(self) -> None:
-        self._chosen, self._wants_none = None, True
-        self._manager.leave()
+    def _choose(self, port: Port | None) -> None:
+        self._chosen, self._wants_none = port, port is None
+        self._on_ports_changed()
 
     def _ask_for_address(self) -> None:
         address, given = QInputDialog.getText(
@@ -155,7 +162,7 @@ class ConnectionBar(QWidget):
             ),
         )
         if given and address.strip():
-            self.connect_to(self._ports.add_typed(address))
+            self._choose(self._ports.add_typed(address))
         else:
             self._on_ports_changed()
 
@@ -183,13 +190,14 @@ class ConnectionBar(QWidget):
                     combo.setCurrentIndex(combo.count() - 1)
             combo.insertSeparator(combo.count())
             combo.addItem(self.tr("Other port or address…"), _OTHER)
+        self._show_button()
 
     def _port_to_show(self) -> Port | None:
-        connected, chosen = self._manager.current.port, self._chosen
-        if connected is not None:
-            return connected
+        chosen = self._chosen
         if chosen is None:
             return None if self._wants_none else self._ports.preferred
+        if chosen == self._manager.current.port:
+            return chosen
         # As it is in the list now: its kind of device, and so its label, may have changed.
         is_demo = chosen.kind is PortKind.DEMO
         return self._ports.demo_of(chosen.device) if is_demo else self._ports.find(chosen.url)
@@ -213,10 +221,18 @@ class ConnectionBar(QWidget):
         self._progress.setVisible(opening)
         if opening:
             self._progress.setRange(0, 0)
-        self._connect.setText(self.tr("&Connect") if idle else self.tr("Dis&connect"))
-        set_icon(self._connect, "connect" if idle else "disconnect")
-        self._connect.setEnabled(link is not ConnectionState.DISCONNECTING)
         self._line.setEnabled(idle and device.has_line_settings)
+        self._show_button()
+
+    def _show_button(self) -> None:
+        connects = self._would_connect
+        text = self.tr("&Connect") if connects else self.tr("Dis&connect")
+        if text != self._connect.text():
+            self._connect.hold_off()
+            self._connect.setText(text)
+        set_icon(self._connect, "connect" if connects else "disconnect")
+        is_disconnecting = self._manager.current.link is ConnectionState.DISCONNECTING
+        self._connect.setEnabled(not is_disconnecting)
 
     @Slot(int, int, str)
     def _on_progressed(self, done: int, total: int, what: str) -> None:

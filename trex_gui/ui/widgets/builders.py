@@ -75,7 +75,7 @@ class RedButton(QPushButton):
 
 
 class ConfirmButton(QPushButton):
-    """Takes no click before it has been in sight for the time of a double click.
+    """Takes no click before it has been in sight, as it is now, for the time of a double click.
 
     The click that makes it appear under the pointer cannot press it, however often it is repeated.
     """
@@ -88,16 +88,20 @@ class ConfirmButton(QPushButton):
     def takes_clicks(self) -> bool:
         return now() - self._appeared > QApplication.doubleClickInterval() / 1000
 
+    def hold_off(self) -> None:
+        """Begin to wait again: the button will do something else from now on."""
+        self._appeared = now()
+
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         if not event.spontaneous():
-            self._appeared = now()
+            self.hold_off()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if self.takes_clicks:
             super().mousePressEvent(event)
         else:
-            self._appeared = now()
+            self.hold_off()
 
 
 Handler = Callable[..., object] | SignalInstance  # what a signal is connected to

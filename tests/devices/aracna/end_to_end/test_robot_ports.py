@@ -2,13 +2,16 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.pages.robot import RobotWindow
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.window import LEFT
 from trex_gui import app
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Ports
+from trex_gui.ui.widgets.builders import ConfirmButton
 
 DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
 NONE = "Not connected"
@@ -76,7 +79,7 @@ def test_connect_uses_last_connected_robot(
 
     command: tuple[str, list[str]] = ("/nothing/here", [])
     monkeypatch.setattr("trex_gui.ui.devices.simulator.simulator_command", lambda: command)
-    window.select("portCombo", ports.demo_of("aracna"))
+    window.connect_port(ports.demo_of("aracna"))
     window.wait_for_text("bannerText", "does not start")
     window.wait(window.is_idle)
     assert window.robot.link is ConnectionState.DISCONNECTED, "it was left for the simulator"
@@ -113,6 +116,8 @@ def test_port_list_keeps_selected_port(
     ports.refresh()
     assert window.port == NONE
     choose(window, "/dev/ttyNothing9")
+    assert window.is_idle()
+    window.click("connectButton")
     window.wait(window.is_idle)
     assert window.port == "/dev/ttyNothing9"
     assert "There is no port /dev/ttyNothing9" in window.text("bannerText")
@@ -125,8 +130,15 @@ def test_port_list_keeps_selected_port(
     assert window.port == "/dev/ttyNothing9"
 
     window.connect(quick_simulator.url)
+    choose(window, quick_simulator.url)
+    assert window.button("connectButton").text() == "Dis&connect"
+    choose(window, "/dev/ttyNothing8")
+    assert window.button("connectButton").text() == "&Connect"
     choose(window, NONE)
-    window.wait(window.is_idle)
+    ports.refresh()
+    assert window.port == NONE
+    assert window.device.link is ConnectionState.CONNECTED
+    window.press_disconnect()
     assert window.port == NONE
     combo = window.combo("portCombo")
     window.click("connectButton")
@@ -134,6 +146,10 @@ def test_port_list_keeps_selected_port(
     assert window.is_idle()
     combo.hidePopup()
     choose(window, quick_simulator.url)
+    connect = window.button("connectButton")
+    window.wait(lambda: window.find(ConfirmButton, "connectButton").takes_clicks)
+    QTest.mouseClick(connect, LEFT)
+    QTest.mouseClick(connect, LEFT)
     window.wait_until_up("trex")
     window.press_disconnect()
     assert window.port == quick_simulator.url

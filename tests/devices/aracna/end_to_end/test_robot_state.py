@@ -78,7 +78,7 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
 
     window.block_and_lose_motor(3)
     window.press_disconnect()
-    window.select("portCombo", window.program.ports.demo_of("aracna"))
+    window.connect_port(window.program.ports.demo_of("aracna"))
     window.wait_for_text("bannerText", "No Aracna responds")
     message = window.text("bannerText")
     assert "does not listen while it moves: if it is moving, wait until it stops" in message
@@ -100,7 +100,7 @@ def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotW
     window.press_connect()
     begin_long_motion(window)
     window.press_disconnect()
-    window.select("portCombo", window.program.ports.demo_of("aracna"))
+    window.connect_port(window.program.ports.demo_of("aracna"))
     window.control("reset")  # as boards do when their port is opened; their servos go on
     window.wait_until_up()
     assert window.servos_turn()

@@ -162,7 +162,10 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
     if now.timeout:
         timeout = _tr("Serial timeout: the board received nothing for {0} and stopped the motors.")
     return {
-        DriveBlocker.NO_BOARD: (_tr("No board is connected."), _tr("Choose a port above.")),
+        DriveBlocker.NO_BOARD: (
+            _tr("No board is connected."),
+            _tr("Choose a port above and press Connect."),
+        ),
         DriveBlocker.OPENING: (_tr("The board is being read."), ""),
         DriveBlocker.CLOSING: (_tr("The connection is being closed."), ""),
         DriveBlocker.SILENT: (
