@@ -156,10 +156,19 @@ def test_board_in_rc_mode_rejects_settings_and_speeds(
     assert not window.is_enabled("runButton")
     assert "RC channels control the motors" in motors.text("motorsReason")
 
-    ParametersPage(window).edit("serial_timeout", "1.5 s")
-    apply(window)
-    window.wait_for_text("bannerText", "Serial Timeout")
-    assert "not in serial mode" in window.text("bannerText")
+    assert window.has("timeoutNotice")
+    assert not window.has("timeoutButton"), "the board would reject it"
+    parameters = window.open_page("parametersPage")
+    assert not parameters.is_enabled("parametersView")
+    assert "serial mode only" in parameters.text("parametersNotice")
+    window.device.parameters.edit("serial_timeout", 15)
+    assert not window.is_enabled("applyButton")
+
+    simulator.do("jumper mode serial")
+    simulator.do("power cycle")
+    window.wait(lambda: window.is_enabled("applyButton"))
+    assert parameters.is_enabled("parametersView")
+    assert window.has("timeoutButton")
     assert window.device.parameters.pending == (("serial_timeout", 15),)
 
 

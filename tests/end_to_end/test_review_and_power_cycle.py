@@ -111,10 +111,11 @@ def test_review_reports_stored_and_failed_settings(
     window.wait_for_text("bannerText", "written and verified")
 
     edit(window, serial_timeout=15, motor1_acceleration=5)
+    review.open()
     simulator.do("jumper mode rc")
     simulator.do("power cycle")
     window.wait(lambda: device.state is not None and not device.state.mode.is_serial)
-    review.open()
+    assert not window.is_enabled("applyButton")
     assert "RC mode and does not accept settings" in review.head
     review.click("writeButton")
     review.wait_for_text("reviewHead", "could not be verified")

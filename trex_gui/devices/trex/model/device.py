@@ -116,6 +116,11 @@ class Device(QObject):
         return self.is_connected and not self.applying
 
     @property
+    def rejects_settings(self) -> bool:
+        """Whether the board is in a mode in which it rejects every write."""
+        return self.is_connected and self.state is not None and not self.state.mode.is_serial
+
+    @property
     def status(self) -> str:
         return self.connection.status
 

@@ -53,7 +53,8 @@ class TimeoutNotice(QWidget):
         if warning is None:
             return
         self._text.setText(warning.text)
-        self._button.setVisible(warning.seconds is not None)
+        can_set = warning.seconds is not None and not self._device.rejects_settings
+        self._button.setVisible(can_set)
         if warning.seconds is None:
             return
         seconds = f"{warning.seconds:g}"
@@ -160,7 +161,8 @@ class ActionBar(QWidget):
         alarming = motors.armed or self._device.may_move or self._is_beyond_reach or lost_board
         self._state.show_note(self._state_text(), alarming=alarming)
         self._unapplied.setVisible(pending)
-        self._apply.setEnabled(pending and self._device.is_writable)
+        can_apply = self._device.is_writable and not self._device.rejects_settings
+        self._apply.setEnabled(pending and can_apply)
 
     @property
     def _is_beyond_reach(self) -> bool:

@@ -281,7 +281,7 @@ class TrexWorkspace(Workspace):
             "open": not device.applying,
             "record": recorder.recording or recorder.can_record,
             "run": device.motors.can_arm,
-            "apply": writable and draft.pending > 0,
+            "apply": writable and not device.rejects_settings and draft.pending > 0,
             "power": device.is_connected and to_activate,
             "discard": shown and draft.pending > 0,
             "undo": shown and draft.undo.canUndo(),

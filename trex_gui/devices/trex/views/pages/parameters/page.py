@@ -67,7 +67,7 @@ class ParametersPage(QWidget):
         self._reload.setEnabled(connected)
         self._activate.setVisible(connected and waiting)
         self._discard.setEnabled(connected and self._device.draft.pending > 0)
-        self.table.set_rows_enabled(connected)
+        self.table.set_rows_enabled(connected and not self._device.rejects_settings)
         self._notice.setText(self._state_text(connected=connected))
 
     def _state_text(self, *, connected: bool) -> str:
@@ -76,6 +76,11 @@ class ParametersPage(QWidget):
         if not connected:
             return self.tr(
                 "No board is responding. Edits are kept until the same kind of board is connected."
+            )
+        if self._device.rejects_settings:
+            return self.tr(
+                "The board accepts changes in serial mode only: switch it off, remove the mode "
+                "jumper, switch it on. Edits are kept."
             )
         if self._device.draft.reset_pending:
             return self.tr("Factory defaults take effect after the next power cycle.")
