@@ -17,6 +17,33 @@ def lose(window: WindowDriver, board: SimulatedDevice) -> None:
     assert device.may_move
 
 
+def test_pages_warn_of_motors_behind_a_lost_line(
+    window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    grave = "The connection was lost: motors may still turn."
+    for timeout, remedy in {
+        0.0: "Cut their power.",
+        0.9: "The board stops them 0.9 s after",
+    }.items():
+        board = start_simulator()
+        window.connect(board.url)
+        if timeout:
+            with window.qtbot.waitSignal(window.device.applied):
+                window.device.set_serial_timeout(timeout)
+        page = window.open_page("motorsPage")
+        lose(window, board)
+        assert f"{grave}</b> {remedy}" in page.text("motorsReason")
+        page = window.open_page("statusPage")
+        assert page.has("statusLost")
+        assert page.text("statusLost").startswith(f"{grave} {remedy}")
+
+        window.connect(board.do("line plug").split()[-1])
+        window.wait(lambda: not window.device.may_move)
+        assert not page.has("statusLost")
+        window.disconnect()
+        assert not page.has("statusLost")
+
+
 def test_stop_of_second_board_warns_about_first_board(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:

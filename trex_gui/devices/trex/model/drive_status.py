@@ -17,11 +17,13 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.translations import Plural
 
 _NO_ERROR = UartError(0)
+_CLOSED = ConnectionState.DISCONNECTED
 
 
 class DriveBlocker(Enum):
     """What decides whether the motors follow the setpoints."""
 
+    LOST = auto()
     NO_BOARD = auto()
     OPENING = auto()
     CLOSING = auto()
@@ -52,6 +54,7 @@ class DriveBlocker(Enum):
 
 
 _ALARMING = {
+    DriveBlocker.LOST,
     *(DriveBlocker.SILENT, DriveBlocker.SAFE_START, DriveBlocker.FAULT, DriveBlocker.TIMEOUT),
     *(DriveBlocker.LINE_ERROR, DriveBlocker.OVER_LIMIT, DriveBlocker.LOCKED),
 }
@@ -62,6 +65,8 @@ class DriveInputs:
     """What the decision depends on.
 
     Attributes:
+        may_move: whether motors were driven and no stop was confirmed since.
+        lost_board: a warning about a board that may still be driven, with another one at the line.
         mode, by_serial: as the board reports; `None` while unknown.
         missing: channels that the board requires (RC mode) and that have no signal.
         faults, over_limit: motors whose driver shut down recently, or whose current passed its
@@ -74,6 +79,8 @@ class DriveInputs:
     """
 
     link: ConnectionState = ConnectionState.CONNECTED
+    may_move: bool = False
+    lost_board: str = ""
     mode: Mode | None = Mode.SERIAL_RC
     by_serial: bool | None = True
     joint: bool = False
@@ -100,6 +107,7 @@ class DriveStatus:
 
 
 _RULES: tuple[tuple[DriveBlocker, Callable[[DriveInputs], object]], ...] = (
+    (DriveBlocker.LOST, lambda now: now.link is _CLOSED and (now.may_move or now.lost_board)),
     (DriveBlocker.NO_BOARD, lambda now: now.link is ConnectionState.DISCONNECTED),
     (DriveBlocker.OPENING, lambda now: now.link is ConnectionState.CONNECTING),
     (DriveBlocker.CLOSING, lambda now: now.link is ConnectionState.DISCONNECTING),
@@ -162,6 +170,7 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
     if now.timeout:
         timeout = _tr("Serial timeout: the board received nothing for {0} and stopped the motors.")
     return {
+        DriveBlocker.LOST: _lost(now),
         DriveBlocker.NO_BOARD: (
             _tr("No board is connected."),
             _tr("Choose a port above and press Connect."),
@@ -169,7 +178,7 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
         DriveBlocker.OPENING: (_tr("The board is being read."), ""),
         DriveBlocker.CLOSING: (_tr("The connection is being closed."), ""),
         DriveBlocker.SILENT: (
-            _tr("The board does not respond."),
+            " ".join([_tr("The board does not respond."), *_may_turn(now)]),
             _tr("Check its power and the cable; the stop is being repeated."),
         ),
         DriveBlocker.UNKNOWN: (_tr("The board has not reported yet what controls the motors."), ""),
@@ -218,6 +227,27 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
     }
 
 
+def _lost(now: DriveInputs) -> tuple[str, str]:
+    if not now.may_move:
+        return now.lost_board, ""
+    text = _tr("The connection was lost: motors may still turn.")
+    if not now.timeout:
+        return text, _tr("Cut their power.")
+    stops = _tr(
+        "The board stops them {0} after the last byte it received; if not, cut their power."
+    )
+    return text, stops.format(now.timeout)
+
+
+def _may_turn(now: DriveInputs) -> list[str]:
+    if not now.may_move:
+        return []
+    if not now.timeout:
+        return [_tr("Motors may still turn.")]
+    text = _tr("Motors may still turn: the board stops them {0} after the last byte it received.")
+    return [text.format(now.timeout)]
+
+
 def _notes(now: DriveInputs) -> list[str]:
     notes = []
     if now.mode is not None and not now.mode.is_serial:
@@ -246,6 +276,8 @@ def drive_inputs(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
     wire = stored(ParameterKey.SERIAL_TIMEOUT)
     return DriveInputs(
         link=device.link,
+        may_move=device.may_move,
+        lost_board=device.driving.lost_board,
         mode=None if state is None else state.mode,
         by_serial=device.telemetry.serial_controls,
         joint=device.is_joint,

@@ -27,6 +27,26 @@ pytestmark = pytest.mark.usefixtures("qapp")  # plural forms
     ("situation", "kind", "said"),
     [
         (DriveInputs(link=ConnectionState.DISCONNECTED), DriveBlocker.NO_BOARD, "No board"),
+        (
+            DriveInputs(link=ConnectionState.DISCONNECTED, may_move=True),
+            DriveBlocker.LOST,
+            "Cut their power.",
+        ),
+        (
+            DriveInputs(link=ConnectionState.DISCONNECTED, may_move=True, timeout="0.5 s"),
+            DriveBlocker.LOST,
+            "stops them 0.5 s after the last byte",
+        ),
+        (
+            DriveInputs(link=ConnectionState.DISCONNECTED, lost_board="It got no stop."),
+            DriveBlocker.LOST,
+            "It got no stop.",
+        ),
+        (
+            DriveInputs(link=ConnectionState.NOT_RESPONDING, may_move=True, timeout="0.5 s"),
+            DriveBlocker.SILENT,
+            "stops them 0.5 s after the last byte",
+        ),
         (DriveInputs(link=ConnectionState.CONNECTING), DriveBlocker.OPENING, "being read"),
         (DriveInputs(link=ConnectionState.DISCONNECTING), DriveBlocker.CLOSING, "closed"),
         (DriveInputs(link=ConnectionState.NOT_RESPONDING), DriveBlocker.SILENT, "does not respond"),
@@ -91,11 +111,12 @@ def test_reason_explains_the_situation(
 ) -> None:
     status = drive_status(situation)
     assert status.blocker is kind
-    assert said in status.text
+    assert said in f"{status.text} {status.remedy}"
 
 
 _VALUES: dict[str, Sequence[Any]] = {
     "link": tuple(ConnectionState),
+    "may_move": (False, True),
     "mode": (None, *Mode),
     "by_serial": (None, False, True),
     "joint": (False, True),

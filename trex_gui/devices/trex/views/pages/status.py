@@ -14,12 +14,14 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import DriveBlocker, drive_inputs, drive_status
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.labels import Note
 
 
 class StatusPage(QWidget):
@@ -30,6 +32,7 @@ class StatusPage(QWidget):
         self._device = device
         self._start = start
         self._report = QWidget(self)
+        self._lost = ui.named(Note(0, self), "statusLost")
 
         self._values: dict[str, QLabel] = {}
         self._errors: list[tuple[QTableWidgetItem, QTableWidgetItem, QTableWidgetItem]] = []
@@ -64,7 +67,7 @@ class StatusPage(QWidget):
         )
         ui.column(self._table, (reset, 0, Qt.AlignmentFlag.AlignRight), into=errors)
         ui.column(ui.row((board, 3), (line, 2)), (errors, 1), into=self._report, margins=0)
-        ui.column(start, (self._report, 1), into=self)
+        ui.column(self._lost, start, (self._report, 1), into=self)
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
@@ -109,6 +112,9 @@ class StatusPage(QWidget):
         state, settings = self._device.state, self._device.settings
         is_connected = self._device.is_connected
         is_idle = self._device.link is ConnectionState.DISCONNECTED
+        status = drive_status(drive_inputs(self._device))
+        is_lost = status.blocker is DriveBlocker.LOST
+        self._lost.show_note(f"{status.text} {status.remedy}" if is_lost else "", alarming=True)
         self._start.setVisible(is_idle)
         self._report.setVisible(not is_idle)
         for label in self._values.values():
