@@ -67,6 +67,22 @@ def test_minimised_window_shows_nothing_new_until_it_is_restored(
     assert channels.text("channel1Input") == "N/A"
 
 
+def test_title_names_the_board_and_marks_edits(
+    window: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    assert window.window.windowTitle() == "TReX Studio[*]"
+    window.connect(simulator.url)
+    title = f"TReX 1.2, device 7 on {simulator.url}[*] – TReX Studio"
+    window.wait(lambda: window.window.windowTitle() == title)
+    assert not window.window.isWindowModified()
+    window.device.parameters.edit("serial_timeout", 5)
+    assert window.window.isWindowModified()
+    window.device.draft.discard_edits()
+    assert not window.window.isWindowModified()
+    window.disconnect()
+    assert window.window.windowTitle() == "TReX Studio[*]"
+
+
 def test_pages_show_board_data_until_disconnect(
     connected: WindowDriver, simulator: SimulatedDevice
 ) -> None:

@@ -289,6 +289,16 @@ class MainWindow(QMainWindow):
             self._actions[key].setEnabled(is_possible)
         self._messages.hold(self._manager.is_armed)
         self.question.reconsider()
+        self._show_title()
+
+    def _show_title(self) -> None:
+        name, port = self._workspace.device_name, self._manager.current.port
+        title = f"{self.tr('TReX Studio')}[*]"
+        if name and port is not None:
+            where = self.tr("{0} on {1}") if port.url else self.tr("{0} (demo)")
+            title = f"{where.format(name, port.url)}[*] – {self.tr('TReX Studio')}"
+        self.setWindowTitle(title)
+        self.setWindowModified(self._workspace.has_edits)
 
     @Slot(object)
     def _on_interruption_wanted(self, then: Callable[[], object]) -> None:

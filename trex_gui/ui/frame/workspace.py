@@ -148,6 +148,16 @@ class Workspace(QWidget):
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         """Use the actions by key, once the menus are built."""
 
+    @property
+    def device_name(self) -> str:
+        """The connected device in the title of the window, or none."""
+        return ""
+
+    @property
+    def has_edits(self) -> bool:
+        """Whether there are edits that the device, or a file, does not have."""
+        return False
+
     def enabled_actions(self) -> Mapping[str, bool]:
         """Return whether each of its actions is enabled; missing ones are."""
         return {}

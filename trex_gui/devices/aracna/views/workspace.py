@@ -79,7 +79,7 @@ class AracnaWorkspace(Workspace):
         self._controller = controller
         self.library = Library(robot)
         self._actions: Mapping[str, QAction] = {}
-        self._shown_actions: Mapping[str, bool] = {}
+        self._shown: tuple[Mapping[str, bool], bool] = ({}, False)
 
         tabs = self.pages
         tabs.setObjectName("aracnaTabs")
@@ -193,6 +193,15 @@ class AracnaWorkspace(Workspace):
         self._on_demo_wanted()
         self._on_changed()
 
+    @property
+    def device_name(self) -> str:
+        is_connected = self._robot.link is ConnectionState.CONNECTED
+        return self._controller.plugin.name if is_connected else ""
+
+    @property
+    def has_edits(self) -> bool:
+        return self.library.modified
+
     def enabled_actions(self) -> Mapping[str, bool]:
         robot, recorder = self._robot, self.recordings.recorder
         idle, undo = robot.state.play is None, self.library.undo
@@ -230,8 +239,8 @@ class AracnaWorkspace(Workspace):
         recording = self.recordings.recorder.recording
         text = self.tr("Stop &recording") if recording else self.tr("&Record…")
         self._actions["aracna_record"].setText(text)
-        if (enabled := self.enabled_actions()) != self._shown_actions:
-            self._shown_actions = enabled
+        if (shown := (self.enabled_actions(), self.has_edits)) != self._shown:
+            self._shown = shown
             self.actions_changed.emit()
 
     @Slot()

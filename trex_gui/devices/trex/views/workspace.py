@@ -267,6 +267,19 @@ class TrexWorkspace(Workspace):
         self._demo.show_if_wanted()
         self._on_actions_changed()
 
+    @property
+    def device_name(self) -> str:
+        device = self._device
+        if device.state is None or not device.is_connected:
+            return ""
+        number = device.parameters.stored_of(ParameterKey.DEVICE_NUMBER)
+        name = str(device.state.signature)
+        return name if number is None else self.tr("{0}, device {1}").format(name, number)
+
+    @property
+    def has_edits(self) -> bool:
+        return self._device.draft.pending > 0
+
     def enabled_actions(self) -> Mapping[str, bool]:
         device, draft = self._device, self._device.draft
         recorder, writable = self.recordings.recorder, device.is_writable
