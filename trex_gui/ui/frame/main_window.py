@@ -51,9 +51,10 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import ReusedDialog, restore_geometry, save_geometry
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.file_drop import FileDrop
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom, PromptAnswer
+from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
 
 _LOG_OUT_S = 60.0
 """Seconds after the start of a log-out within which closing the window is part of it."""
@@ -116,6 +117,7 @@ class MainWindow(QMainWindow):
         if is_first:
             self._connect()
             restore_geometry(self, "window", 1100, 760)
+            keep_on_screen(self)
             self.restoreState(self._store.data("window/state"))
         self._restore(workspace)
         self._show_current()

@@ -1,4 +1,4 @@
-"""Behaviour that widgets share: focus, headers, held controls, geometry, typed values."""
+"""Behaviour that widgets share: focus, headers, held controls, typed values."""
 
 from collections.abc import Callable
 from functools import wraps
@@ -22,9 +22,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.placement import keep_on_screen
 
 _POLL_MS = 50
 _LOSSES = {
@@ -60,6 +60,10 @@ class ReusedDialog(QDialog):
     Qt leaves the focus where it was when the dialog was closed, and a focused button takes Enter
     from the default one.
     """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        keep_on_screen(self)
 
     def setVisible(self, visible: bool) -> None:
         focused = self.focusWidget()
@@ -150,16 +154,6 @@ def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], No
             slot(widget)
 
     return guarded
-
-
-def restore_geometry(window: QWidget, key: str, width: int, height: int) -> None:
-    """Place a window as `save_geometry` has stored it; else give it this size."""
-    window.resize(width, height)
-    window.restoreGeometry(Preferences().data(f"{key}/geometry"))
-
-
-def save_geometry(window: QWidget, key: str) -> None:
-    Preferences().set(f"{key}/geometry", window.saveGeometry())
 
 
 def take_typed() -> None:

@@ -34,8 +34,9 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.behaviour import ReusedDialog, restore_geometry, save_geometry
+from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import Banner, InlinePrompt, PromptAnswer
+from trex_gui.ui.widgets.placement import restore_geometry, save_geometry
 
 _MOST_KEPT = 999_999
 _WIDEST = 34

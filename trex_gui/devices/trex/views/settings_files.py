@@ -28,6 +28,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import named
 from trex_gui.ui.widgets.file_questions import SaveAnswer
+from trex_gui.ui.widgets.placement import keep_on_screen
 
 
 class SettingsFiles(QObject):
@@ -97,6 +98,7 @@ class SettingsFiles(QObject):
         view.activated.connect(dialog.accept)
         dialog.textValueSelected.connect(lambda text: self.open_editor(makers[text]()))
         dialog.resize(620, 440)
+        keep_on_screen(dialog)
         dialog.show()
 
     def _beginnings(self) -> Iterator[tuple[str, Callable[[], SettingsDocument]]]:

@@ -18,6 +18,7 @@ from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsP
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.placement import keep_on_screen
 
 _NAMED = 3
 """How many settings or findings are listed before the rest is only counted."""
@@ -38,6 +39,7 @@ class LoadDialog(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("Load settings from {0}").format(document.name))
         self.resize(940, 620)
+        keep_on_screen(self)
         self._device = device
         # The document itself may be edited or deleted meanwhile.
         self._name, self._text = document.name, document.text
@@ -200,6 +202,7 @@ class CompareDialog(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(self.tr("{0} and {1}").format(document.name, other_name))
         self.resize(940, 560)
+        keep_on_screen(self)
         self._document = document
         self._other = other
         self._other_name = other_name

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import QDialog, QWidget
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS
 from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.ui.widgets.placement import keep_on_screen
 
 _DOTS_PER_INCH = 300
 _MARGINS = QMarginsF(18, 15, 15, 12)
@@ -168,6 +169,7 @@ class PrintedSettings(QObject):
         dialog = QPrintPreviewDialog(printer, window)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.setObjectName("printPreviewDialog")
+        keep_on_screen(dialog)
         dialog.paintRequested.connect(self.print_to)
         self.setParent(dialog)
         dialog.show()

@@ -25,11 +25,11 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, fill_menu_bar
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.behaviour import restore_geometry, save_geometry
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.messages import Banner
+from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
 
 _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send", "print")
 
@@ -73,6 +73,7 @@ class SettingsEditor(QMainWindow):
         self._actions = self._build_menus()
         self._build_tool_bar()
         restore_geometry(self, "editor", 1000, 720)
+        keep_on_screen(self)
 
         self.saver.saved.connect(self._on_saved)
         self.saver.failed.connect(

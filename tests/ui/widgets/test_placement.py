@@ -1,0 +1,79 @@
+"""Windows fit the screen, and open again where they were closed."""
+
+import pytest
+from PySide6.QtCore import QPoint, QRect, QSize
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QDialog, QMainWindow, QWidget
+from pytestqt.qtbot import QtBot
+
+from trex_gui.ui.widgets.placement import (
+    fitted,
+    keep_on_screen,
+    restore_geometry,
+    save_geometry,
+)
+
+NETBOOK = QRect(0, 0, 1024, 600)
+BESIDE = QRect(1920, 30, 1366, 738)  # a second screen, below a panel
+
+
+@pytest.mark.parametrize("screen", [NETBOOK, BESIDE, QRect(0, 0, 1920, 1080)])
+@pytest.mark.parametrize("size", [QSize(300, 200), QSize(1100, 760), QSize(2500, 1500)])
+@pytest.mark.parametrize("corner", [QPoint(-500, -500), QPoint(1000, 300), QPoint(9999, 9999)])
+def test_window_and_frame_fit_screen(screen: QRect, size: QSize, corner: QPoint) -> None:
+    place = fitted(QRect(corner, size), screen)
+    assert screen.contains(place.adjusted(-8, -31, 8, 8)), "the widest frame: Windows 11"
+    assert place.width() == min(size.width(), screen.width() - 16)
+    assert place.height() == min(size.height(), screen.height() - 48)
+
+
+def test_window_that_fits_is_not_moved() -> None:
+    wanted = QRect(2000, 100, 900, 500)
+    assert fitted(wanted, BESIDE) == wanted
+
+
+def _screen() -> QRect:
+    return QGuiApplication.primaryScreen().availableGeometry()
+
+
+def test_dialog_opens_again_where_it_was_closed(qtbot: QtBot) -> None:
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    parent.setGeometry(200, 150, 800, 600)
+    parent.show()
+    dialog = QDialog(parent)
+    dialog.resize(400, 300)
+    keep_on_screen(dialog)
+    dialog.show()
+    first = dialog.geometry()
+    assert (first.center() - parent.geometry().center()).manhattanLength() < 10
+    for _ in range(3):
+        dialog.close()
+        dialog.move(dialog.pos() + QPoint(2, 26))  # what a window manager may do meanwhile
+        dialog.show()
+        assert dialog.geometry() == first
+    dialog.close()
+
+
+def test_stored_place_is_restored_within_the_screen(qtbot: QtBot) -> None:
+    def open_window() -> QMainWindow:
+        window = QMainWindow()
+        qtbot.addWidget(window)
+        restore_geometry(window, "test", 5000, 5000)
+        keep_on_screen(window)
+        window.show()
+        return window
+
+    window = open_window()
+    assert _screen().contains(window.frameGeometry())
+    window.setGeometry(60, 70, 500, 400)
+    save_geometry(window, "test")
+    window.close()
+    window = open_window()
+    assert window.geometry() == QRect(60, 70, 500, 400)
+    window.setGeometry(1700, 900, 500, 400)
+    save_geometry(window, "test")
+    window.close()
+    window = open_window()
+    assert _screen().contains(window.frameGeometry())
+    window.close()

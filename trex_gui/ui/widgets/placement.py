@@ -1,0 +1,76 @@
+"""Sizes and places of windows: within the screen, and where the user left them."""
+
+from PySide6.QtCore import QEvent, QMargins, QObject, QPoint, QRect, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.ui.preferences import Preferences
+
+_FRAME = QMargins(8, 40, 8, 8)
+"""Pixels for title bar and borders, which are unknown until a window is shown.
+
+Windows 11 has 31 above and 8 at the sides, GNOME 37, KDE 30, macOS 28.
+"""
+
+
+def fitted(wanted: QRect, available: QRect) -> QRect:
+    """Return a window's rectangle, without its frame, shrunk and moved into the part of a screen.
+
+    The frame then is inside `available`, too.
+    """
+    room = available.marginsRemoved(_FRAME)
+    size = wanted.size().boundedTo(room.size())
+    last = room.bottomRight() - QPoint(size.width() - 1, size.height() - 1)
+    x = max(room.x(), min(wanted.x(), last.x()))
+    y = max(room.y(), min(wanted.y(), last.y()))
+    return QRect(QPoint(x, y), size)
+
+
+def keep_on_screen(window: QWidget) -> None:
+    """Fit a window into the screen whenever it is shown.
+
+    At first it is in the middle of its parent, or of the screen; then where it was closed.
+    """
+    _Placement(window)
+
+
+def restore_geometry(window: QWidget, key: str, width: int, height: int) -> None:
+    """Place a window as `save_geometry` has stored it; else give it this size at most."""
+    window.resize(width, height)
+    window.restoreGeometry(Preferences().data(f"{key}/geometry"))
+
+
+def save_geometry(window: QWidget, key: str) -> None:
+    Preferences().set(f"{key}/geometry", window.saveGeometry())
+
+
+class _Placement(QObject):
+    """Remembers where a window was closed.
+
+    Nobody else does: a window manager may move a window by its frame while it is hidden, and Qt
+    places a dialog by a frame that it did not know the first time.
+    """
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+        self._left: QRect | None = None
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        window = self._window
+        if watched is window and not event.spontaneous() and not window.isMaximized():
+            if event.type() == QEvent.Type.Hide:
+                self._left = window.geometry()
+            elif event.type() == QEvent.Type.Show:
+                place = self._left or self._first_place()
+                screen = QGuiApplication.screenAt(place.center()) or window.screen()
+                window.setGeometry(fitted(place, screen.availableGeometry()))
+        return False
+
+    def _first_place(self) -> QRect:
+        place, parent = self._window.geometry(), self._window.parentWidget()
+        if not self._window.testAttribute(Qt.WidgetAttribute.WA_Moved):  # nor restored
+            whole = self._window.screen().availableGeometry()
+            place.moveCenter((parent.window().frameGeometry() if parent else whole).center())
+        return place
