@@ -282,8 +282,8 @@ class DemoDock(QDockWidget):
         self.hide()
 
     def hold(self, view: QWidget) -> None:
-        """Show `view` at its minimum width at least; it scrolls on a low screen."""
-        self.setWidget(ScrollBox(view, self))
+        """Show `view`; it scrolls both ways on a small screen, where the pages need the room."""
+        self.setWidget(ScrollBox(view, self, sideways=True))
 
     def set_wanted(self, wanted: bool) -> None:
         if wanted != self.wanted:

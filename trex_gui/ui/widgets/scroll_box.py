@@ -5,6 +5,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 _LINES = 4
+_CHARACTERS = 24  # of average width, where it scrolls sideways
 
 
 class ScrollBox(QScrollArea):
@@ -14,14 +15,19 @@ class ScrollBox(QScrollArea):
     wraps the height that it likes best.
     """
 
-    def __init__(self, content: QWidget, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, content: QWidget, parent: QWidget | None = None, *, sideways: bool = False
+    ) -> None:
+        """`sideways`: it can be narrower than the content, and then scrolls that way, too."""
         super().__init__(parent)
         self._content = content
+        self._sideways = sideways
         self._fitting = False
         self.setObjectName(f"{content.objectName()}Area")
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        if not sideways:
+            self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWidget(content)
         content.setAutoFillBackground(False)
         self.viewport().setAutoFillBackground(False)
@@ -37,7 +43,10 @@ class ScrollBox(QScrollArea):
         content = self._content.minimumSizeHint()
         lines = _LINES * self.fontMetrics().lineSpacing()
         bar = self.verticalScrollBar().sizeHint().width()
-        return QSize(content.width() + bar, min(content.height(), lines))
+        width = content.width()
+        if self._sideways:
+            width = min(width, _CHARACTERS * self.fontMetrics().averageCharWidth())
+        return QSize(width + bar, min(content.height(), lines))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -58,6 +67,7 @@ class ScrollBox(QScrollArea):
         room = self.maximumViewportSize()
         if self._needed(room.width()) > room.height():
             room.setWidth(room.width() - self.verticalScrollBar().sizeHint().width())
+        room.setWidth(max(room.width(), self._content.minimumSizeHint().width()))
         self._content.resize(room.width(), max(room.height(), self._needed(room.width())))
         self._fitting = False
 

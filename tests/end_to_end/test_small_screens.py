@@ -1,0 +1,97 @@
+"""Every window, page and dialog fits a small screen, and its stop button is in sight."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, QRect, QSize
+from PySide6.QtGui import QScreen
+from PySide6.QtWidgets import QAbstractButton, QDialog, QDockWidget, QWidget
+
+from tests.support.pages.every_window import WINDOWS_WITH_STOP, stop_button
+from tests.support.program import trex
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
+from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
+from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
+from trex_gui.ui.runtime import runtime
+
+FRAME = QSize(16, 48)
+
+
+@pytest.fixture(params=[(1024, 600), (1366, 728)], ids="{0[0]}×{0[1]}".format)
+def screen(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> QRect:
+    """The part of the screen that windows may cover, from before the first window is made."""
+    available = QRect(QPoint(), QSize(*request.param))
+    monkeypatch.setattr(QScreen, "availableGeometry", lambda _: available)
+    return available
+
+
+def check_that_it_fits(window: QWidget, screen: QRect, stop: QAbstractButton | None) -> None:
+    case = f"{window.objectName()}: {window.frameGeometry()}"
+    assert screen.contains(window.frameGeometry()), case
+    least, room = window.minimumSizeHint(), screen.size() - FRAME
+    assert least == least.boundedTo(room), f"{window.objectName()} needs {least}"
+    if stop is not None:
+        assert stop.isVisible(), case
+        place = QRect(stop.mapTo(window, QPoint()), stop.size())
+        assert window.rect().contains(place), case
+
+
+def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> None:
+    """Check the main window with each page, with the panel of the simulated device and without."""
+    dock = window.find(QDockWidget, panel)
+    tabs = window.window.pages
+    for index in filter(tabs.isTabVisible, range(tabs.count())):
+        tabs.setCurrentIndex(index)
+        runtime().sleep(0.3)
+        assert dock.isVisible()
+        check_that_it_fits(window.window, screen, window.button(stop))
+        page = tabs.widget(index)
+        assert page is not None
+        assert page.width() >= page.minimumSizeHint().width(), page.objectName()
+
+
+def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path) -> None:
+    check_that_it_fits(window.window, screen, window.button("stopButton"))
+    window.connect_to_demo()
+    window.device.parameters.edit("serial_timeout", 15)
+    check_pages(window, screen, "stopButton", "demoPanel")
+
+    for open_window in WINDOWS_WITH_STOP:
+        shown = open_window(window, tmp_path)
+        window.wait(shown.isVisible)
+        check_that_it_fits(shown, screen, stop_button(shown))
+        shown.close()
+
+    window.device.draft.discard_edits()
+    for key, name in {
+        "learn": "learnDialog",
+        "test_sticks": "learnDialog",
+        "find": "findDialog",
+    }.items():
+        window.trigger(key)
+        dialog = window.find(QDialog, name)
+        window.wait(dialog.isVisible)
+        check_that_it_fits(dialog, screen, None)
+        dialog.close()
+    check_other_dialogs(window, screen)
+
+
+def check_other_dialogs(window: WindowDriver, screen: QRect) -> None:
+    """Check all that were made by now."""
+    GamepadDialog(window.find(GamepadPanel, "gamepadPanel").gamepad, window.window)
+    LineSettingsDialog(trex(window.program).controller.settings, window.window)
+    window.trigger("new")
+    dialogs = window.find_all(QDialog)
+    assert len(dialogs) > 8
+    for dialog in dialogs:
+        dialog.show()
+        check_that_it_fits(dialog, screen, None)
+        dialog.close()
+
+
+def test_windows_of_aracna_fit(screen: QRect, window: WindowDriver) -> None:
+    window.connect_to_demo("aracna")
+    check_pages(window, screen, "aracnaStopButton", "aracnaDemoPanel")
+    window.trigger("guide")
+    check_that_it_fits(window.find(QDialog, "helpDialog"), screen, None)
