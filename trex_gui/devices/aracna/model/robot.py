@@ -343,8 +343,8 @@ class Robot(DeviceConnection[PortSettings]):
         """Whether nothing moves or is about to, as far as a connected robot tells."""
         state = self.state
         is_busy = state.moving is not None or state.play is not None or state.may_be_moving
-        is_asked_to = self.dragging or self._pending_moves > 0
-        return self.link is ConnectionState.CONNECTED and not is_busy and not is_asked_to
+        is_about_to = self.dragging or self._pending_moves > 0
+        return self.link is ConnectionState.CONNECTED and not is_busy and not is_about_to
 
     def aim_at_present(self) -> None:
         """Set the targets to the present positions, so that the next move starts there."""
