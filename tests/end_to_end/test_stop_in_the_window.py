@@ -183,6 +183,19 @@ def test_disconnecting_and_closing_stop_the_motors(driving: DrivingWindow) -> No
     driving.wait(lambda: is_stopped(driving.simulator))
 
 
+def test_closing_with_edits_stops_before_it_asks(driving: DrivingWindow) -> None:
+    driving.device.parameters.edit("serial_timeout", 9)
+    assert not driving.window.close()
+    driving.expect_stop("closing")
+    assert driving.window.question.text == "There are unapplied changes."
+    driving.wait_for_text("bannerText", "The window was to be closed, so the motors were stopped.")
+    driving.click("applyFirst")
+    driving.click("writeButton")
+    driving.wait(lambda: not driving.device.parameters.pending)
+    assert driving.simulator.show()["parameters"]["serial_timeout"] == 9
+    assert driving.window.close()
+
+
 def test_stop_pressed_while_board_is_read_is_sent(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:

@@ -364,6 +364,8 @@ class MainWindow(QMainWindow):
         self.seen_changed.emit(any(window.visibility() not in unseen for window in windows))
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        if self._manager.is_armed:  # whatever is asked first, and however long the answer takes
+            self._manager.stop_because(self.tr("The window was to be closed"))
         if not self._warning.given and not all(
             workspace.may_close(self.close) for workspace in self._workspaces
         ):

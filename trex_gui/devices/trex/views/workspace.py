@@ -406,8 +406,10 @@ class TrexWorkspace(Workspace):
                 still=lambda: self._device.applying,
             )
         else:
+            apply = PromptAnswer("applyFirst", self.tr("Review and apply…"), self._review.review)
             self._question.ask(
                 self.tr("There are unapplied changes."),
+                *([apply] if self._device.is_writable else []),
                 PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
                 PromptAnswer("keepAndClose", self.tr("Keep and close"), keep),
                 PromptAnswer("closeYes", self.tr("Discard and close"), discard),
