@@ -8,6 +8,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
+from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, column, label, row
 
@@ -67,7 +68,10 @@ class ParametersPage(QWidget):
         self._reload.setEnabled(connected)
         self._activate.setVisible(connected and waiting)
         self._discard.setEnabled(connected and self._device.draft.pending > 0)
-        self.table.set_rows_enabled(connected and not self._device.rejects_settings)
+        # Edits go to the board with Apply only; a silent one interrupts nobody who is typing.
+        is_silent = self._device.link is ConnectionState.NOT_RESPONDING
+        can_edit = (connected or is_silent) and not self._device.rejects_settings
+        self.table.set_rows_enabled(can_edit)
         self._notice.setText(self._state_text(connected=connected))
 
     def _state_text(self, *, connected: bool) -> str:

@@ -12,6 +12,7 @@ from PySide6.QtCore import (
     QRect,
     QSize,
     Qt,
+    Slot,
 )
 from PySide6.QtGui import (
     QAction,
@@ -102,6 +103,8 @@ class ParameterDelegate(UnitDelegate):
         return super().eventFilter(watched, event)
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:
+        if isinstance(editor, NumberEditor) and editor.lineEdit().isModified():
+            return  # the row has changed while something is typed
         wire = index.data(Qt.ItemDataRole.EditRole)
         spec = cast("ParameterSpec", index.data(Role.SPEC))
         untouched = editor.property(_UNTOUCHED)
@@ -213,6 +216,7 @@ class ParameterView(QTreeView):
         self._model = rows.parameters
         self._closed: set[str] = set()
         self._arranging = False
+        self._unfinished: tuple[str, str] | None = None  # parameter and text of a lost editor
 
         self.setObjectName("parametersView")
         self.setAccessibleName(self.tr("Parameters"))
@@ -230,6 +234,7 @@ class ParameterView(QTreeView):
         self._set_up_header()
         self._set_up_menu()
 
+        rows.modelAboutToBeReset.connect(self._keep_typed)
         self.clicked.connect(self._on_clicked)
         self.doubleClicked.connect(self._on_double_clicked)
         self.collapsed.connect(self._on_collapsed)
@@ -261,6 +266,7 @@ class ParameterView(QTreeView):
             is_open = self._rows.is_narrowed or heading.data(Role.GROUP) not in self._closed
             self.setExpanded(heading, is_open)
         self._arranging = False
+        self._resume_typing()
 
     def _on_collapsed(self, heading: QModelIndex) -> None:
         if self._arranging:
@@ -272,6 +278,26 @@ class ParameterView(QTreeView):
     def _on_expanded(self, heading: QModelIndex) -> None:
         if not self._arranging:
             self._closed.discard(str(heading.data(Role.GROUP)))
+
+    # --- A board that is read again while a value is typed ------------------------------
+
+    @Slot()
+    def _keep_typed(self) -> None:
+        """Keep what is being typed while the rows are made again, which closes the editor."""
+        value = self.currentIndex().siblingAtColumn(ParameterColumn.VALUE)
+        editor = self.indexWidget(value)
+        if isinstance(editor, NumberEditor) and editor.lineEdit().isModified():
+            self._unfinished = self.current_key, editor.text()
+
+    def _resume_typing(self) -> None:
+        unfinished, self._unfinished = self._unfinished, None
+        if unfinished is None or not self._model.can_edit(unfinished[0]):
+            return
+        self._begin_edit(unfinished[0])
+        editor = self.indexWidget(self.currentIndex())
+        if isinstance(editor, NumberEditor):
+            editor.lineEdit().selectAll()
+            editor.lineEdit().insert(unfinished[1])
 
     # --- Mouse and keys -----------------------------------------------------------------
 
