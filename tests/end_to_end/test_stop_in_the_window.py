@@ -148,7 +148,9 @@ def test_escape_that_closes_something_stops_only_what_may_move(driving: DrivingW
 
 def test_escape_without_a_board_claims_nothing(window: WindowDriver) -> None:
     window.motors.lockout = 3
-    window.press_escape()
+    window.window.activateWindow()
+    window.wait(window.window.isActiveWindow)
+    QTest.keyClick(window.window.windowHandle(), Qt.Key.Key_Escape)
     assert not window.motors.locked_for
     assert window.text("motorStateLabel") == "Motors: N/A"
 
