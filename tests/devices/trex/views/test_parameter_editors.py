@@ -13,7 +13,9 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import channels_in
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec, parameters_of
+from trex_gui.devices.trex.views.count_editor import UnitSpinBox
 from trex_gui.devices.trex.views.pages.parameters.editors import AccelerationEditor
+from trex_gui.ui.theme.theme import theme
 
 BOARDS = [(model.key, version) for model in device_table().models for version in model.firmware]
 SPECS = parameters_of("trexjr", "1.2")
@@ -138,6 +140,21 @@ def test_each_number_out_of_range_is_rejected_with_its_limits(
             assert spec.name in parameters.rejected[-1]
             parameters.close_editor(spec.key)
             assert not parameters.model.pending
+
+
+def test_rejected_input_is_marked_until_it_is_a_value(parameters: ParametersDriver) -> None:
+    editor = parameters.open_with_mouse("serial_timeout")
+    assert isinstance(editor, UnitSpinBox)
+    type_number(editor, "99999")
+    assert editor.problem == parameters.rejected[-1]
+    red = theme().color("danger")
+    assert editor.grab().toImage().pixelColor(1, editor.height() // 2) == red
+    QTest.keyClick(editor, Qt.Key.Key_Backspace)
+    assert editor.problem
+    editor.selectAll()
+    QTest.keyClicks(editor, "2")
+    assert not editor.problem
+    assert editor.grab().toImage().pixelColor(1, editor.height() // 2) != red
 
 
 def test_keys_change_a_number(parameters: ParametersDriver) -> None:

@@ -2,13 +2,23 @@
 
 import re
 
-from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QValidator, QWheelEvent
-from PySide6.QtWidgets import QSpinBox, QStyledItemDelegate, QWidget
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtGui import (
+    QAction,
+    QKeyEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QValidator,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QLineEdit, QSpinBox, QStyledItemDelegate, QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import error_sentence
 
 _NUMBER = re.compile(r"\s*([0-9]{1,6}(?:[.,][0-9]{0,6})?)\s*(\S*)\s*")
@@ -20,7 +30,10 @@ _COUNTS = {"count", "counts", "#"}
 
 
 class UnitSpinBox(QSpinBox):
-    """Base of spin boxes whose input `parse` converts."""
+    """Base of spin boxes whose input `parse` converts.
+
+    Input that was reported as no value is marked by a red frame and an icon until it is one.
+    """
 
     rejected = Signal(str)  # why the input is not a value, for the user
 
@@ -29,6 +42,33 @@ class UnitSpinBox(QSpinBox):
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
+        self._problem = QAction(self.tr("Not a value"), self)
+        self._problem.setVisible(False)
+        set_icon(self._problem, "warning", "danger")
+        self.lineEdit().addAction(self._problem, QLineEdit.ActionPosition.LeadingPosition)
+        self.lineEdit().textChanged.connect(self._on_text_changed)
+
+    @property
+    def problem(self) -> str:
+        """Why the input is marked; empty if it is not."""
+        return self._problem.toolTip() if self._problem.isVisible() else ""
+
+    def _mark(self, problem: str) -> None:
+        self._problem.setToolTip(problem)
+        self._problem.setVisible(bool(problem))
+        self.update()
+
+    @Slot()
+    def _on_text_changed(self) -> None:
+        if self.problem and self.hasAcceptableInput():
+            self._mark("")
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.problem:
+            with QPainter(self) as painter:
+                painter.setPen(QPen(theme().color("danger"), 2))
+                painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
 
     def parse(self, text: str) -> int:
         """Return the value of the input.
@@ -61,7 +101,9 @@ class UnitSpinBox(QSpinBox):
         try:
             self.parse(self.text())
         except BadRequest as error:
-            self.rejected.emit(error_sentence(error))
+            problem = error_sentence(error)
+            self._mark(problem)
+            self.rejected.emit(problem)
 
 
 class UnitDelegate(QStyledItemDelegate):
