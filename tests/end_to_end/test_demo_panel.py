@@ -1,5 +1,7 @@
 """The Demo TReX is operated on its panel, and the program shows it."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
@@ -20,6 +22,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.demo import DemoSnapshot
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.sliders import StickSlider
 
@@ -44,6 +47,10 @@ class DemoPanel(WidgetDriver):
         snapshot = self._demo.snapshot
         assert snapshot is not None
         return snapshot
+
+    @property
+    def board_automatic(self) -> frozenset[int]:
+        return self._demo.automatic
 
     def wait_for(self, link: ConnectionState) -> None:
         self.wait(lambda: self._window.device.link is link)
@@ -283,3 +290,29 @@ def test_controls_have_names_and_are_reached_by_tab(window: WindowDriver, panel:
     assert set(reached) == CONTROLS
     assert len(reached) == len(set(reached))
     assert stand_in_order(panel.root, reached)
+
+
+def test_moving_sticks_come_to_rest_when_learning_begins(
+    window: WindowDriver, panel: DemoPanel
+) -> None:
+    window.wait(lambda: window.device.telemetry.raw is not None)
+    assert len(panel.board_automatic) == len(CHANNELS)
+    window.trigger("learn")
+    learning = WidgetDriver(window.dialog("learnDialog").root, window.qtbot)
+    learning.wait_for_text("learnHead", "Release every stick")
+    assert panel.board_automatic == frozenset()
+    learning.click("learnNextButton")
+    learning.wait_for_text("learnHead", "Push every stick")
+
+
+def test_line_button_shows_the_line_settings_of_the_demo(
+    window: WindowDriver, panel: DemoPanel
+) -> None:
+    window.wait(lambda: window.device.telemetry.raw is not None)
+    assert window.button("lineButton").text().startswith("19200")
+    window.device.parameters.edit("uart_settings", replace(LineSettings(), baud=38400).to_wire())
+    window.trigger("apply")
+    window.dialog("reviewDialog").click("writeButton")
+    window.wait(lambda: window.device.parameters.waiting_for_power)
+    panel.click("demoPowerCycle")
+    window.wait(lambda: window.button("lineButton").text().startswith("38400"))

@@ -144,7 +144,7 @@ def test_dropped_text_file_opens(window: WindowDriver, files: SettingsFiles, rov
 
 
 def test_apply_and_undo_shortcuts_work_only_in_main_window(window: WindowDriver) -> None:
-    """Ctrl+P applies settings there and prints here; Esc stops the motors everywhere."""
+    """Undo there does not undo here; Esc stops the motors everywhere."""
     for key, context in (
         ("apply", Qt.ShortcutContext.WindowShortcut),
         ("undo", Qt.ShortcutContext.WindowShortcut),

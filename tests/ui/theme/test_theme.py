@@ -6,6 +6,7 @@ from PySide6.QtGui import QAction, QColor, QIcon, QPalette
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.colours import contrast
 from tests.support.window import WidgetDriver
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.icons import application_icon, icon, set_icon
@@ -22,20 +23,6 @@ def _light(qapp: QApplication) -> None:
 
 def tables(scheme: str) -> dict[str, dict[str, str]]:
     return tomllib.loads(resource(f"themes/{scheme}.toml").read_text(encoding="utf-8"))
-
-
-def luminance(color: QColor) -> float:
-    """Relative luminance. Ref: WCAG 2.2."""
-    red, green, blue = (
-        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
-        for part in (color.redF(), color.greenF(), color.blueF())
-    )
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
-
-
-def contrast(one: QColor, other: QColor) -> float:
-    dark, light = sorted((luminance(one), luminance(other)))
-    return (light + 0.05) / (dark + 0.05)
 
 
 def text_cases() -> list[tuple[str, str, str]]:
@@ -273,3 +260,13 @@ def test_theme_ignores_a_deleted_button(qtbot: QtBot) -> None:
     with qtbot.waitSignal(button.destroyed):
         pass
     theme().set_scheme("dark")
+
+
+@pytest.mark.parametrize("mode", [QIcon.Mode.Active, QIcon.Mode.Selected])
+def test_icon_of_a_highlighted_menu_row_has_the_colour_of_its_text(
+    qtbot: QtBot, mode: QIcon.Mode
+) -> None:
+    del qtbot
+    action = QAction("power")
+    set_icon(action, "power")
+    assert strongest(action.icon(), mode) == theme().color("highlighted_text")

@@ -46,7 +46,7 @@ class TracePanel(QWidget):
         self._hold = button(
             self,
             "holdPeaksButton",
-            self.tr("&Hold peaks"),
+            self.tr("Hold pea&ks"),
             tip=self.tr("Keep the highest value of each curve from now on, as a line and a figure"),
             checkable=True,
             on_toggle=self._on_hold_toggled,

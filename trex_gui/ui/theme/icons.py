@@ -29,7 +29,16 @@ def icon(name: str, color: str = "icon") -> QIcon:
 
 def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") -> None:
     """Give an action or a button an icon that follows the theme; a later call replaces it."""
-    follow_theme(target, "icon", lambda: target.setIcon(icon(name, color)))
+
+    def apply() -> None:
+        made = icon(name, color)
+        if isinstance(target, QAction):  # a menu paints its highlighted row as active
+            made = QIcon(made)
+            for size in _SIZES:
+                made.addPixmap(made.pixmap(size, size, QIcon.Mode.Selected), QIcon.Mode.Active)
+        target.setIcon(made)
+
+    follow_theme(target, "icon", apply)
 
 
 def set_sign(label: QLabel, name: str, color: str, size: int) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
-from typing import Literal
+from typing import Any, Literal
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
@@ -18,6 +18,12 @@ from trex_gui.core.resource_files import resource
 
 Scheme = Literal["system", "light", "dark"]
 SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
+
+_FUSION_OUTLINE = 140
+"""Percent by which Fusion darkens the window's colour for the outline of a box."""
+
+_OUTLINED = ("QCheckBox", "QTreeView", "QTableView", "QListView")
+"""Widgets with boxes: an outline made of the window's colour cannot be seen on it."""
 
 _COLOUR_TABLES = ("text", "graphics", "fill", "surface")
 
@@ -138,6 +144,13 @@ class Theme(QObject):
             if changes or self._app.palette() != palette:
                 self._app.setPalette(palette)
                 QToolTip.setPalette(palette)
+            outlined = QPalette(palette)
+            color = self.color("neutral").lighter(_FUSION_OUTLINE)
+            outlined.setColor(QPalette.ColorRole.Window, color)
+            for kind in _OUTLINED:  # PySide takes a str here, not the bytes that its stubs name
+                name: Any = kind
+                if QApplication.palette(name) != outlined:  # Qt may have dropped it
+                    QApplication.setPalette(outlined, name)
         if changes:
             self.changed.emit()
 

@@ -177,7 +177,7 @@ class AracnaWorkspace(Workspace):
                     "aracna_capture",
                     tr("&Capture the present position as a pose"),
                     self._capture,
-                    "Ctrl+P",
+                    "Ctrl+Shift+P",
                 ),
             ),
             Menu.WINDOW: (

@@ -57,8 +57,9 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @property
     def line_text(self) -> str:
-        number = self.settings.device_number
-        return self.settings.short if number is None else f"{self.settings.short} #{number}"
+        settings = self._demo_settings if self.demo_in_use else self.settings
+        number = settings.device_number
+        return settings.short if number is None else f"{settings.short} #{number}"
 
     def set_settings(self, settings: ConnectionSettings) -> None:
         """Use and remember these line settings from the next connection on."""
@@ -86,6 +87,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         settings = replace(used, url="", name="")
         if port.kind is PortKind.DEMO:
             self._demo_settings = settings
+            self.changed.emit()
         elif settings != self.settings:
             self.set_settings(settings)
 

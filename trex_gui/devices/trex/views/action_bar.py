@@ -131,7 +131,7 @@ class ActionBar(QWidget):
             self,
             "applyButton",
             self.tr("Apply settings"),
-            tip=self.tr("Write the changed parameters into the board (Ctrl+P)"),
+            tip=self.tr("Write the changed parameters into the board (Ctrl+Enter)"),
             icon="apply",
             on_click=self.apply_requested,
         )

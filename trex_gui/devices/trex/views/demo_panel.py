@@ -334,7 +334,7 @@ def _add_input_row(channel: int, board: DemoBoard, rows: BoardRows) -> None:
 
     def update(snapshot: DemoSnapshot) -> None:
         seen = snapshot.channels[channel - 1]
-        name.setText(f"<b>{channel}</b>&ensp;{_input_roles(snapshot)[channel - 1]}")
+        name.setText(f"<b>{channel}</b>\u2002{_input_roles(snapshot)[channel - 1]}")
         slider.setEnabled(seen.has_signal)
         if seen.stick(source) is None:
             value.setText(tr("invalid"))

@@ -117,6 +117,7 @@ class TrexWorkspace(Workspace):
         self._history = HistoryDialog(device, frame)
         learning = Learning(device, self)
         self._learn = LearnDialog(learning, frame)
+        learning.begun.connect(controller.demo_board.centre_sticks)
         self._bench = BenchDialog(device, Bench(device, self), frame)
 
         frame.seen_changed.connect(device.set_seen)
@@ -215,7 +216,7 @@ class TrexWorkspace(Workspace):
                 Entry("new", tr("&New settings file…"), files.ask_and_begin, keys.New, "new"),
                 Entry("open", tr("&Open settings file…"), files.ask_and_open, "Ctrl+O", "open"),
                 Entry("save", tr("&Save settings file…"), files.ask_and_save, "Ctrl+S", "save"),
-                Entry("print", tr("Prin&t settings…"), files.preview, "", "print"),
+                Entry("print", tr("Prin&t settings…"), files.preview, keys.Print, "print"),
                 Entry("export", tr("&Export as code…"), files.ask_and_export, "", "console"),
                 SEPARATOR,
                 Entry("history", tr("&History…"), self._history.open_history, "Ctrl+H", "history"),
@@ -240,20 +241,20 @@ class TrexWorkspace(Workspace):
                 SEPARATOR,
                 Entry(
                     "reload",
-                    tr("Re&load settings from device"),
+                    tr("R&eload settings from device"),
                     self._on_reload_requested,
                     "Ctrl+L",
                     "reload",
                 ),
-                Entry("apply", tr("&Apply settings…"), self._review.review, "Ctrl+P", "apply"),
+                Entry("apply", tr("&Apply settings…"), self._review.review, "Ctrl+Return", "apply"),
                 Entry("power", tr("Make stored settings acti&ve…"), self._power.guide, "", "power"),
                 SEPARATOR,
                 Entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
                 Entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
                 Entry("bench", tr("&Bench test…"), self._bench.open_bench, "Ctrl+B", "plot"),
                 SEPARATOR,
-                Entry("defaults", tr("Restore &factory defaults…"), factory),
-                Entry("serial_defaults", tr("Restore serial de&faults…"), serial),
+                Entry("defaults", tr("Restore factor&y defaults…"), factory),
+                Entry("serial_defaults", tr("Restore ser&ial defaults…"), serial),
             ),
             Menu.WINDOW: (
                 *self.page_entries(),

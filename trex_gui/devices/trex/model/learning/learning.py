@@ -47,6 +47,7 @@ class Learning(QObject):
     Nothing is written, and nothing is edited before `use_values`.
     """
 
+    begun = Signal()  # the rest positions will be measured
     changed = Signal()  # the step, `sampling`, `inputs.stalled` or a choice
     measured = Signal()  # new samples have arrived
     edited = Signal()  # the learned values are pending edits now, ready for their review
@@ -143,6 +144,7 @@ class Learning(QObject):
     def begin(self, channels: Sequence[int] = CHANNELS) -> None:
         """Learn these channels at once; the motors are stopped first."""
         self.news = self._next_news = ""
+        self.begun.emit()
         self._start(channels, LearningStep.NEUTRAL)
 
     def begin_test(self, channels: Sequence[int] = CHANNELS) -> None:

@@ -61,7 +61,7 @@ class StatusPage(QWidget):
         reset = ui.button(
             errors,
             "resetCountsButton",
-            self.tr("Reset c&ounts"),
+            self.tr("Reset co&unts"),
             icon="clear",
             on_click=device.errors.reset,
         )

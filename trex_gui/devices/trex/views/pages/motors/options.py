@@ -161,7 +161,7 @@ class Options(QGroupBox):
         self._brake.entry.setSpecialValueText(self.tr("coast (0 %)"))
         self._lock = self._make_lock()
         lock_label = ui.label(
-            self, "", self.tr("L&ock after Stop"), tip=self._lock.toolTip(), buddy=self._lock
+            self, "", self.tr("Lock after Sto&p"), tip=self._lock.toolTip(), buddy=self._lock
         )
 
         # Without a spacing of its own a column would take that of its row.
