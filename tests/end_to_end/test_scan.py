@@ -64,6 +64,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     dialog.wait_for_end()
     assert dialog.text("findProgressText") == "1 board found."
     dialog.click("connectFound0")
+    assert not dialog.root.isVisible()
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert window.device.settings is not None
     assert window.device.settings.line == LineSettings(57600)

@@ -9,10 +9,15 @@ from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.pages.find_dialog import FindBoardDialog
 from tests.support.program import new_controller, scanner_of
+from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.plugin import TREX
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Ports
+from trex_gui.ui.devices.scanner import ScanFinding
 from trex_gui.ui.frame.find_dialog import FindDialog
 
 
@@ -82,3 +87,35 @@ def test_scan_cannot_start_without_ports(
     ports.refresh()
     assert dialog.rows() == {}
     assert not dialog.is_enabled("findStartButton")
+
+
+def test_chosen_port_is_listed_first(
+    dialog: FindBoardDialog, ports: Ports, listed: list[ListPortInfo]
+) -> None:
+    listed.append(port_of_this_computer("/dev/ttyUSB1", "n/a"))
+    ports.refresh()
+    assert isinstance(dialog.root, FindDialog)
+    dialog.root.look(ports.find("/dev/ttyUSB1"))
+    assert list(dialog.rows()) == ["/dev/ttyUSB1", "/dev/ttyUSB0  (An adapter)"]
+
+
+def test_boards_stand_above_the_folded_ports_without_one(
+    dialog: FindBoardDialog, ports: Ports
+) -> None:
+    port = ports.entries[0]
+    failed = ScanFinding(port, "No TReX responds.")
+    signature = Signature(device_table().model("trex"), "1.2")
+    found = FoundBoard(ConnectionSettings("/dev/ttyUSB1"), signature)
+    board = ScanFinding(port, "TReX 1.2", found, "trex")
+    dialog.root.show()
+    dialog.finder.findings = (failed,)
+    dialog.finder.changed.emit()
+    dialog.wait(lambda: dialog.has("findText0"))
+    dialog.finder.findings = (failed, board)
+    dialog.finder.changed.emit()
+    dialog.wait(lambda: dialog.has("findText0"))
+    assert dialog.text("findText0") == "TReX 1.2"
+    assert not dialog.has("findText1")
+    dialog.click("findFailures")
+    assert dialog.text("findText1") == "No TReX responds."
+    assert dialog.has("findText1")

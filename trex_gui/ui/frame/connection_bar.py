@@ -132,7 +132,7 @@ class ConnectionBar(QWidget):
     def find_board(self) -> None:
         if self._dialog is None:
             self._dialog = FindDialog(self._manager, self._ports, self.window())
-        self._dialog.look()
+        self._dialog.look(self._port_to_show())
 
     def close_dialogs(self) -> None:
         if self._dialog is not None:

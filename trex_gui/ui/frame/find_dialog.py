@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QListWidgetItem,
     QPushButton,
     QSizePolicy,
+    QToolButton,
     QWidget,
 )
 
@@ -25,7 +26,10 @@ _CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
 
 
 class FindDialog(ReusedDialog):
-    """A dialog beside the window; closing it ends the scan."""
+    """A dialog beside the window; closing it ends the scan.
+
+    Boards stand above the ports without one, which are folded as soon as there is a board.
+    """
 
     def __init__(
         self, device_manager: DeviceManager, ports: Ports, parent: QWidget | None = None
@@ -38,7 +42,9 @@ class FindDialog(ReusedDialog):
         self._manager = device_manager
         self._scanner = device_manager.scanner
         self._checked: dict[Port, bool] = {}  # as the user has chosen
+        self._first: Port | None = None  # chosen in the window
         self._shown: tuple[ScanFinding, ...] | None = None
+        self._is_unfolded = False
         self._connects: dict[QPushButton, Port] = {}
         self._create_widgets()
         self._arrange()
@@ -117,7 +123,10 @@ class FindDialog(ReusedDialog):
             into=self,
         )
 
-    def look(self) -> None:
+    def look(self, chosen: Port | None) -> None:
+        """Open; the port that is chosen in the window is listed and searched first."""
+        self._first = chosen
+        self._on_ports_changed()
         self.show()
         self.activateWindow()
         self._start.setFocus()
@@ -142,7 +151,7 @@ class FindDialog(ReusedDialog):
     def _on_ports_changed(self) -> None:
         with QSignalBlocker(self._list):
             self._list.clear()
-            for port in self._ports.entries:
+            for port in sorted(self._ports.entries, key=lambda port: port != self._first):
                 if self._scanner.can_search(port):
                     self._list.addItem(self._item(port))
         rows = min(max(self._list.count(), 2), 6)
@@ -209,8 +218,30 @@ class FindDialog(ReusedDialog):
             if (item := self._rows.takeAt(0)) and (row := item.widget()):
                 row.hide()
                 row.deleteLater()
-        for index, finding in enumerate(findings):
-            self._rows.insertWidget(index, self._row(index, finding))
+        ordered = sorted(findings, key=lambda finding: finding.found is None)
+        rows: list[QWidget] = [self._row(index, each) for index, each in enumerate(ordered)]
+        boards = sum(finding.found is not None for finding in findings)
+        if 0 < boards < len(rows):
+            rows.insert(boards, self._fold(rows[boards:]))
+        for place, row in enumerate(rows):
+            self._rows.insertWidget(place, row)
+
+    def _fold(self, rows: list[QWidget]) -> QToolButton:
+        """Return a button that shows and hides some rows."""
+        fold = ui.tool_button(self._results, "findFailures", self.tr("Ports without a board"))
+        fold.setAutoRaise(True)
+        fold.setCheckable(True)
+
+        def show(unfolded: bool) -> None:
+            self._is_unfolded = unfolded
+            fold.setArrowType(Qt.ArrowType.DownArrow if unfolded else Qt.ArrowType.RightArrow)
+            for row in rows:
+                row.setVisible(unfolded)
+
+        fold.setChecked(self._is_unfolded)
+        show(self._is_unfolded)
+        fold.toggled.connect(show)
+        return fold
 
     def _row(self, index: int, finding: ScanFinding) -> QFrame:
         row = QFrame(self._results)
@@ -239,6 +270,7 @@ class FindDialog(ReusedDialog):
             return
         port = self._ports.lead_to(finding.port, finding.device)
         self._manager.connect_with(port, finding.found.settings)
+        self.close()
 
 
 def _text(text: str, parent: QWidget, name: str = "") -> QLabel:
