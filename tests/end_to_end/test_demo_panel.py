@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDockWidget,
+    QLabel,
     QTableWidget,
     QWidget,
 )
@@ -140,6 +141,19 @@ def test_faults_are_counted_on_the_status_page(window: WindowDriver, panel: Demo
     panel.click("demoFault2")
     window.wait(lambda: error_counts(window)["Motor 2 fault"] > 0)
     assert error_counts(window)["Motor 1 fault"] == 0
+    assert list(error_counts(window))[:6] == [
+        "Motor 1 fault",
+        "Motor 1 over current limit",
+        "Motor 2 fault",
+        "Motor 2 over current limit",
+        "UART error",
+        "Serial timeout",
+    ]
+    window.open_page("currentsPage")
+    state = window.find(QLabel, "motorStateLabel")
+    window.wait(lambda: state.text().startswith("Motor 2 has no drive"))
+    panel.click("demoFault2")
+    window.wait(lambda: "shut down" not in state.text())
     for error, name in (("framing", "Framing error"), ("overrun", "Data overrun")):
         assert error_counts(window)[name] == 0
         panel.choose("demoByteError", error)

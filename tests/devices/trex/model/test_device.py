@@ -7,12 +7,16 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
@@ -532,3 +536,23 @@ def test_line_settings_are_used_for_the_connection(
     recorder.device.connect_to(ConnectionSettings(quick_simulator.url, LineSettings(9600)))
     recorder.until_link(ConnectionState.DISCONNECTED)
     assert "9600 baud" in recorder.failures[0]
+
+
+def test_fault_on_a_noisy_line_without_crc_is_doubtful(
+    recorder: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    recorder.connect(quick_simulator.url)
+    device = recorder.device
+
+    def report(failures: int) -> str:
+        status = LatchedStatus(now(), Status.MOTOR1_FAULT, UartError(0))
+        counters = Counters(requests=1000 + failures, corrupted=failures)
+        device.connection.sampled.emit(Batch((status,), counters))
+        return recent_fault_text(device)
+
+    assert "noisy" not in report(0)
+    assert "noisy" in report(1)
+    begin = now()
+    recorder.until(lambda: now() > begin + 6)
+    assert recent_fault_text(device) == ""
+    assert "noisy" not in report(0)

@@ -7,9 +7,14 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.model.errors import ErrorLog
-from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
+from trex_gui.devices.trex.protocol.flags import UART_MEANING, Status, UartError
 
-BITS: list[Status | UartError] = [*STATUS_MEANING, *UART_MEANING]
+BITS: list[Status | UartError] = [
+    *(Status.MOTOR1_FAULT, Status.MOTOR1_OVER_LIMIT),
+    *(Status.MOTOR2_FAULT, Status.MOTOR2_OVER_LIMIT),
+    Status.UART_ERROR,
+    *UART_MEANING,
+]
 
 
 @pytest.fixture
@@ -84,3 +89,10 @@ def test_returned_entries_are_not_updated(log: ErrorLog) -> None:
     before = log.entries
     log.take(news(*BITS))
     assert [entry.count for entry in before] == [0] * 13
+
+
+def test_only_the_last_report_is_marked_as_doubtful(log: ErrorLog) -> None:
+    log.take(news(Status.MOTOR1_FAULT), is_doubtful=True)
+    assert [entry.bit for entry in log.entries if entry.is_doubtful] == [Status.MOTOR1_FAULT]
+    log.take(news(Status.MOTOR1_FAULT))
+    assert not any(entry.is_doubtful for entry in log.entries)

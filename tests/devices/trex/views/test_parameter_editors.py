@@ -219,7 +219,7 @@ def test_acceleration_has_one_spelling(parameters: ParametersDriver) -> None:
     assert [editor.text(), *cells] == [
         "0.5 s to full speed",
         "0.5 s to full speed",
-        "no ramp, or 0.1 to 12.7 s to full speed",
+        "0.1 to 12.7 s to full speed, or no ramp",
     ]
 
 

@@ -1,5 +1,6 @@
 """The board as the window sees it: the connection to it, and the models that mirror it."""
 
+import math
 from collections.abc import Callable, Collection, Mapping
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -38,9 +39,13 @@ from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
+
+_NOISE_LASTS = 5.0
+"""Seconds after a failed transaction in which a status without CRC may be corrupted as well."""
 
 
 class Device(QObject):
@@ -79,6 +84,8 @@ class Device(QObject):
         )
         self.events = BoardEvents(self.motors, self.connection, self)
         self.state: DeviceState | None = None
+        self._failures = 0  # transactions that failed, as last reported
+        self._failed_at = -math.inf
 
         self.connection.changed.connect(self.link_changed)
         self.connection.device_read.connect(self._on_read)
@@ -354,10 +361,16 @@ class Device(QObject):
 
     @Slot(object)
     def _note_statuses(self, batch: Batch) -> None:
+        failures = batch.counters.missing + batch.counters.corrupted
+        if failures > self._failures:
+            self._failed_at = now()
+        self._failures = failures
+        is_noisy = now() - self._failed_at < _NOISE_LASTS
+        has_crc = self.settings is not None and self.settings.line.has_crc
         for sample in batch.samples:
             if isinstance(sample, LatchedStatus):
                 self.events.note_status(sample)
-                self.errors.take(sample)
+                self.errors.take(sample, is_doubtful=is_noisy and not has_crc)
                 self._follow_board_stop(sample)
 
     def _follow_board_stop(self, latched: LatchedStatus) -> None:

@@ -18,6 +18,7 @@ from trex_gui.ui.translations import Plural
 
 _NO_ERROR = UartError(0)
 _CLOSED = ConnectionState.DISCONNECTED
+_FAULTS = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
 
 
 class DriveBlocker(Enum):
@@ -156,11 +157,6 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
         "",
         len(now.missing),
     )
-    fault = Plural.tr(
-        "Driver(s) of motor(s) {0} shut down: too hot, a short circuit, or low voltage.",
-        "",
-        len(now.faults),
-    )
     over_limit = Plural.tr(
         "Motor(s) {0} slowed down: current over the limit.",
         "",
@@ -196,7 +192,7 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
             _tr("Then Run motor arms them again."),
         ),
         DriveBlocker.FAULT: (
-            fault.format(_listed(now.faults)),
+            _fault_text(now.faults),
             _tr("Reduce the load, check wires and battery, let it cool."),
         ),
         DriveBlocker.TIMEOUT: (
@@ -248,6 +244,31 @@ def _may_turn(now: DriveInputs) -> list[str]:
     return [text.format(now.timeout)]
 
 
+def _fault_text(faults: Collection[int]) -> str:
+    text = Plural.tr(
+        "Driver(s) of motor(s) {0} shut down: too hot, a short circuit, or low voltage.",
+        "",
+        len(faults),
+    )
+    return text.format(_listed(faults))
+
+
+def recent_fault_text(device: Device) -> str:
+    """Return which motor drivers have shut down recently, as sentences; empty if none has."""
+    recent = {
+        motor: entry
+        for motor, bit in _FAULTS.items()
+        for entry in device.errors.recent(motor)
+        if entry.bit is bit
+    }
+    if not recent or not device.is_connected:
+        return ""
+    text = _fault_text(recent)
+    if all(entry.is_doubtful for entry in recent.values()):
+        text = _tr("{0} Doubtful: the line is noisy and has no CRC.").format(text)
+    return text
+
+
 def _notes(now: DriveInputs) -> list[str]:
     notes = []
     if now.mode is not None and not now.mode.is_serial:
@@ -270,7 +291,6 @@ def drive_inputs(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
     recent = [entry.bit for motor in (1, 2) for entry in device.errors.recent(motor)]
     uart = reduce(or_, (bit for bit in recent if isinstance(bit, UartError)), _NO_ERROR)
     status = [bit for bit in recent if isinstance(bit, Status)]
-    faults = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
     over_limit = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
     stored = device.parameters.stored_of
     wire = stored(ParameterKey.SERIAL_TIMEOUT)
@@ -283,7 +303,7 @@ def drive_inputs(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
         joint=device.is_joint,
         missing=_missing_channels(device),
         perhaps_held=perhaps_held,
-        faults=tuple(motor for motor, bit in faults.items() if bit in status),
+        faults=tuple(motor for motor, bit in _FAULTS.items() if bit in status),
         over_limit=tuple(motor for motor, bit in over_limit.items() if bit in status),
         uart=uart,
         error_shutdown=bool(stored(ParameterKey.UART_ERROR_SHUTDOWN)),

@@ -36,10 +36,17 @@ class ErrorEntry:
     count: int = 0
     last: datetime | None = None  # date and time of the last report; `None` without one
     seen_at: float = -math.inf  # the same in seconds of the program's monotonic clock
+    is_doubtful: bool = False  # the last report may be a corrupted reply
 
+
+_ORDER = (
+    *(Status.MOTOR1_FAULT, Status.MOTOR1_OVER_LIMIT),
+    *(Status.MOTOR2_FAULT, Status.MOTOR2_OVER_LIMIT),
+    Status.UART_ERROR,
+)
 
 _UNSEEN = (
-    *(ErrorEntry(bit, *words) for bit, words in STATUS_MEANING.items()),
+    *(ErrorEntry(bit, *STATUS_MEANING[bit]) for bit in _ORDER),
     *(ErrorEntry(bit, *words) for bit, words in UART_MEANING.items()),
 )
 
@@ -51,7 +58,7 @@ class ErrorLog(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.entries = _UNSEEN  # status bits, then UART error bits, highest bit first
+        self.entries = _UNSEEN  # of motor 1, of motor 2, UART error and its kinds
 
     def recent(self, motor: int, seconds: float = 3.0) -> list[ErrorEntry]:
         """Return the entries about motor 1 or 2 that are at most `seconds` old.
@@ -66,10 +73,13 @@ class ErrorLog(QObject):
             and (isinstance(entry.bit, UartError) or entry.bit & _OF_MOTOR[motor])
         ]
 
-    def take(self, latched: LatchedStatus) -> None:
+    def take(self, latched: LatchedStatus, *, is_doubtful: bool = False) -> None:
+        """Count the bits of a status; `is_doubtful`: its reply may have been corrupted."""
         today = datetime.now(UTC).astimezone()
         self.entries = tuple(
-            replace(entry, count=entry.count + 1, last=today, seen_at=now())
+            replace(
+                entry, count=entry.count + 1, last=today, seen_at=now(), is_doubtful=is_doubtful
+            )
             if entry.bit & (latched.status if isinstance(entry.bit, Status) else latched.uart)
             else entry
             for entry in self.entries

@@ -141,7 +141,7 @@ class ParameterSpec:
             case ParameterKind.CHANNELS:
                 return "any of 1 to 5"
             case ParameterKind.UART:
-                return "baud, check, stop bits"
+                return "baud, error detection, stop bits"
             case _ if self.minimum == self.maximum:
                 return self.text(self.minimum)
         return f"{self.text(self.minimum)} to {self.text(self.maximum)}"

@@ -7,6 +7,7 @@ from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
@@ -152,14 +153,25 @@ class ActionBar(QWidget):
         ):
             signal.connect(self._on_changed)
         device.draft.pending_changed.connect(self._on_changed)
+        device.errors.changed.connect(self._on_changed)
+        device.telemetry.text_due.connect(self._on_changed)  # a fault is over some time later
         self._on_changed()
 
     @Slot()
     def _on_changed(self) -> None:
         motors, pending = self._device.motors, self._device.draft.pending > 0
         lost_board = bool(self._device.driving.lost_board)
-        alarming = motors.armed or self._device.may_move or self._is_beyond_reach or lost_board
-        self._state.show_note(self._state_text(), alarming=alarming)
+        fault = recent_fault_text(self._device)
+        alarming = (
+            bool(fault)
+            or motors.armed
+            or self._device.may_move
+            or self._is_beyond_reach
+            or lost_board
+        )
+        self._state.show_note(
+            " ".join(filter(None, (fault, self._state_text()))), alarming=alarming
+        )
         self._unapplied.setVisible(pending)
         can_apply = self._device.is_writable and not self._device.rejects_settings
         self._apply.setEnabled(pending and can_apply)

@@ -313,7 +313,7 @@ def test_values_are_shown_in_physical_units(model: ParameterModel) -> None:
         ("motor1_brake_duration", 12, "120 ms"),
         ("motor1_deadband_brake_pwm", 127, "100 %"),
         ("serial_timeout", 15, "1.5 s"),
-        ("uart_settings", 5, "19200 baud, no check, 1 stop bit"),
+        ("uart_settings", 5, "19200 baud, no error detection, 1 stop bit"),
         ("crc7_polynomial", 9, "0x89"),
         ("required_channels", 5, "channels 1, 3"),
     ):

@@ -206,12 +206,8 @@ def pwm_partner(key: str) -> str | None:
 
 def value_text(spec: ParameterSpec, wire: int) -> str:
     """Return a wire value in the unit that the window shows."""
-    match spec.kind:
-        case ParameterKind.ACCELERATION if wire:
-            return acceleration_text(wire)
-        case ParameterKind.UART:
-            return spec.text(wire).replace("no error detection", _tr("no check"))
-    return spec.text(wire)
+    is_ramp = spec.kind is ParameterKind.ACCELERATION and wire
+    return acceleration_text(wire) if is_ramp else spec.text(wire)
 
 
 # --- Acceleration -----------------------------------------------------------------------
@@ -224,7 +220,7 @@ def acceleration_text(wire: int) -> str:
 
 def acceleration_range(spec: ParameterSpec) -> str:
     fast, slow = _seconds_text(spec.maximum), _seconds_text(1)
-    return _tr("{0}, or {1} to {2} s to full speed").format(spec.zero, fast, slow)
+    return _tr("{0} to {1} s to full speed, or {2}").format(fast, slow, spec.zero)
 
 
 def acceleration_wire(seconds: float) -> int:

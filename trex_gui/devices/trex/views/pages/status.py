@@ -184,7 +184,13 @@ class StatusPage(QWidget):
         entries = self._device.errors.entries
         for (name, count, last), entry in zip(self._errors, entries, strict=True):
             count.setText(str(entry.count))
-            last.setText(entry.last.strftime("%H:%M:%S") if entry.last else self.tr("never"))
+            text = entry.last.strftime("%H:%M:%S") if entry.last else self.tr("never")
+            doubt = ""
+            if entry.is_doubtful:
+                text = self.tr("{0} (doubtful)").format(text)
+                doubt = self.tr("The line is noisy and has no CRC: a corrupted reply looks alike.")
+            last.setText(text)
+            last.setToolTip(doubt)
             font = name.font()
             font.setBold(entry.count > 0)
             name.setFont(font)

@@ -141,7 +141,7 @@ class LineSettingsEditor(QWidget):
             "detectionField",
             self.tr("Error detection"),
             items=[
-                (self.tr("no check"), Detection.NONE),
+                (self.tr("no error detection"), Detection.NONE),
                 (self.tr("CRC-7"), Detection.CRC7),
                 (self.tr("even parity"), Detection.EVEN),
                 (self.tr("odd parity"), Detection.ODD),
