@@ -2,16 +2,18 @@
 
 import csv
 import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QAccessible, QColor, QImage, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QAccessible, QAction, QColor, QImage, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
+    QFileDialog,
     QLabel,
     QListView,
     QTableView,
@@ -261,6 +263,21 @@ def test_drag_selects_a_span_and_pause_button_goes_live(
     assert pause.isChecked()
     pause.click()
     assert plot.span.live
+    assert plot.span.length == 30, "the zoom from before"
+
+
+def test_export_proposes_a_name_with_the_date(
+    panel: TracePanelDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    proposals: list[str] = []
+
+    def choose(_window: QWidget, _title: str, proposal: str, _filters: str) -> tuple[str, str]:
+        proposals.append(proposal)
+        return "", ""
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", choose)
+    panel.find(QAction, "exportAllAction").trigger()
+    assert re.search(r"currents_\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d\.csv$", proposals[0])
 
 
 def test_shift_drag_pans_the_plot(plot: TracePlot) -> None:

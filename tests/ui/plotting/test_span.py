@@ -31,7 +31,7 @@ def test_held_span_stays_while_samples_arrive(span: Span) -> None:
     span.hold()
     span.set_available(0, 200)
     assert (span.start, span.end) == (70, 100)
-    span.live = True
+    span.go_live()
     assert span.end == 200
 
 
@@ -45,6 +45,17 @@ def test_zoom_keeps_a_live_span_live(span: Span) -> None:
     span.zoom(0.5, 80)
     assert span.live
     assert (span.start, span.end) == (85, 100)
+
+
+def test_live_span_gets_back_its_length(span: Span) -> None:
+    span.show(40, 41)
+    span.zoom(0.5, 40.5)
+    span.go_live()
+    assert (span.start, span.end) == (70, 100)
+    span.hold()
+    span.choose_length(10)
+    span.go_live()
+    assert (span.start, span.end) == (90, 100)
 
 
 def test_span_can_be_selected_from_right_to_left(span: Span) -> None:

@@ -187,6 +187,7 @@ class Span:
         self._oldest = 0.0
         self._newest = 0.0
         self.live = True
+        self._live_length = length
 
     @property
     def start(self) -> float:
@@ -209,16 +210,30 @@ class Span:
             raise ValueError(f"a window of {seconds} s shows nothing")
         self.length = min(max(seconds, MIN_SPAN), MAX_SPAN)
 
+    def choose_length(self, seconds: float) -> None:
+        """Show that many seconds, when live again as well."""
+        self.set_length(seconds)
+        self._live_length = self.length
+
     def hold(self) -> None:
         self._end = self.end
-        self.live = False
+        self._leave_live()
+
+    def go_live(self) -> None:
+        """Follow the newest sample again, at the zoom from before."""
+        if not self.live:
+            self.length, self.live = self._live_length, True
+
+    def _leave_live(self) -> None:
+        if self.live:
+            self._live_length, self.live = self.length, False
 
     def show(self, start: float, end: float) -> None:
         """Show from one time to another, in either order, and stay there."""
+        self._leave_live()
         middle = (start + end) / 2
         self.set_length(max(abs(end - start), MIN_SPAN))
         self._end = middle + self.length / 2
-        self.live = False
 
     def zoom(self, factor: float, around: float) -> None:
         """Show `factor` times as much; `around` keeps its place on the screen.

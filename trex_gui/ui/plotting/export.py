@@ -6,6 +6,7 @@ Importing it loads pyqtgraph: do so when a plot is to be shown.
 import csv
 import math
 from collections.abc import Iterator, Sequence
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 from typing import TextIO
@@ -54,7 +55,10 @@ class ExportButton(QToolButton):
         name: str = "currents",
         tables: bool = True,
     ) -> None:
-        """Propose files called `name`; without `tables`, offer pictures only."""
+        """Propose files called `name`; without `tables`, offer pictures only.
+
+        What has tables is live: the proposed name has date and time as well.
+        """
         super().__init__(parent)
         self.setObjectName("exportButton" if tables else "pictureButton")
         self.setText(self.tr("E&xport") if tables else self.tr("&Picture"))
@@ -65,6 +69,7 @@ class ExportButton(QToolButton):
         self.setMenu(QMenu(parent))
         set_icon(self, "save")
         self._name = name
+        self._is_live = tables
         self._plot = plot
         self._notifier = notifier
         self._store = Preferences()
@@ -93,7 +98,10 @@ class ExportButton(QToolButton):
 
     def _ask(self, kind: str, whole: bool, _checked: bool = False) -> None:
         kinds = self.tr("Tables (*.csv)") if kind == "csv" else self.tr("Pictures (*.{0})")
-        proposal = file_questions.last_folder() / f"{self._name}.{kind}"
+        name = self._name
+        if self._is_live:
+            name += datetime.now().astimezone().strftime("_%Y-%m-%d_%H-%M-%S")
+        proposal = file_questions.last_folder() / f"{name}.{kind}"
         path = file_questions.ask_to_save(
             self.window(), self.tr("Export"), proposal, kinds.format(kind), f".{kind}"
         )

@@ -146,7 +146,7 @@ class TracePlot(FocusFramed):
         self.cursor_changed.emit()
 
     def set_window(self, seconds: float) -> None:
-        self.span.set_length(seconds)
+        self.span.choose_length(seconds)
         self._on_view_changed()
 
     def show_span(self, start: float, end: float) -> None:
@@ -158,7 +158,7 @@ class TracePlot(FocusFramed):
         self._on_view_changed()
 
     def go_live(self) -> None:
-        self.span.live = True
+        self.span.go_live()
         self._on_view_changed()
 
     def _on_view_changed(self) -> None:
