@@ -23,6 +23,7 @@ from PySide6.QtGui import (
     QKeySequence,
     QPainter,
     QPalette,
+    QResizeEvent,
 )
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -48,7 +49,6 @@ from trex_gui.ui.widgets.builders import action
 
 _PRESS = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space, Qt.Key.Key_Select}
 _WIDTHS = {
-    ParameterColumn.NAME: 47,
     ParameterColumn.WIRE: 7,
     ParameterColumn.RESET: 5,
     ParameterColumn.DEFAULT: 16,
@@ -56,7 +56,8 @@ _WIDTHS = {
     ParameterColumn.SOURCE: 17,
     ParameterColumn.EFFECT: 14,
 }
-"""Widths in average characters; VALUE takes the rest."""
+_NAME, _VALUE, _RANGE_MORE = (36, 50), (22, 44), 30
+"""Widths in average characters: least and greatest of two columns, and what the range may gain."""
 
 _ICON = 16
 _ROOM = 12
@@ -243,13 +244,26 @@ class ParameterView(QTreeView):
     def _set_up_header(self) -> None:
         header = self.header()
         header.setSectionsMovable(False)
-        header.setStretchLastSection(False)
+        header.setStretchLastSection(True)
         header.setMinimumSectionSize(24)
         character = self.fontMetrics().averageCharWidth()
         for column, width in _WIDTHS.items():
             header.resizeSection(column, width * character)
         header.setSectionResizeMode(ParameterColumn.RESET, QHeaderView.ResizeMode.Fixed)
-        header.setSectionResizeMode(ParameterColumn.VALUE, QHeaderView.ResizeMode.Stretch)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        header, character = self.header(), self.fontMetrics().averageCharWidth()
+        shown = [column for column in _WIDTHS if not header.isSectionHidden(column)]
+        room = self.viewport().width() // character - sum(_WIDTHS[column] for column in shown)
+        name = min(max(room - _VALUE[0], _NAME[0]), _NAME[1])
+        value = min(max(room - name, _VALUE[0]), _VALUE[1])
+        spare = min(max(room - name - value, 0), _RANGE_MORE)
+        header.resizeSection(ParameterColumn.NAME, name * character)
+        header.resizeSection(ParameterColumn.VALUE, value * character)
+        header.resizeSection(
+            ParameterColumn.RANGE, (_WIDTHS[ParameterColumn.RANGE] + spare) * character
+        )
 
     # --- Groups -------------------------------------------------------------------------
 

@@ -1,0 +1,23 @@
+"""The columns of the parameter table share its width."""
+
+import pytest
+
+from tests.support.program import trex
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
+
+
+@pytest.mark.parametrize("width", [600, 1000, 1900, 3800])
+def test_values_and_names_are_neither_cut_nor_lost_in_empty_room(
+    connected_window: WindowDriver, width: int
+) -> None:
+    window = connected_window
+    trex(window.program).workspace.show_page("parameters")
+    view = window.find_only(ParameterView)
+    view.resize(width, 400)
+    character = view.fontMetrics().averageCharWidth()
+    value = view.columnWidth(ParameterColumn.VALUE)
+    name = view.columnWidth(ParameterColumn.NAME)
+    assert 22 * character <= value <= 44 * character
+    assert 36 * character <= name <= 50 * character
