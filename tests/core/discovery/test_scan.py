@@ -137,7 +137,7 @@ def test_unsolicited_data_is_heard_at_rate_declared_by_kind() -> None:
     wire.read = lambda size, seconds: b"$GPGGA" if seconds == 0.3 else read(size, seconds)  # type: ignore[method-assign]
     result = search(wire, probers)
     assert noted[0] == "Talker hears b'$GPGGA' at 38400"
-    assert "24 47 50 47 47 41 came at 38400 baud" in result.lines[0]
+    assert "it sent 24 47 50 47 47 41 at 38400 baud" in result.lines[0]
 
 
 def test_diagnoses_of_all_kinds_are_sorted_by_evidence() -> None:
@@ -234,7 +234,7 @@ def test_report_counts_rates_with_unknown_replies() -> None:
     read = wire.read
     wire.read = lambda size, seconds: read(size, seconds) or b"ERR"  # type: ignore[method-assign]
     (line,) = search(wire, {"trex": TREX_PROBER}).lines
-    assert "45 52 52 came at 1200 baud" in line
+    assert "it sent 45 52 52 at 1200 baud" in line
     assert "something at 88 more" in line
 
 

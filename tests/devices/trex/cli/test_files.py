@@ -73,7 +73,7 @@ def test_set_settings_writes_only_differences(
     result = trexcmd("set-settings", str(file))
     assert result.exit_code == 0, result.stderr
     assert "28 parameters: 2 will change, 26 match" in result.stderr
-    assert "3 of 3 changes are stored" in result.stderr
+    assert "3 of 3 changes stored and verified" in result.stderr
     assert stored(quick_simulator, "serial_timeout") == 15
     assert stored(quick_simulator, "motor1_acceleration") == 9
     assert trexcmd("diff", str(file)).stdout == ""
