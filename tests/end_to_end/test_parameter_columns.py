@@ -21,3 +21,16 @@ def test_values_and_names_are_neither_cut_nor_lost_in_empty_room(
     name = view.columnWidth(ParameterColumn.NAME)
     assert 22 * character <= value <= 44 * character
     assert 36 * character <= name <= 50 * character
+
+
+def test_width_that_the_user_gives_a_column_stays(connected_window: WindowDriver) -> None:
+    window = connected_window
+    trex(window.program).workspace.show_page("parameters")
+    view = window.find_only(ParameterView)
+    view.resize(1000, 400)
+    value = view.columnWidth(ParameterColumn.VALUE)
+    wide = view.columnWidth(ParameterColumn.NAME) + 57
+    view.setColumnWidth(ParameterColumn.NAME, wide)
+    view.resize(1900, 400)
+    assert view.columnWidth(ParameterColumn.NAME) == wide
+    assert view.columnWidth(ParameterColumn.VALUE) > value

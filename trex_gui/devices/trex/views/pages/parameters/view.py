@@ -218,6 +218,7 @@ class ParameterView(QTreeView):
         self._closed: set[str] = set()
         self._arranging = False
         self._unfinished: tuple[str, str] | None = None  # parameter and text of a lost editor
+        self._fitted: dict[ParameterColumn, int] = {}  # widths that no user has changed since
 
         self.setObjectName("parametersView")
         self.setAccessibleName(self.tr("Parameters"))
@@ -259,11 +260,17 @@ class ParameterView(QTreeView):
         name = min(max(room - _VALUE[0], _NAME[0]), _NAME[1])
         value = min(max(room - name, _VALUE[0]), _VALUE[1])
         spare = min(max(room - name - value, 0), _RANGE_MORE)
-        header.resizeSection(ParameterColumn.NAME, name * character)
-        header.resizeSection(ParameterColumn.VALUE, value * character)
-        header.resizeSection(
-            ParameterColumn.RANGE, (_WIDTHS[ParameterColumn.RANGE] + spare) * character
-        )
+        ranges = _WIDTHS[ParameterColumn.RANGE] + spare
+        self._fit_column(ParameterColumn.NAME, name * character)
+        self._fit_column(ParameterColumn.VALUE, value * character)
+        self._fit_column(ParameterColumn.RANGE, ranges * character)
+
+    def _fit_column(self, column: ParameterColumn, width: int) -> None:
+        """Give a column this width, unless the user has given it another one."""
+        present = self.header().sectionSize(column)
+        if self._fitted.get(column, present) == present:
+            self.header().resizeSection(column, width)
+            self._fitted[column] = self.header().sectionSize(column)
 
     # --- Groups -------------------------------------------------------------------------
 
