@@ -117,6 +117,20 @@ def test_pages_show_board_data_until_disconnect(
         assert not window.is_enabled(name), name
 
 
+def test_connect_in_the_menu_follows_the_port_in_the_list(connected: WindowDriver) -> None:
+    window, first = connected, connected.program.device_manager.current.port
+    assert not window.action("connect").isEnabled()
+    window.select("portCombo", window.program.ports.demo_of("trex"))
+    assert window.action("connect").isEnabled(), "as the button connects"
+    window.select("portCombo", first)
+    assert not window.action("connect").isEnabled()
+    window.select("portCombo", window.program.ports.demo_of("trex"))
+    window.trigger("connect")
+    window.wait(lambda: window.program.device_manager.current.port != first)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    assert not window.action("connect").isEnabled()
+
+
 def test_parameters_are_edited_applied_and_activated(
     connected: WindowDriver, simulator: SimulatedDevice
 ) -> None:

@@ -23,6 +23,7 @@ class ConnectionBar(QWidget):
     """
 
     connecting = Signal()
+    choice_changed = Signal()  # `would_connect` may be another
     line_settings_requested = Signal()
     # The user's choice would interrupt the writing of settings; carries the function that does it
     # anyway.
@@ -95,14 +96,14 @@ class ConnectionBar(QWidget):
 
     @Slot()
     def toggle(self) -> None:
-        if self._would_connect:
+        if self.would_connect:
             self.connect_shown()
         else:
             self.leave()
 
     @property
-    def _would_connect(self) -> bool:
-        """Whether the button connects: nothing is connected, or the list shows another port."""
+    def would_connect(self) -> bool:
+        """Whether Connect connects: nothing is connected, or the list shows another port."""
         shown = self._combo.currentData()
         is_other = isinstance(shown, Port) and shown != self._manager.current.port
         return is_other or self._manager.is_idle
@@ -119,7 +120,7 @@ class ConnectionBar(QWidget):
 
     def connect_shown(self) -> None:
         """Connect to the port that the list shows; if it shows none, open the list."""
-        if not self._would_connect:
+        if not self.would_connect:
             return
         shown = self._combo.currentData()
         if isinstance(shown, Port):
@@ -151,6 +152,7 @@ class ConnectionBar(QWidget):
     def _choose(self, port: Port | None) -> None:
         self._chosen, self._wants_none = port, port is None
         self._on_ports_changed()
+        self.choice_changed.emit()
 
     def _ask_for_address(self) -> None:
         address, given = QInputDialog.getText(
@@ -225,7 +227,7 @@ class ConnectionBar(QWidget):
         self._show_button()
 
     def _show_button(self) -> None:
-        connects = self._would_connect
+        connects = self.would_connect
         text = self.tr("&Connect") if connects else self.tr("Dis&connect")
         if text != self._connect.text():
             self._connect.hold_off()

@@ -139,6 +139,7 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         self._connection.connecting.connect(self._notifier.cleared)
+        self._connection.choice_changed.connect(self._on_actions_changed)
         self._connection.line_settings_requested.connect(self._edit_line_settings)
         self._connection.interruption_wanted.connect(self._on_interruption_wanted)
         self._manager.changed.connect(self._on_link_changed)
@@ -281,7 +282,7 @@ class MainWindow(QMainWindow):
         link = device.link
         is_open = link not in {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         enabled_actions = {
-            "connect": link is ConnectionState.DISCONNECTED,
+            "connect": self._connection.would_connect and link is not ConnectionState.DISCONNECTING,
             "line": link is ConnectionState.DISCONNECTED and device.has_line_settings,
             "disconnect": is_open,
             "stop": is_open,
