@@ -193,6 +193,10 @@ def test_board_in_rc_mode_rejects_settings_and_speeds(
     assert "serial mode only" in parameters.text("parametersNotice")
     window.device.parameters.edit("serial_timeout", 15)
     assert not window.is_enabled("applyButton")
+    assert not window.window.close()
+    assert window.has("keepAndClose")
+    assert not window.has("applyFirst"), "the board would reject it"
+    window.click("questionCancel")
 
     simulator.do("jumper mode serial")
     simulator.do("power cycle")

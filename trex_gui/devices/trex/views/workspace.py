@@ -408,9 +408,10 @@ class TrexWorkspace(Workspace):
             )
         else:
             apply = PromptAnswer("applyFirst", self.tr("Review and apply…"), self._review.review)
+            can_apply = self._device.is_writable and not self._device.rejects_settings
             self._question.ask(
                 self.tr("There are unapplied changes."),
-                *([apply] if self._device.is_writable else []),
+                *([apply] if can_apply else []),
                 PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
                 PromptAnswer("keepAndClose", self.tr("Keep and close"), keep),
                 PromptAnswer("closeYes", self.tr("Discard and close"), discard),
