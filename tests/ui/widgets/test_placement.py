@@ -77,3 +77,12 @@ def test_stored_place_is_restored_within_the_screen(qtbot: QtBot) -> None:
     window = open_window()
     assert _screen().contains(window.frameGeometry())
     window.close()
+
+
+def test_full_screen_stays(qtbot: QtBot) -> None:
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    keep_on_screen(window)
+    window.showFullScreen()
+    assert window.isFullScreen()
+    window.close()

@@ -59,7 +59,8 @@ class _Placement(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         window = self._window
-        if watched is window and not event.spontaneous() and not window.isMaximized():
+        is_whole_screen = window.isMaximized() or window.isFullScreen()
+        if watched is window and not event.spontaneous() and not is_whole_screen:
             if event.type() == QEvent.Type.Hide:
                 self._left = window.geometry()
             elif event.type() == QEvent.Type.Show:
