@@ -59,8 +59,10 @@ class _Placement(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         window = self._window
-        is_whole_screen = window.isMaximized() or window.isFullScreen()
-        if watched is window and not event.spontaneous() and not is_whole_screen:
+        # Before this the window may not be asked: it gets events while it is being destroyed, too.
+        if watched is not window or event.spontaneous():
+            return False
+        if not window.isMaximized() and not window.isFullScreen():
             if event.type() == QEvent.Type.Hide:
                 self._left = window.geometry()
             elif event.type() == QEvent.Type.Show:
