@@ -48,6 +48,21 @@ def test_port_that_is_plugged_in_is_offered_and_connected(
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
 
 
+def test_port_that_is_unplugged_is_no_longer_offered(
+    computer: list[ListPortInfo], window: WindowDriver
+) -> None:
+    panel = window.find(QWidget, "startPanel")
+
+    def offered() -> list[str]:
+        buttons = panel.findChildren(QPushButton, "startPort")
+        return [button.toolTip() for button in buttons if button.isVisible()]
+
+    computer.append(ListPortInfo("/dev/ttyUSB7", skip_link_detection=True))
+    window.wait(lambda: any("ttyUSB7" in text for text in offered()))
+    computer.clear()
+    window.wait(lambda: not any("ttyUSB7" in text for text in offered()))
+
+
 @pytest.mark.parametrize(("button", "dialog"), [("startFind", "findDialog")])
 def test_button_opens_what_the_menu_opens(window: WindowDriver, button: str, dialog: str) -> None:
     window.click(button)

@@ -106,10 +106,11 @@ class StartPanel(QWidget):
     def _on_ports_changed(self) -> None:
         while (item := self._buttons.takeAt(0)) is not None:
             if (old := item.widget()) is not None:
+                old.hide()
                 old.deleteLater()
         real = [port for port in self._ports.entries if port.kind is not PortKind.DEMO]
         for port in real[:_MOST_PORTS]:
-            self._buttons.addLayout(ui.row(self._port_button(port), 1))
+            self._buttons.addWidget(self._port_button(port), 0, Qt.AlignmentFlag.AlignLeft)
         self._none.setVisible(not any(port.kind is PortKind.SERIAL for port in real))
 
     def _port_button(self, port: Port) -> QPushButton:
