@@ -176,14 +176,19 @@ class DeviceScanner(QObject):
         return in_time
 
     def _job(self, port: Port) -> ScanJob:
-        probers = {plugin.key: plugin.prober.load() for plugin in self._plugins}
-        if port.kind is not PortKind.DEMO:
+        is_demo = port.kind is PortKind.DEMO
+        probers = {
+            plugin.key: plugin.prober.load()
+            for plugin in self._plugins
+            if not is_demo or plugin.key == port.device
+        }
+        if not is_demo:
             first = self._found_kinds.get(port.url, port.device)
             settings = PortSettings(port.url, timeouts=self._timeouts)
             return ScanJob(settings, probers, first)
         simulator = self._simulators[port.device]
         settings = PortSettings(simulator.url, name=simulator.label, timeouts=self._timeouts)
-        return ScanJob(settings, {port.device: probers[port.device]})
+        return ScanJob(settings, probers)
 
     @Slot(int, object)
     def _on_stepped(self, index: int, step: ScanProgress) -> None:

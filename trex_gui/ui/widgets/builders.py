@@ -77,12 +77,13 @@ class RedButton(QPushButton):
 class ConfirmButton(QPushButton):
     """Takes no click before it has been in sight, as it is now, for the time of a double click.
 
-    The click that makes it appear under the pointer cannot press it, however often it is repeated.
+    The double click that makes it appear under the pointer cannot press it. Clicks that come too
+    early do not make it wait longer.
     """
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
         super().__init__(text, parent)
-        self._appeared = -inf  # when it was shown, or last clicked too early; seconds
+        self._appeared = -inf  # when it was shown, or changed what it does; seconds
 
     @property
     def takes_clicks(self) -> bool:
@@ -100,8 +101,6 @@ class ConfirmButton(QPushButton):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if self.takes_clicks:
             super().mousePressEvent(event)
-        else:
-            self.hold_off()
 
 
 Handler = Callable[..., object] | SignalInstance  # what a signal is connected to

@@ -394,7 +394,7 @@ def test_changed_safety_parameter_is_found_within_some_two_seconds(key: str, bau
     run_for(stage, 7.5 + reading_s, settings)
     _, second = among(stage.reports, Connected)
     assert second.state.parameters[key] == 0
-    assert second.occasion is ReadReason.RESTARTED
+    assert second.occasion is ReadReason.SETTING_CHANGED
 
 
 def test_changed_safety_parameter_locks_out_armed_motors(stage: Stage) -> None:

@@ -47,6 +47,7 @@ from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
     NotResponding,
+    ReadReason,
     Report,
     Request,
 )
@@ -213,8 +214,8 @@ class _Run:
         match report:
             case GuardianChanged(is_ready=is_ready):
                 self._is_guarded = is_ready
-            case Connected(state=state):
-                self._connected(state)
+            case Connected(state=state, occasion=occasion):
+                self._connected(state, occasion)
             case Batch(samples=samples):
                 for sample in samples:
                     if isinstance(sample, LatchedStatus):
@@ -233,9 +234,11 @@ class _Run:
             case _:
                 pass
 
-    def _connected(self, state: DeviceState) -> None:
+    def _connected(self, state: DeviceState, occasion: ReadReason) -> None:
         if self._state is not None:
-            self._finish("The board was restarted, so the motors were stopped.")
+            is_changed = occasion is ReadReason.SETTING_CHANGED
+            cause = "A setting of the board changed" if is_changed else "The board was restarted"
+            self._finish(f"{cause}, so the motors were stopped.")
             return
         self._state = state
         joint = state.parameters.get(ParameterKey.MOTOR_MODE) == 1

@@ -248,8 +248,12 @@ class DriveController(QObject):
         is_back = self._identify(report)
         if report.occasion is not ReadReason.RELOADED:
             if report.may_move or self._motors.armed:  # while armed, setpoints may be queued
-                restarted = self.tr("The board was restarted, so the motors were stopped.")
-                self._motors.stop(restarted if report.occasion.power_cycled else "")
+                reason = ""
+                if report.occasion is ReadReason.SETTING_CHANGED:
+                    reason = self.tr("A setting of the board changed, so the motors were stopped.")
+                elif report.occasion.power_cycled:
+                    reason = self.tr("The board was restarted, so the motors were stopped.")
+                self._motors.stop(reason)
             self.may_move = report.may_move
             self._motors.set_available(False)
         if is_back:

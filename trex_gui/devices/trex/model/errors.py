@@ -148,6 +148,11 @@ class BoardEvents(EventLog):
                 self.add(EventKind.LINK, self.tr("The board responds again"))
             case ReadReason.RESTARTED:
                 self.add(EventKind.LINK, self.tr("The board was switched off and on"))
+            case ReadReason.SETTING_CHANGED:
+                text = self.tr(
+                    "A setting changed: the board was restarted, or another program wrote to it"
+                )
+                self.add(EventKind.LINK, text)
             case ReadReason.RELOADED:
                 pass
 

@@ -79,12 +79,14 @@ class ReadReason(Enum):
     OPENED = auto()
     RETURNED = auto()
     RESTARTED = auto()
+    SETTING_CHANGED = auto()
+    """The board was restarted, or another program wrote to it."""
     RELOADED = auto()
 
     @property
     def power_cycled(self) -> bool:
-        """Whether the board's power was probably off since it was read before."""
-        return self in {ReadReason.RETURNED, ReadReason.RESTARTED}
+        """Whether the board's power may have been off since it was read before."""
+        return self not in {ReadReason.OPENED, ReadReason.RELOADED}
 
 
 @dataclass(frozen=True, slots=True)

@@ -469,10 +469,11 @@ class TrexSession:
                 return
             if agreed(self._request, command, has_crc=self._line.has_crc) != known:
                 # A failed write may have changed it as well.
-                failed_write = bool(self._stale_reads)
-                if not failed_write:
+                occasion = ReadReason.RELOADED
+                if not self._stale_reads:
+                    occasion = ReadReason.SETTING_CHANGED
                     self._stop_if_moving()
-                self._read_everything(ReadReason.RELOADED if failed_write else ReadReason.RESTARTED)
+                self._read_everything(occasion)
         except (NoReply, BadReply) as error:
             self._note_failure(error)
 

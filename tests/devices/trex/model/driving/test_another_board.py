@@ -12,6 +12,7 @@ from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.event_log import EventKind
 
 Start = Callable[..., VirtualSimulator]
 
@@ -205,3 +206,16 @@ def test_interrupted_apply_does_not_make_it_another_board(driven: DrivenBoard) -
     driven.board.do("power on")
     driven.wait(lambda: device.link is ConnectionState.CONNECTED)
     assert driven.closing_text() == ""
+
+
+def test_setting_that_another_program_writes_stops_motors_without_claiming_a_restart(
+    driven: DrivenBoard,
+) -> None:
+    driven.board.do("eeprom serial_timeout 20")
+    driven.wait(lambda: not driven.device.motors.armed)
+    assert driven.device.motors.stop_reason == (
+        "A setting of the board changed, so the motors were stopped."
+    )
+    assert [event.text for event in driven.device.events.all if event.kind is EventKind.LINK] == [
+        "A setting changed: the board was restarted, or another program wrote to it"
+    ]
