@@ -12,13 +12,14 @@ from PySide6.QtCore import (
     Signal,
     Slot,
 )
-from PySide6.QtGui import QFocusEvent, QPainter, QPaintEvent
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QAbstractSpinBox,
     QApplication,
     QDialog,
     QHeaderView,
+    QPushButton,
     QWidget,
 )
 
@@ -30,6 +31,7 @@ _POLL_MS = 50
 _LOSSES = {
     QEvent.Type.FocusOut,
     QEvent.Type.Hide,
+    QEvent.Type.TouchCancel,
     QEvent.Type.UngrabMouse,
     QEvent.Type.WindowDeactivate,
 }
@@ -137,6 +139,65 @@ class PressMonitor(QObject):
         if self._timer.isActive():
             self.end()
             self.lost.emit()
+
+
+class HoldButton(QPushButton):
+    """Held with the mouse, a finger or the space bar.
+
+    Every loss of input releases it (`PressMonitor`), and so does a mouse that leaves it. Then it
+    has to be pressed again: a mouse that comes back with its button down does not count.
+    """
+
+    hold_started = Signal()
+    hold_ended = Signal()
+
+    is_held = False
+
+    def __init__(self, text: str, parent: QWidget | None = None) -> None:
+        super().__init__(text, parent)
+        self.setAutoDefault(False)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._monitor = PressMonitor(self)
+        self._monitor.lost.connect(self._end)
+
+    def _begin(self) -> None:
+        if not self.is_held and self.isEnabled():
+            self.is_held = True
+            self._monitor.begin()
+            self.hold_started.emit()
+
+    @Slot()
+    def _end(self) -> None:
+        self._monitor.end()
+        if self.is_held:
+            self.is_held = False
+            self.setDown(False)
+            self.hold_ended.emit()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        super().mousePressEvent(event)
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._begin()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self.is_held:  # else Qt would press it again when the mouse comes back
+            if not self.rect().contains(event.position().toPoint()):
+                self._end()
+            event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._end()
+        super().mouseReleaseEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        super().keyPressEvent(event)
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._begin()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._end()
+        super().keyReleaseEvent(event)
 
 
 WidgetT = TypeVar("WidgetT", bound=QWidget)

@@ -26,10 +26,11 @@ from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.bench.run import End, Profile, Shape
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.bench.dialog import BenchDialog, HoldButton
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog
 from trex_gui.devices.trex.views.bench.plot import BenchPlot
 from trex_gui.devices.trex.views.bench.results import FiguresTable
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.behaviour import HoldButton
 
 # --- The button -------------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Qt, Signal, Slot
 from trex_gui.devices.trex.bench.run import End, Plan, Run
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.held_drive import held_drive_blocker
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
@@ -113,30 +114,13 @@ class Bench(QObject):
     @property
     def blocker(self) -> str:
         """Why no test can start now and what to do, for the user; empty when one can."""
-        device, motors = self._device, self._motors
-        drives = [motors.drive(motor) for motor in (1, 2)]
-        moving = any(drive and not drive.is_brake and drive.speed for drive in drives)
-        if device.link is ConnectionState.NOT_RESPONDING:
-            return self.tr("The board does not respond.")
-        if not device.is_connected:
-            return self.tr("Connect to a board to test its motors.")
-        if device.is_joint:
+        device = self._device
+        if device.is_connected and device.is_joint:
             return self.tr(
                 "In joint mode the board measures no current, so a test could not be aborted."
             )
-        if device.applying:
-            return self.tr("Settings are being written.")
-        if device.telemetry.serial_controls is False:
-            return self.tr("{0} A test needs serial control.").format(device.control_text)
-        if motors.locked_for:
-            text = self.tr("After a stop the motors are locked for {0:.0f} s more.")
-            return text.format(max(1.0, motors.locked_for))
-        if not motors.armed:
-            return self.tr("Put the robot on blocks, then press Run motor.")
-        if motors.holder not in {"", _HOLDER}:
-            return self.tr("Another control drives the motors now.")
-        if not self.is_driving and (moving or motors.auxiliary > 0):
-            return self.tr("Bring the motors to rest first ({0}).").format(motors.text)
+        if reason := held_drive_blocker(device, _HOLDER, is_driving=self.is_driving):
+            return reason
         if device.telemetry.motor_currents is None:
             return self.tr("No current was read yet.")
         return ""
