@@ -203,13 +203,6 @@ was {0}</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of {0} settings could not be verified; marked below.</source>
-        <translation>
-            <numerusform>%n of {0} settings could not be verified; it is marked below.</numerusform>
-            <numerusform>%n of {0} settings could not be verified; they are marked below.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n setting(s) written and verified.</source>
         <translation>
             <numerusform>%n setting written and verified.</numerusform>
@@ -267,13 +260,6 @@ was {0}</numerusform>
 </context>
 <context>
     <name>ReviewDialog</name>
-    <message numerus="yes">
-        <source>%n of {0} settings could not be verified; pending.</source>
-        <translation>
-            <numerusform>%n of {0} settings could not be verified and stays pending.</numerusform>
-            <numerusform>%n of {0} settings could not be verified and stay pending.</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>Write %n setting(s)</source>
         <translation>

@@ -60,7 +60,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
     at_115200 = [most for text, most in progress if text.startswith("Looking for TReX at 115200")]
     assert set(at_115200) == {102}
-    assert dialog.text("findText0").startswith(f"TReX 1.2 on {url} at 57600 8N1, device 7.")
+    assert dialog.text("findText0").startswith(f"TReX 1.2 on {url} at 57600 baud, device 7.")
     dialog.wait_for_end()
     assert dialog.text("findProgressText") == "1 board found."
     dialog.click("connectFound0")
@@ -68,7 +68,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert window.device.settings is not None
     assert window.device.settings.line == LineSettings(57600)
-    assert window.find(QToolButton, "lineButton").text() == "57600 8N1"
+    assert window.find(QToolButton, "lineButton").text() == "57600 baud"
     assert all(motor["direction"] == "brake" for motor in quick_simulator.show()["motors"])
 
     window.click("findButton")
@@ -95,7 +95,7 @@ def test_board_with_parity_is_found_on_port_that_shows_parity(
     assert dialog.has("findCancelButton")
     dialog.wait_for_end()
     (finding,) = dialog.finder.findings
-    assert finding.text == f"TReX 1.2 on {simulator.url} at 57600 8E1, device 7."
+    assert finding.text == f"TReX 1.2 on {simulator.url} at 57600 baud, even parity, device 7."
     dialog.click("connectFound0")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert window.device.settings is not None

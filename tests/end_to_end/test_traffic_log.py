@@ -173,7 +173,7 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     page.view.selectRow(row)
     details = page.find(QPlainTextEdit, "transcriptDetails")
     assert "received  54 52 65 58 31 2E 32" in details.toPlainText()
-    assert "at 19200 8N1" in details.toPlainText()
+    assert "at 19200 baud" in details.toPlainText()
     assert "8 bytes need 4.2 ms on this wire" in details.toPlainText()
     details.selectAll()
     selected = details.textCursor().selectedText()

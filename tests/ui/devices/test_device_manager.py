@@ -158,7 +158,7 @@ def test_last_chosen_port_is_connected(
     board.connect_to(port("b", "second"))
     board.connect_with(port("c", "second"), PortSettings(""))
     first.become(ConnectionState.DISCONNECTED)
-    assert second.done == ["with 9600 8N1", "connect c"]
+    assert second.done == ["with 9600 baud", "connect c"]
 
 
 def test_another_kind_is_used_once_the_current_one_is_disconnected(

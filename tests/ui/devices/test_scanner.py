@@ -48,7 +48,7 @@ def test_found_board_is_listed_with_port_and_settings(
     until(lambda: not finder.running)
     (finding,) = finder.findings
     assert finding.port == port
-    assert finding.text == f"TReX 1.2 on {port.url} at 19200 8N1, device 7."
+    assert finding.text == f"TReX 1.2 on {port.url} at 19200 baud, device 7."
     assert finding.found is not None
     assert finder.summary == "1 board found."
     assert not finder.is_searching(port)
@@ -68,8 +68,8 @@ def test_scan_reports_progress_until_cancelled(
     quick_simulator.do("power on")
     texts = [text for _, _, text in seen]
     assert texts[0] == f"Opening {quick_simulator.url} …"
-    assert f"Looking for TReX at 19200 8N1 on {quick_simulator.url} …" in texts
-    assert f"Looking for TReX at 115200 8N1 on {quick_simulator.url} …" in texts
+    assert f"Looking for TReX at 19200 baud on {quick_simulator.url} …" in texts
+    assert f"Looking for TReX at 115200 baud on {quick_simulator.url} …" in texts
     assert (1, 194) in [(done, total) for done, total, _ in seen]
     assert finder.findings == ()
     assert finder.summary == "Search cancelled."
@@ -137,7 +137,7 @@ def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
     scanner_of(connector).start([ports.demo_of("trex")])
     until(lambda: not scanner_of(connector).running)
     (finding,) = scanner_of(connector).findings
-    assert finding.text == "TReX 1.2 on the Demo TReX at 19200 8N1, device 7."
+    assert finding.text == "TReX 1.2 on the Demo TReX at 19200 baud, device 7."
     assert finding.found is not None
     connector.connect_with(finding.port, finding.found.settings)
     until(lambda: device.link is ConnectionState.CONNECTED)

@@ -57,6 +57,6 @@ class Backlog(Generic[RecordT]):
 
     def _mark_lost(self, time: float) -> None:
         if self._unmarked:
-            text = f"{self._unmarked} samples are missing here: the disk was too slow."
+            text = f"Samples missing here, because the disk was too slow: {self._unmarked}."
             self._pending.append(Marker(time, "note", text))
             self._unmarked = 0

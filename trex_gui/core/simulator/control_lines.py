@@ -7,6 +7,7 @@ from typing import Any
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.simulator.line import SimulatedLine
+from trex_gui.core.texts import counted
 
 GOODBYE = "ok bye"  # reply to `quit`; the server ends after it
 _MAX_COUNT = 999_999_999
@@ -86,16 +87,16 @@ def wire(line: SimulatedLine, *words: str) -> str:
             return f"line mute {state}"
         case ["drop", number]:
             faults.to_drop = amount(number)
-            return f"the next {faults.to_drop} bytes to the host are lost"
+            return f"bytes to lose on the way to the host: {faults.to_drop}"
         case ["drop", number, "sent"]:
             faults.to_drop_sent = amount(number)
-            return f"the next {faults.to_drop_sent} bytes from the host are lost"
+            return f"bytes to lose on the way from the host: {faults.to_drop_sent}"
         case ["corrupt", number]:
             faults.to_corrupt = amount(number)
-            return f"the next {faults.to_corrupt} bytes to the host are corrupted"
+            return f"bytes to corrupt on the way to the host: {faults.to_corrupt}"
         case ["double", number]:
             faults.to_double = amount(number)
-            return f"the next {faults.to_double} bytes to the host arrive twice"
+            return f"bytes to double on the way to the host: {faults.to_double}"
         case ["delay", seconds]:
             faults.delay = real(seconds, "a delay in s", _LONGEST_DELAY)
             return f"bytes to the host are {faults.delay:g} s late"
@@ -105,7 +106,7 @@ def wire(line: SimulatedLine, *words: str) -> str:
         case ["garbage", *digits] if digits:
             data = _garbage("".join(digits))
             line.inject(data)
-            return f"{len(data)} bytes on their way to the host"
+            return f"{counted(len(data), 'byte')} on the way to the host"
         case ["noise", probability]:
             faults.noise = real(probability, "a probability", 1)
             return f"noise {faults.noise:g}"

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field, replace
 from enum import Enum
 
+from trex_gui.core.texts import counted
 from trex_gui.core.timing import Timeouts
 
 
@@ -32,17 +33,18 @@ class SerialFormat:
 
     @property
     def short(self) -> str:
-        """The format as terminal programs write it: `57600 8E1`."""
-        return f"{self.baud} 8{self.parity.value}{self.stop_bits}"
+        """The baud rate, and what few lines have: `57600 baud, even parity`."""
+        stop_bits = "2 stop bits" if self.stop_bits == 2 else ""
+        return ", ".join(filter(None, (f"{self.baud} baud", self.detection_text, stop_bits)))
 
     @property
-    def check_text(self) -> str:
-        """How errors are detected: `no parity`, `even parity`."""
-        return f"{'no' if self.parity is Parity.NONE else self.parity.name.lower()} parity"
+    def detection_text(self) -> str:
+        """How errors are detected: `even parity`; empty if they are not."""
+        return "" if self.parity is Parity.NONE else f"{self.parity.name.lower()} parity"
 
     def text(self) -> str:
-        stop = "1 stop bit" if self.stop_bits == 1 else "2 stop bits"
-        return f"{self.baud} baud, {self.check_text}, {stop}"
+        detection = self.detection_text or "no error detection"
+        return f"{self.baud} baud, {detection}, {counted(self.stop_bits, 'stop bit')}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ def test_find_reports_robot_without_errors(trexcmd: RunCommand, robot: Simulated
     assert result.stdout == f"--port {robot.url}\n"
     searching, found = result.stderr.splitlines()
     assert searching == f"Searching {robot.url} ..."
-    assert found.startswith(f"Aracna 1, 8 motors, on {robot.url} at 38400 baud, no parity")
+    assert found.startswith(f"Aracna 1, 8 motors, on {robot.url} at 38400 baud, no error detection")
 
 
 def test_find_reports_aracna_and_trex_in_same_format(

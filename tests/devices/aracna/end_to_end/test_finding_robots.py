@@ -42,7 +42,7 @@ def test_search_finds_aracna_and_trex_and_prefers_earlier_device(
     probed = search(window, robot.url)
     assert kinds(probed) == ["TReX", "Aracna"]
     assert len(probed) <= 10
-    assert window.text("findText0").startswith(f"Aracna 1 on {robot.url} at 38400 8N1.")
+    assert window.text("findText0").startswith(f"Aracna 1 on {robot.url} at 38400 baud.")
 
     assert kinds(search(window, robot.url)) == ["Aracna"], "a robot was found there before"
     findings = window.program.device_manager.scanner.findings
@@ -81,5 +81,5 @@ def test_search_reports_failed_attempts(window: RobotWindow, robot: SimulatedDev
     window.trigger("find")
     finder.start([window.program.ports.demo_of("aracna")])
     window.wait(lambda: not finder.running)
-    assert window.text("findText0") == "Aracna 1 on the Demo Aracna at 38400 8N1."
+    assert window.text("findText0") == "Aracna 1 on the Demo Aracna at 38400 baud."
     window.find(QDialog, "findDialog").close()

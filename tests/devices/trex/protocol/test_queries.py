@@ -137,11 +137,14 @@ def test_signature_has_nine_bytes_only_for_trex_jr(head: bytes, size: int) -> No
         b"TReXJR1.2",
         b"TReXJr1-2",
         b"\xff\xff\xff\xff\xff\xff\xff",
+        b"\xe8#\x00x'\\1",
     ],
 )
-def test_other_signature_is_rejected(reply: bytes) -> None:
-    with pytest.raises(BadReply, match="is not the signature of a TReX"):
+def test_other_signature_is_rejected_and_shown_in_hexadecimal(reply: bytes) -> None:
+    with pytest.raises(BadReply) as rejected:
         GetSignature().parse(reply)
+    digits = " ".join(f"{byte:02X}" for byte in reply)
+    assert str(rejected.value) == f"{digits} is not the signature of a TReX"
 
 
 @pytest.mark.parametrize(

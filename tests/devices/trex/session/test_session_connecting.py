@@ -192,7 +192,7 @@ def test_unknown_device_is_reported(stage: Stage) -> None:
     stage.transport = Talker(stage.line)
     error = end(stage).error
     assert isinstance(error, BadReply)
-    for words in ("not like a TReX", "baud rate", "another device"):
+    for words in ("not like a TReX", "45 52 52 4F 52", "baud rate", "another device"):
         assert words in str(error)
 
 

@@ -217,7 +217,7 @@ def test_factory_command_switches_board_on(line: TrexLine) -> None:
 def test_line_error_command_queues_uart_errors(
     line: TrexLine, text: str, corrupted: list[ReceiveError]
 ) -> None:
-    assert control(line, text).startswith("ok the next ")
+    assert control(line, text).startswith("ok bytes from the host that will have")
     assert list(line.faults.errors) == corrupted
 
 

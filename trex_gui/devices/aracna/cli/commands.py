@@ -14,6 +14,7 @@ from trex_gui.core.cli import (
     say,
     timeout_option,
 )
+from trex_gui.core.texts import counted
 from trex_gui.devices.aracna.cli.session import CommandSession, MotionSession, port_settings
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES
 from trex_gui.devices.aracna.poses.playing import blend_in, cropped, steps_of
@@ -35,7 +36,7 @@ _no_limits_option = click.option(
 def aracna() -> None:
     """Query and move an Aracna, the robot with eight motors.
 
-    Its line is always set to 38400 baud, 8N1. Nothing on this link stops a running motion or
+    Its line is always set to 38400 baud. Nothing on this link stops a running motion or
     switches motors off: only servo power does.
     """
 
@@ -52,7 +53,7 @@ def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
         row = {"port": port, "product": "Aracna", "firmware": robot.version, "motors": robot.motors}
         print_json(row)
     else:
-        click.echo(f"Aracna, firmware {robot.version}, {robot.motors} motors")
+        click.echo(f"Aracna, firmware {robot.version}, {counted(robot.motors, 'motor')}")
 
 
 @aracna.command()

@@ -11,6 +11,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.host import host
 from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.core.session import Close, Closed, Outcome, RequestQueue
+from trex_gui.core.texts import counted
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.discovery import ARACNA_PROBER, FoundRobot
@@ -244,14 +245,14 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
         raise scan.error
     for found in scan.found:
         assert isinstance(found, FoundRobot)  # noqa: S101 - for the type checker
-        text = f"{found.name}, {found.motors} motors"
+        text = f"{found.name}, {counted(found.motors, 'motor')}"
         return PortAnswer(text, "Aracna", str(found.version.version))
     strange = [each.text for each in scan.diagnoses if each.evidence > Evidence.ECHO]
     return PortAnswer("".join(strange))
 
 
 def _describe(found: FoundRobot) -> str:
-    text = f"{found.name}, {found.motors} motors, on {found.settings.text()}."
+    text = f"{found.name}, {counted(found.motors, 'motor')}, on {found.settings.text()}."
     return f"{text} {found.note}".strip()
 
 

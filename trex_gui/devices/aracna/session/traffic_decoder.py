@@ -1,5 +1,6 @@
 """Decodes the lines between a host and an Aracna for the traffic log."""
 
+from trex_gui.core.texts import counted
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
 from trex_gui.devices.aracna.protocol.replies import (
     UNREADABLE,
@@ -78,10 +79,10 @@ class AracnaDecoder(Decoder):
         match reply:
             case Hello():
                 return "the robot has started, busy for a second"
-            case Version(version=version, motors=None):
+            case Version(version=version, motors=int(motors)):
+                return f"firmware {version}, {counted(motors, 'motor')}"
+            case Version(version=version):
                 return f"firmware {version}"
-            case Version(version=version, motors=motors):
-                return f"firmware {version}, {motors} motors"
             case Speeds(values=values):
                 return f"speeds {_values(values)}"
             case Positions(values=values):

@@ -19,6 +19,7 @@ from trex_gui.core.simulator.control_lines import (
     wire,
 )
 from trex_gui.core.simulator.plugin import Simulation, SimulatorPlugin
+from trex_gui.core.texts import counted
 from trex_gui.devices.aracna.protocol.joints import MOTORS
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
@@ -91,7 +92,7 @@ def _wire(line: AracnaLine, *words: str) -> str:
             return "no reply is cut"
         case ["cut", number]:
             line.faults.to_cut = count = amount(number)
-            return f"after {count} bytes the rest of a line is lost"
+            return f"after {counted(count, 'byte')} the rest of a line is lost"
     return wire(line, *words)
 
 
@@ -148,7 +149,7 @@ def simulate(*, motors: int | None = None, paced: bool = True, seed: int = 0) ->
 
 
 SIMULATOR = SimulatorPlugin(
-    help="Simulate an Aracna instead, at 38400 8N1. "
+    help="Simulate an Aracna instead, at 38400 baud. "
     "Its control lines: reset, power, servo, line, show, quit.",
     options=(
         click.Option(

@@ -33,9 +33,9 @@ Recordings open in their own windows, which export them to CSV.</p>
 <h3>Keys</h3>
 {keys}
 <h3>The line</h3>
-<p>{baud} baud, no parity, 1 stop bit; the firmware supports no other. A wire to the board, or a
-pair of radios on the same channel. On some adapters opening the port resets the board, which
-replies about a second later.</p>
+<p>{baud} baud, no error detection, 1 stop bit; the firmware supports no other. A wire to the
+board, or a pair of radios on the same channel. On some adapters opening the port resets the board,
+which replies about a second later.</p>
 <p>Facts about the robot come from the wiki page “Communication Protocol” of 22 September 2012 and
 from the firmware published as CreativeMachinesLab/aracna; where they differ, the firmware
 counts.</p>""",

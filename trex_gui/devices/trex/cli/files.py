@@ -18,6 +18,7 @@ from trex_gui.core.cli import (
     say,
 )
 from trex_gui.core.files import LARGEST_FILE, Finding, SettingsError, Severity, load, save
+from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import (
     keep,
     read_board,
@@ -98,10 +99,9 @@ def get_settings(file: str, **options: Any) -> None:
         say(f"Warning: {key} could not be read and is left out: {reason}")
     save_file(file, text)
     if file != "-":
-        say(
-            f"{len(settings.parameters)} parameters and {len(settings.calibrations)} calibrations "
-            f"of {state.signature} saved to {file}."
-        )
+        parameters = counted(len(settings.parameters), "parameter")
+        calibrations = counted(len(settings.calibrations), "calibration")
+        say(f"{parameters} and {calibrations} of {state.signature} saved to {file}.")
 
 
 @click.command("set-settings")
@@ -278,7 +278,7 @@ def _write(
     _say_failures(failed, names)
     if failed and stored:
         say(f"Stored: {', '.join(names[key] for key in stored)}.")
-    say(f"{len(stored)} of {len(results)} changes stored and verified.")
+    say(f"{len(stored)} of {counted(len(results), 'change')} stored and verified.")
     after = {key: wire for key, wire in stored.items() if isinstance(wire, int)}
     say_what_follows(client, chosen, state, after)
     if failed:

@@ -9,6 +9,7 @@ from click.shell_completion import CompletionItem
 
 from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
 from trex_gui.core.files import load
+from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import link_options
 from trex_gui.devices.trex.cli.files import read_file
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
@@ -139,13 +140,13 @@ def keep(count: str | None, yes: bool) -> None:
         return
     kept = _count(count)
     if (gone := len(history.beyond(kept))) and not yes:
-        total = len(history.snapshots())
+        total = counted(len(history.snapshots()), "snapshot")
         which = "the oldest one" if gone == 1 else f"the oldest {gone}"
-        click.confirm(f"Remove {which} of {total} snapshots permanently?", abort=True, err=True)
+        click.confirm(f"Remove {which} of {total} permanently?", abort=True, err=True)
     with refusals():
         removed = len(history.keep(kept))
     if removed:
-        say(f"{removed} snapshot{'' if removed == 1 else 's'} removed.")
+        say(f"{counted(removed, 'snapshot')} removed.")
     say("All snapshots are kept." if kept is None else f"The newest {kept} are kept.")
 
 

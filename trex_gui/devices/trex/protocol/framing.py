@@ -8,6 +8,7 @@ from functools import cache
 from typing import Generic
 
 from trex_gui.core.errors import BadReply, BadRequest
+from trex_gui.core.texts import counted
 from trex_gui.devices.trex.protocol.commands import COMMANDS, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.flags import seven_bits
 
@@ -212,7 +213,7 @@ class ReplyParser(Generic[ReplyT_co]):
             return NeedData(total - len(raw))
         if len(raw) > total:
             surplus = len(raw) - total
-            bytes_ = "1 byte" if surplus == 1 else f"{surplus} bytes"
+            bytes_ = counted(surplus, "byte")
             return Malformed(raw, f"{bytes_} more than the reply has")
         payload = answer[:size]
         if size and self.framing.polynomial is not None:

@@ -84,17 +84,6 @@ class LineSettings(SerialFormat):
         return self.detection is Detection.CRC7
 
     @property
-    def short(self) -> str:
-        """The format as terminal programs write it: `57600 8E1`, `57600 8N1 CRC`."""
-        return super(LineSettings, self).short + (" CRC" if self.has_crc else "")
-
-    @property
-    def check_text(self) -> str:
-        """How errors are detected: `no error detection`, `CRC-7`, `even parity`."""
-        if self.has_crc:
-            return "CRC-7"
-        return (
-            "no error detection"
-            if self.parity is Parity.NONE
-            else f"{self.parity.name.lower()} parity"
-        )
+    def detection_text(self) -> str:
+        """How errors are detected: `CRC-7`, `even parity`; empty if they are not."""
+        return "CRC-7" if self.has_crc else super(LineSettings, self).detection_text

@@ -260,9 +260,9 @@ def _wire(line: TrexLine, *words: str) -> str:
         case ["error", ("framing" | "parity" | "overrun") as name, *rest] if len(rest) < 2:
             count = amount(rest[0], highest=10_000) if rest else 1
             line.faults.errors.extend([ReceiveError(name)] * count)
-            bytes_have = f"{count} bytes from the host have" if rest else "byte from the host has"
             undetected = ", which a board without parity does not detect"
-            return f"the next {bytes_have} a {name} error{undetected if name == 'parity' else ''}"
+            undetected = undetected if name == "parity" else ""
+            return f"bytes from the host that will have a {name} error{undetected}: {count}"
     return wire(line, *words)
 
 

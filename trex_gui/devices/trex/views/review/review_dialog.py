@@ -181,8 +181,8 @@ class ReviewDialog(ReusedDialog):
         errors = [result.error for result in results if result.error is not None]
         if not errors:
             return ""
-        text = self.tr("%n of {0} settings could not be verified; pending.", "", len(errors))
-        text = text.format(len(results))
+        text = self.tr("{0} of {1} could not be verified; still pending.")
+        text = text.format(len(errors), len(results))
         if any(isinstance(error, (NoReply, PortUnavailable)) for error in errors):
             text += " " + self.tr(
                 "The value that was being written when the connection was lost may be the old "

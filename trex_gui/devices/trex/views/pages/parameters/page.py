@@ -108,10 +108,8 @@ class ParametersPage(QWidget):
             return
         if failed:
             self.table.show_parameter(failed[0].key)
-            text = self.tr(
-                "%n of {0} settings could not be verified; marked below.", "", len(failed)
-            )
-            text = text.format(len(results))
+            text = self.tr("{0} of {1} could not be verified; marked below.")
+            text = text.format(len(failed), len(results))
         else:
             text = self.tr("%n setting(s) written and verified.", "", len(results))
             if waiting := self._model.waiting_for_power:
