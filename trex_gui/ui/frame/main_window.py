@@ -190,6 +190,7 @@ class MainWindow(QMainWindow):
             "system": tr("Colours of the s&ystem"),
             "light": tr("L&ight colours"),
             "dark": tr("Dar&k colours"),
+            "high_contrast": tr("&High contrast"),
         }
         yield (
             tr("&Window"),

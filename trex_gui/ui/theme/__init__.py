@@ -1,1 +1,1 @@
-"""Colours and icons, light and dark."""
+"""Colours and icons: light, dark and high contrast."""

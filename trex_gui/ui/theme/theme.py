@@ -1,4 +1,4 @@
-"""Light and dark: palette roles and named colours, for the whole application.
+"""Light, dark and high contrast: palette roles and named colours, for the whole application.
 
 The colours are data: `resources/themes/*.toml`, one file a scheme, the same names in each.
 """
@@ -16,14 +16,24 @@ from PySide6.QtWidgets import QApplication, QPushButton, QToolButton, QToolTip, 
 
 from trex_gui.core.resource_files import resource
 
-Scheme = Literal["system", "light", "dark"]
-SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
+Scheme = Literal["system", "light", "dark", "high_contrast"]
+SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark", "high_contrast")
 
 _FUSION_OUTLINE = 140
-"""Percent by which Fusion darkens the window's colour for the outline of a box."""
+"""Percent by which Fusion darkens the window's colour for the outline of a control."""
 
-_OUTLINED = ("QCheckBox", "QTreeView", "QTableView", "QListView")
-"""Widgets with boxes: an outline made of the window's colour cannot be seen on it."""
+_OUTLINED = (
+    "QAbstractButton",
+    "QAbstractSlider",
+    "QAbstractSpinBox",
+    "QComboBox",
+    "QLineEdit",
+    "QListView",
+    "QProgressBar",
+    "QTableView",
+    "QTreeView",
+)
+"""Controls: an outline made of the window's colour cannot be seen on it."""
 
 _COLOUR_TABLES = ("text", "graphics", "fill", "surface")
 
@@ -100,7 +110,9 @@ class Theme(QObject):
             self._system_was_dark = _is_dark(app.palette().window().color())
         self._app = app
         app.setStyle("Fusion")
-        app.styleHints().colorSchemeChanged.connect(self._show, Qt.ConnectionType.UniqueConnection)
+        hints, once = app.styleHints(), Qt.ConnectionType.UniqueConnection
+        hints.colorSchemeChanged.connect(self._show, once)
+        hints.accessibility().contrastPreferenceChanged.connect(self._show, once)
         self._show()
 
     def set_scheme(self, choice: Scheme) -> None:
@@ -115,6 +127,7 @@ class Theme(QObject):
                     "system": Qt.ColorScheme.Unknown,
                     "light": Qt.ColorScheme.Light,
                     "dark": Qt.ColorScheme.Dark,
+                    "high_contrast": Qt.ColorScheme.Dark,
                 }[choice]
             )
         self._show()
@@ -124,7 +137,10 @@ class Theme(QObject):
             return self.choice
         if not isinstance(QGuiApplication.instance(), QGuiApplication):
             return "light"
-        match QGuiApplication.styleHints().colorScheme():
+        hints = QGuiApplication.styleHints()
+        if hints.accessibility().contrastPreference() is Qt.ContrastPreference.HighContrast:
+            return "high_contrast"
+        match hints.colorScheme():
             case Qt.ColorScheme.Dark:
                 return "dark"
             case Qt.ColorScheme.Light:
@@ -145,12 +161,15 @@ class Theme(QObject):
                 self._app.setPalette(palette)
                 QToolTip.setPalette(palette)
             outlined = QPalette(palette)
-            color = self.color("neutral").lighter(_FUSION_OUTLINE)
+            color = self.color("outline").lighter(_FUSION_OUTLINE)
             outlined.setColor(QPalette.ColorRole.Window, color)
-            for kind in _OUTLINED:  # PySide takes a str here, not the bytes that its stubs name
-                name: Any = kind
-                if QApplication.palette(name) != outlined:  # Qt may have dropped it
-                    QApplication.setPalette(outlined, name)
+            filled = QPalette(palette)  # a header inherits from its table, and fills its free room
+            filled.setColor(QPalette.ColorRole.Window, self.color("button"))
+            for kind in (*_OUTLINED, "QHeaderView"):
+                wanted = filled if kind == "QHeaderView" else outlined
+                name: Any = kind  # PySide takes a str here, not the bytes that its stubs name
+                if QApplication.palette(name) != wanted:  # Qt may have dropped it
+                    QApplication.setPalette(wanted, name)
         if changes:
             self.changed.emit()
 

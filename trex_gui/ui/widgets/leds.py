@@ -60,7 +60,7 @@ class Lamp(QWidget):
             painter.drawEllipse(middle, radius, radius)
             if self.lit:  # a glint: a lit lamp differs from a dark one without its colour
                 painter.setPen(Qt.PenStyle.NoPen)
-                painter.setBrush(color("highlighted_text"))
+                painter.setBrush(Qt.GlobalColor.white)
                 painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
 
 

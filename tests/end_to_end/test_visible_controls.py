@@ -1,0 +1,104 @@
+"""Controls can be seen in every theme, also without a tick, a text or a colour."""
+
+from math import inf
+
+from PySide6.QtCore import QPoint
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSpinBox,
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QLineEdit,
+    QPushButton,
+    QRadioButton,
+    QSlider,
+    QStyle,
+    QStyleOptionButton,
+    QStyleOptionSlider,
+    QWidget,
+)
+
+from tests.support.colours import contrast
+from tests.support.program import trex
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
+from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
+from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
+from trex_gui.ui.theme.theme import SCHEMES, theme
+
+KINDS = (
+    QAbstractSpinBox,
+    QCheckBox,
+    QComboBox,
+    QLineEdit,
+    QPushButton,
+    QRadioButton,
+    QSlider,
+)
+
+
+def outline_contrast(picture: QImage, left: QPoint, *inside: QPoint) -> float:
+    """Return the contrast of a left edge to the window, and to points inside: the worst of them.
+
+    The edge is the best of three pixels, because of antialiasing.
+    """
+    edge = [picture.pixelColor(left + QPoint(x, 0)) for x in range(3)]
+    beside = [theme().color("window"), *map(picture.pixelColor, inside)]
+    return min(max(contrast(color, other) for color in edge) for other in beside)
+
+
+def contrast_of(control: QWidget) -> float:
+    picture = control.grab().toImage()
+    if picture.isNull():  # it is in a message without room
+        return inf
+    if isinstance(control, QCheckBox | QRadioButton):
+        option = QStyleOptionButton()
+        control.initStyleOption(option)
+        part = (
+            QStyle.SubElement.SE_CheckBoxIndicator
+            if isinstance(control, QCheckBox)
+            else QStyle.SubElement.SE_RadioButtonIndicator
+        )
+        box = control.style().subElementRect(part, option, control)
+        return outline_contrast(picture, QPoint(box.left(), box.center().y()), box.center())
+    if isinstance(control, QSlider):
+        slider = QStyleOptionSlider()
+        control.initStyleOption(slider)
+        kind, handle = QStyle.ComplexControl.CC_Slider, QStyle.SubControl.SC_SliderHandle
+        box = control.style().subControlRect(kind, slider, handle, control)
+        return outline_contrast(picture, QPoint(box.left(), box.top() + box.height() // 3))
+    return outline_contrast(picture, QPoint(0, control.height() // 2))
+
+
+def controls_of(window: QWidget) -> list[QWidget]:
+    """Return what can be used: unticked boxes, and editors and buttons with a frame."""
+    return [
+        control
+        for control in window.findChildren(QWidget)
+        if isinstance(control, KINDS)
+        and control.isEnabledTo(control.window())
+        and not (isinstance(control, QAbstractButton) and control.isChecked())
+        and not (isinstance(control, QPushButton) and control.isFlat())
+        and not isinstance(control.parentWidget(), QAbstractSpinBox | QComboBox)
+    ]
+
+
+def test_controls_have_a_visible_outline_in_every_theme(window: WindowDriver) -> None:
+    window.connect_to_demo()
+    for key in ("learn", "find", "defaults", "bench", "history", "new"):
+        window.trigger(key)
+    GamepadDialog(window.find(GamepadPanel, "gamepadPanel").gamepad, window.window)
+    LineSettingsDialog(trex(window.program).controller.settings, window.window)
+    controls = controls_of(window.window)
+    assert all(any(isinstance(control, kind) for control in controls) for kind in KINDS)
+    assert len(window.find_all(QDialog)) > 8
+    for scheme in SCHEMES[1:]:
+        theme().set_scheme(scheme)
+        weak = {
+            f"{control.window().objectName()}.{control.objectName()}": found
+            for control in controls
+            if (found := contrast_of(control)) < 3
+        }
+        assert weak == {}, scheme
