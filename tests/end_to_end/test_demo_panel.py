@@ -249,7 +249,7 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
     panel.wait_for_text("demoState", "The cable is unplugged")
     assert not panel.is_enabled("demoNoise")
 
-    window.click("connectButton")
+    window.click("bannerReconnect")
     assert "Check “Plugged in” on its panel" in window.text("bannerText")
     assert window.device.link is ConnectionState.DISCONNECTED
     assert panel.root.isVisible()
@@ -258,7 +258,7 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
 
     panel.click("demoCable")
     panel.wait(lambda: panel.text("demoState") == "The cable is plugged in again. Press Connect.")
-    window.click("connectButton")
+    window.click("bannerReconnect")
     panel.wait_for(ConnectionState.CONNECTED)
     panel.wait(lambda: panel.text("demoState").startswith("Serial mode."))
     assert trex(window.program).controller.port == window.program.ports.demo_of("trex")

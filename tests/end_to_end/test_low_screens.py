@@ -1,6 +1,7 @@
 """The stop button stays visible and works on low screens and behind prompts."""
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -193,12 +194,18 @@ def test_closing_with_edits_offers_to_save_them(
 # --- While settings are being written ---------------------------------------------------
 
 
+def disconnect_in_find_dialog(asking: AskingWindow) -> None:
+    asking.trigger("find")
+    asking.dialog("findDialog").click("findDisconnectButton")
+
+
 def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) -> None:
     count = asking.begin_to_write()
     ways: list[Gesture] = [
         lambda: asking.click("connectButton"),
         lambda: asking.trigger("disconnect"),
         lambda: asking.connect_port(asking.program.ports.demo_of("aracna")),
+        partial(disconnect_in_find_dialog, asking),
     ]
     for disconnect in ways:
         assert not asking.has_question()

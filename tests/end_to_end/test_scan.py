@@ -136,9 +136,12 @@ def test_search_without_board_reports_why_none_was_found(
     url = quick_simulator.url
     quick_simulator.do("power off")
     trex(window.program).controller.connect_to(window.program.ports.add_typed(url))
-    window.wait_for_text("bannerText", " Find a board (Ctrl+Shift+F) tries every setting.")
+    window.wait_for_text("bannerText", "No TReX responds on")
     assert window.device.link is ConnectionState.DISCONNECTED
 
+    dialog.root.close()
+    window.click("bannerFind")
+    assert dialog.root.isVisible()
     dialog.search(window, url)
     dialog.wait_for_end()
     assert dialog.text("findText0").startswith(f"No TReX responds on {url} at any")

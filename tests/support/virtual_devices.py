@@ -92,7 +92,7 @@ class VirtualSimulator(SimulatedDevice):
             self.runtime.sleep(_SLICE)
         if self.host is not None or not self.line.faults.plugged:
             number = errno.EBUSY if self.host is not None else errno.ENOENT
-            raise PortUnavailable(why_not_open(settings.url, settings.line, OSError(number, "")))
+            raise why_not_open(settings.url, settings.line, OSError(number, ""))
         self.host = VirtualTransport(self, settings)
         return self.host
 

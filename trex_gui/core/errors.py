@@ -17,7 +17,14 @@ class BadRequest(StudioError, ValueError):  # noqa: N818 - reads as what it is
 
 
 class PortUnavailable(StudioError):  # noqa: N818
-    """The port is in use, gone or not permitted; says how to fix it."""
+    """The port is in use, gone or not permitted; says how to fix it.
+
+    `command`: for a shell, gives the permission; empty where none does.
+    """
+
+    def __init__(self, text: str, *, command: str = "") -> None:
+        super().__init__(text)
+        self.command = command
 
 
 class NoReply(StudioError):  # noqa: N818

@@ -1,6 +1,42 @@
 """Messages to the user, from models and pages to the banner of their window."""
 
+from dataclasses import dataclass
+from enum import Enum, auto
+
 from PySide6.QtCore import QObject, Qt, Signal
+
+from trex_gui.core.errors import PortUnavailable
+
+
+class Remedy(Enum):
+    """What a button in a message does."""
+
+    FIND = auto()
+    """Look for a board whose line settings are unknown."""
+    RECONNECT = auto()
+    """Connect again to the port that was used last."""
+
+
+@dataclass(frozen=True, slots=True)
+class CopyCommand:
+    """A button that copies a command for a shell."""
+
+    command: str
+
+
+Remedies = tuple[Remedy | CopyCommand, ...]
+
+
+def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies:
+    """Return the buttons for an error that closed a line.
+
+    `may_be_found`: a board may be there, at other settings.
+    """
+    if not isinstance(error, PortUnavailable):
+        return (Remedy.FIND,) if may_be_found else ()
+    if error.command:
+        return CopyCommand(error.command), Remedy.RECONNECT
+    return (Remedy.RECONNECT,)
 
 
 class Notifier(QObject):
@@ -8,6 +44,7 @@ class Notifier(QObject):
 
     info = Signal(str)  # what was done, in sentences for the user
     error = Signal(str)  # what was not done, and why
+    remedies_offered = Signal(object)  # the `Remedies` for the `error` that came just before
     # The same behind the event that is being handled: for messages that come with a report whose
     # handling clears the banner.
     delayed_info = Signal(str)
@@ -18,3 +55,8 @@ class Notifier(QObject):
         super().__init__(parent)
         self.delayed_info.connect(self.info, Qt.ConnectionType.QueuedConnection)
         self.delayed_error.connect(self.error, Qt.ConnectionType.QueuedConnection)
+
+    def report(self, text: str, remedies: Remedies) -> None:
+        """Emit an `error` with buttons."""
+        self.error.emit(text)
+        self.remedies_offered.emit(remedies)

@@ -3,6 +3,7 @@
 import errno
 import itertools
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -327,7 +328,8 @@ def test_port_without_permission_is_reported(terminal: tuple[int, str]) -> None:
 def why(number: int, url: str = "/dev/ttyUSB0") -> str:
     """Return the sentence for an error of the system, as pyserial wraps it."""
     error = OSError(number, os.strerror(number))
-    return why_not_open(url, LINE, serial.SerialException(number, f"could not open: {error}"))
+    wrapped = serial.SerialException(number, f"could not open: {error}")
+    return str(why_not_open(url, LINE, wrapped))
 
 
 def test_permission_error_names_group_of_port(terminal: tuple[int, str]) -> None:
@@ -343,7 +345,10 @@ def test_permission_error_names_group_of_port(terminal: tuple[int, str]) -> None
 
 
 def test_permission_error_of_missing_port_names_dialout() -> None:
-    assert "sudo usermod -aG dialout $USER" in why(errno.EACCES, "/dev/ttyGone9")
+    denied = why_not_open("/dev/ttyGone9", LINE, OSError(errno.EACCES, "denied"))
+    assert denied.command == "sudo usermod -aG dialout $USER"
+    assert denied.command in str(denied)
+    assert pickle.loads(pickle.dumps(denied)).command == denied.command
 
 
 @pytest.mark.parametrize("number", [errno.EBUSY, errno.EAGAIN])
@@ -352,7 +357,7 @@ def test_port_in_use_is_reported(number: int) -> None:
 
 
 def test_unsupported_line_settings_are_named() -> None:
-    said = why_not_open("/dev/ttyUSB0", LINE, ValueError("Invalid baud rate"))
+    said = str(why_not_open("/dev/ttyUSB0", LINE, ValueError("Invalid baud rate")))
     assert "cannot be set to 19200 baud, no error detection, 1 stop bit" in said
 
 
@@ -364,11 +369,12 @@ def test_error_number_is_found_in_wrapped_error() -> None:
     cause = PermissionError(errno.EACCES, "Permission denied")
     wrapped = serial.SerialException("could not open port")
     wrapped.__cause__ = cause
-    assert why_not_open("/dev/ttyX", LINE, wrapped).startswith("Permission denied for /dev/ttyX.")
+    said = str(why_not_open("/dev/ttyX", LINE, wrapped))
+    assert said.startswith("Permission denied for /dev/ttyX.")
 
 
 def test_error_without_message_shows_its_type() -> None:
-    said = why_not_open("/dev/ttyX", LINE, AttributeError())
+    said = str(why_not_open("/dev/ttyX", LINE, AttributeError()))
     assert said == "/dev/ttyX cannot be opened: AttributeError."
 
 

@@ -46,7 +46,7 @@ def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindBoardDialog]:
     device = Device()
     controller = new_controller(device, ports)
     manager = DeviceManager({"trex": lambda: controller}, scanner_of(controller))
-    dialog = FindDialog(manager, ports)
+    dialog = FindDialog(manager, ports, lambda then: then())
     qtbot.addWidget(dialog)
     yield FindBoardDialog(dialog, manager.scanner, qtbot)
     manager.shut_down()

@@ -291,7 +291,7 @@ def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
             port.exclusive = True
         _open_when_free(port, settings.url, clock)
     except PORT_ERRORS as error:
-        raise PortUnavailable(why_not_open(settings.url, settings.line, error)) from error
+        raise why_not_open(settings.url, settings.line, error) from error
     # FTDI adapters delay bytes by up to 16 ms; the Linux driver can turn that off.
     with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):
         port.set_low_latency_mode(True)
@@ -328,20 +328,26 @@ def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -
             return
 
 
-def why_not_open(url: str, line: SerialFormat, error: Exception) -> str:
+def why_not_open(url: str, line: SerialFormat, error: Exception) -> PortUnavailable:
     number = _errno(error)
+    is_forbidden = number in {errno.EACCES, errno.EPERM} and "://" not in url
+    if is_forbidden and sys.platform != "win32":
+        command, cure = _permission_cure(url)
+        return PortUnavailable(f"Permission denied for {url}. {cure}", command=command)
+    return PortUnavailable(_why_not_open(url, line, error, number))
+
+
+def _why_not_open(url: str, line: SerialFormat, error: Exception, number: int | None) -> str:
     if "://" in url:
         return f"{url} cannot be reached: {_plain(error)}."
     if number == errno.ENOENT or "FileNotFoundError" in str(error):
         present = ", ".join(port.device for port in list_ports.comports())
         return f"There is no port {url}. Ports of this computer: {present or 'none'}."
-    if number in {errno.EACCES, errno.EPERM} and sys.platform == "win32":
+    if number in {errno.EACCES, errno.EPERM}:
         return (
             f"{url} is in use by another program, or locked by its driver; for up to 5 seconds "
             "after a crash also by the guardian process that stops the motors."
         )
-    if number in {errno.EACCES, errno.EPERM}:
-        return f"Permission denied for {url}. {_permission_cure(url)}"
     if number in _BUSY and is_left_to_guardian(url):
         return (
             f"The guardian process is still stopping the motors on {url}, which takes up to 5 "
@@ -379,16 +385,20 @@ def _plain(error: Exception) -> str:
     return text or type(error).__name__
 
 
-def _permission_cure(url: str) -> str:
+def _permission_cure(url: str) -> tuple[str, str]:
+    """Return the command that lets the user open a port, and a sentence with it."""
     try:
         import grp  # noqa: PLC0415 - only on POSIX
 
         group = grp.getgrgid(Path(url).stat().st_gid).gr_name
     except (ImportError, KeyError, OSError):
         group = "dialout"
+    until_unplugged = f"sudo chmod a+rw {url}"
     if group == "root":
-        return f"It belongs to root; this opens it until it is unplugged: sudo chmod a+rw {url}"
-    return (
-        f"Join its group, then log out and in again: sudo usermod -aG {group} $USER "
-        f"(or, until it is unplugged: sudo chmod a+rw {url})."
+        text = f"It belongs to root; this opens it until it is unplugged: {until_unplugged}"
+        return until_unplugged, text
+    command = f"sudo usermod -aG {group} $USER"
+    return command, (
+        f"Join its group, then log out and in again: {command} (or, until it is unplugged: "
+        f"{until_unplugged})."
     )

@@ -11,7 +11,7 @@ from trex_gui.ui.devices.connection import ConnectionState, SettingsT
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator import Simulator
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import Notifier, Remedies, Remedy
 
 SettingsT_contra = TypeVar("SettingsT_contra", bound=PortSettings, contravariant=True)
 
@@ -126,14 +126,14 @@ class DeviceController(QObject, Generic[SettingsT]):
         self.simulator.stop()
         return in_time
 
-    def _abandon_demo(self, reason: str) -> None:
+    def _abandon_demo(self, reason: str, remedies: Remedies = ()) -> None:
         self.starting = False
         if self.link is ConnectionState.DISCONNECTED:
             self.port = None
         else:
             self._model.disconnect_line()
         self.changed.emit()
-        self._model.notifier.error.emit(reason)
+        self._model.notifier.report(reason, remedies)
 
     @Slot()
     def _on_scan_finished(self) -> None:
@@ -150,7 +150,7 @@ class DeviceController(QObject, Generic[SettingsT]):
                 "The cable of the Demo {0} is unplugged. Check “Plugged in” on its panel, then "
                 "connect again."
             )
-            self._abandon_demo(text.format(self.plugin.name))
+            self._abandon_demo(text.format(self.plugin.name), (Remedy.RECONNECT,))
             return
         self.starting = False
         settings = replace(self._demo_settings, url=url, name=self.simulator.label)

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.discovery.prober import FoundDevice, ProberInfo, ScanProgress
 from trex_gui.core.discovery.scan import PortScan, scan_port
+from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
@@ -80,6 +81,7 @@ class ScanFinding:
     text: str  # a paragraph for the user, or one for each kind of device
     found: FoundDevice | None = None  # `None` if there was no device
     device: str = ""  # key of its kind
+    command: str = ""  # for a shell, lets the user open the port
 
 
 class DeviceScanner(QObject):
@@ -214,7 +216,8 @@ class DeviceScanner(QObject):
                 for found in search.found
             )
         elif not search.cancelled:
-            self.findings += (ScanFinding(port, "\n\n".join(search.lines)),)
+            command = search.error.command if isinstance(search.error, PortUnavailable) else ""
+            self.findings += (ScanFinding(port, "\n\n".join(search.lines), command=command),)
         self.changed.emit()
 
     def _sentence(self, found: FoundDevice) -> str:

@@ -38,6 +38,7 @@ class ConnectionBar(QWidget):
         self._dialog: FindDialog | None = None
         self._connected: Port | None = None
         self._chosen: Port | None = None
+        self._last: Port | None = None  # connected, or tried, last
         self._wants_none = False
         self._create_widgets()
 
@@ -114,6 +115,7 @@ class ConnectionBar(QWidget):
 
     def _unless_busy(self, then: Callable[[], object]) -> None:
         if self._manager.current.is_busy:
+            self.window().activateWindow()  # the question is there
             self.interruption_wanted.emit(then)
         else:
             then()
@@ -129,10 +131,15 @@ class ConnectionBar(QWidget):
             self._combo.setFocus()
             self._combo.showPopup()
 
+    def reconnect(self) -> None:
+        """Connect to the port that was connected, or tried, last."""
+        if self._last is not None:
+            self.connect_to(self._last)
+
     @Slot()
     def find_board(self) -> None:
         if self._dialog is None:
-            self._dialog = FindDialog(self._manager, self._ports, self.window())
+            self._dialog = FindDialog(self._manager, self._ports, self._unless_busy, self.window())
         self._dialog.look(self._port_to_show())
 
     def close_dialogs(self) -> None:
@@ -213,6 +220,7 @@ class ConnectionBar(QWidget):
             self._connected = device.port
             if device.port is not None:
                 self._chosen, self._wants_none = device.port, False
+                self._last = device.port
             self._on_ports_changed()
         self._line.setText(device.line_text)
         self._status.setText(

@@ -1,7 +1,9 @@
 """Dialog that finds boards with unknown line settings."""
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
-from PySide6.QtGui import QHideEvent
+from PySide6.QtGui import QGuiApplication, QHideEvent
 from PySide6.QtWidgets import (
     QFrame,
     QLabel,
@@ -32,14 +34,20 @@ class FindDialog(ReusedDialog):
     """
 
     def __init__(
-        self, device_manager: DeviceManager, ports: Ports, parent: QWidget | None = None
+        self,
+        device_manager: DeviceManager,
+        ports: Ports,
+        unless_busy: Callable[[Callable[[], object]], object],
+        parent: QWidget | None = None,
     ) -> None:
+        """`unless_busy` calls a function that ends a connection, after a question if need be."""
         super().__init__(parent)
         self.setObjectName("findDialog")
         self.setWindowTitle(self.tr("Find a board"))
         self.resize(620, 480)
         self._ports = ports
         self._manager = device_manager
+        self._unless_busy = unless_busy
         self._scanner = device_manager.scanner
         self._checked: dict[Port, bool] = {}  # as the user has chosen
         self._first: Port | None = None  # chosen in the window
@@ -68,7 +76,7 @@ class FindDialog(ReusedDialog):
             "findDisconnectButton",
             self.tr("&Disconnect"),
             icon="disconnect",
-            on_click=self._manager.leave,
+            on_click=lambda: self._unless_busy(self._manager.leave),
         )
         self._full = ui.check_box(
             self,
@@ -263,13 +271,18 @@ class FindDialog(ReusedDialog):
             connect.setEnabled(finding.port != self._manager.current.port)
             self._connects[connect] = finding.port
             layout.addWidget(connect, 0, Qt.AlignmentFlag.AlignVCenter)
+        if finding.command:
+            copy = ui.button(row, f"copyCommand{index}", self.tr("Copy command"), default=False)
+            copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(finding.command))
+            layout.addWidget(copy, 0, Qt.AlignmentFlag.AlignVCenter)
         return row
 
     def _connect(self, finding: ScanFinding) -> None:
         if finding.found is None:
             return
         port = self._ports.lead_to(finding.port, finding.device)
-        self._manager.connect_with(port, finding.found.settings)
+        settings = finding.found.settings
+        self._unless_busy(lambda: self._manager.connect_with(port, settings))
         self.close()
 
 

@@ -45,7 +45,7 @@ from trex_gui.ui.frame.workspace import (
     entries_of,
     fill_menu_bar,
 )
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import application_icon
@@ -87,6 +87,7 @@ class MainWindow(QMainWindow):
         self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
         self._stack = QStackedWidget(frame)
         banner = Banner(frame, notifier)
+        banner.chosen.connect(self._on_remedy_chosen)
         self._messages = MessageRoom(frame, banner, self.question)
         below = ui.column(self._messages, (self._stack, 1), spacing=0)
         ui.column(self._connection, (below, 1), into=frame)
@@ -314,6 +315,14 @@ class MainWindow(QMainWindow):
             PromptAnswer("disconnectYes", self.tr("Disconnect"), then),
             still=lambda: self._manager.current.is_busy,
         )
+
+    @Slot(object)
+    def _on_remedy_chosen(self, remedy: Remedy) -> None:
+        match remedy:
+            case Remedy.FIND:
+                self._connection.find_board()
+            case Remedy.RECONNECT:
+                self._connection.reconnect()
 
     # --- Appearance, beginning and end --------------------------------------------------
 

@@ -4,17 +4,17 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from PySide6.QtCore import QEvent, QObject, Qt, Slot
-from PySide6.QtGui import QKeyEvent, QMoveEvent, QResizeEvent
+from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QMoveEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import CopyCommand, Notifier, Remedies, Remedy
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.widgets import builders as ui
 
 
 class _MessageRow(QFrame):
-    """A sign, a text and a button."""
+    """A sign, a text, buttons that belong to the text, and a button that is always there."""
 
     def __init__(self, name: str, parent: QWidget | None, *, selectable: bool = False) -> None:
         super().__init__(parent)
@@ -32,6 +32,7 @@ class _MessageRow(QFrame):
             margins=(10, 6, 6, 6),
             spacing=10,
         )
+        self._buttons: list[QPushButton] = []
         self.hide()
 
     @property
@@ -39,12 +40,30 @@ class _MessageRow(QFrame):
         """The message or question; empty while there is none."""
         return self._text.text()
 
+    def _add_button(self, name: str, text: str) -> QPushButton:
+        """Add a button before the one that is always there."""
+        button = ui.button(self, name, text, default=False, confirms=True)
+        self._layout.insertWidget(self._layout.count() - 1, button)
+        button.show()
+        self._buttons.append(button)
+        return button
+
+    def _remove_buttons(self) -> None:
+        buttons, self._buttons = self._buttons, []
+        for button in buttons:
+            self._layout.removeWidget(button)
+            button.hide()
+            button.setParent(None)
+            button.deleteLater()  # later: this may be called by its click
+
     def _show_sign(self, name: str) -> None:
         set_sign(self._sign, name, name, self.fontMetrics().height() + 4)
 
 
 class Banner(_MessageRow):
     """Shows the newest message of a notifier, or of its owner; hidden while there is none."""
+
+    chosen = Signal(object)  # the `Remedy` whose button was pressed
 
     def __init__(self, parent: QWidget | None = None, notifier: Notifier | None = None) -> None:
         super().__init__("banner", parent, selectable=True)
@@ -54,6 +73,7 @@ class Banner(_MessageRow):
         if notifier is not None:
             notifier.info.connect(self.show_news)
             notifier.error.connect(self.show_problem)
+            notifier.remedies_offered.connect(self.show_remedies)
             notifier.cleared.connect(self.clear)
         self.clear()
 
@@ -71,7 +91,28 @@ class Banner(_MessageRow):
     def clear(self) -> None:
         self._show("")
 
+    @Slot(object)
+    def show_remedies(self, remedies: Remedies) -> None:
+        """Add buttons to the message that is shown."""
+        for remedy in remedies:
+            match remedy:
+                case Remedy.FIND:
+                    button = self._add_button("bannerFind", self.tr("Find now…"))
+                case Remedy.RECONNECT:
+                    button = self._add_button("bannerReconnect", self.tr("Reconnect"))
+                case CopyCommand():
+                    button = self._add_button("bannerCopy", self.tr("Copy command"))
+            button.clicked.connect(partial(self._on_chosen, button, remedy))
+
+    def _on_chosen(self, button: QPushButton, remedy: Remedy | CopyCommand) -> None:
+        if isinstance(remedy, CopyCommand):
+            QGuiApplication.clipboard().setText(remedy.command)
+            button.setText(self.tr("Copied"))
+        else:
+            self.chosen.emit(remedy)
+
     def _show(self, text: str) -> None:
+        self._remove_buttons()
         self._text.setText(text)
         # Screen readers need a name while there is no message.
         self._text.setAccessibleName("" if text else self.tr("No message"))
@@ -152,7 +193,6 @@ class InlinePrompt(_MessageRow):
         super().__init__("question", parent)
         self._still: Callable[[], bool] = _always
         self._otherwise: Callable[[], object] = _nothing
-        self._buttons: list[QPushButton] = []
         self._cancel = ui.button(
             self, "questionCancel", self.tr("Cancel"), default=False, on_click=self.withdraw
         )
@@ -176,10 +216,8 @@ class InlinePrompt(_MessageRow):
         self._text.setText(text)
         self.setAccessibleName(text)
         for answer in answers:
-            button = ui.button(self, answer.name, answer.text, default=False, confirms=True)
+            button = self._add_button(answer.name, answer.text)
             button.clicked.connect(partial(self._on_answered, answer))
-            self._layout.insertWidget(self._layout.indexOf(self._cancel), button)
-            self._buttons.append(button)
         self.show()
         self._cancel.setFocus()
 
@@ -205,12 +243,7 @@ class InlinePrompt(_MessageRow):
         self.hide()
         self._still, self._otherwise = _always, _nothing
         self._text.clear()
-        buttons, self._buttons = self._buttons, []
-        for button in buttons:
-            self._layout.removeWidget(button)
-            button.hide()
-            button.setParent(None)
-            button.deleteLater()  # later: this may be called by its click
+        self._remove_buttons()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:

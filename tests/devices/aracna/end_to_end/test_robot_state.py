@@ -82,7 +82,7 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     window.wait_for_text("bannerText", "No Aracna responds")
     message = window.text("bannerText")
     assert "does not listen while it moves: if it is moving, wait until it stops" in message
-    assert "Find a board (Ctrl+Shift+F)" in message
+    assert window.has("bannerFind")
 
 
 def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotWindow) -> None:

@@ -34,7 +34,7 @@ from trex_gui.devices.aracna.session.session import AracnaSession
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
 from trex_gui.ui.event_log import EventKind, EventLog
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import Notifier, remedies_of
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_sentence, error_text
 from trex_gui.ui.workers.session_thread import MakeSession
@@ -138,9 +138,7 @@ class Robot(DeviceConnection[PortSettings]):
     def _on_failed(self, error: StudioError) -> None:
         text = error_text(error)
         self.events.add(EventKind.LINK, text)
-        if suggests_scan(error):
-            text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
-        self.notifier.error.emit(text)
+        self.notifier.report(text, remedies_of(error, may_be_found=suggests_scan(error)))
 
     # --- Reports ------------------------------------------------------------------------
 

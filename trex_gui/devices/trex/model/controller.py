@@ -20,7 +20,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.translations import error_sentence
 
@@ -161,7 +161,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         if self.link is not ConnectionState.DISCONNECTED:
             self.device.motors.press_stop()
         elif text := self.unconfirmed_stop:
-            self.device.notifier.error.emit(text)
+            self.device.notifier.report(text, (Remedy.RECONNECT,))
 
     def stop_because(self, reason: str) -> str:
         return self._automatic_stop.stop(reason)

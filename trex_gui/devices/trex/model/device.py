@@ -38,7 +38,7 @@ from trex_gui.devices.trex.session.reconnecting import reconnect_candidates
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import Notifier, remedies_of
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
@@ -289,9 +289,7 @@ class Device(QObject):
     def _on_connection_failed(self, error: StudioError) -> None:
         text = error_text(error)
         self.request_failed.emit(text)
-        if suggests_scan(error):
-            text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
-        self.notifier.error.emit(text)
+        self.notifier.report(text, remedies_of(error, may_be_found=suggests_scan(error)))
 
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:

@@ -1,0 +1,55 @@
+"""A message with buttons for what can be done about it."""
+
+import pytest
+from PySide6.QtCore import QPoint
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import LEFT, WidgetDriver
+from trex_gui.core.errors import BadReply, PortUnavailable, StudioError
+from trex_gui.ui.notifier import CopyCommand, Notifier, Remedies, Remedy, remedies_of
+from trex_gui.ui.widgets.messages import Banner
+
+FIND, AGAIN = Remedy.FIND, Remedy.RECONNECT
+
+
+def test_buttons_of_a_message_act_and_leave_with_it(qtbot: QtBot) -> None:
+    notifier = Notifier()
+    banner = Banner(None, notifier)
+    qtbot.addWidget(banner)
+    driver = WidgetDriver(banner, qtbot)
+    chosen: list[Remedy] = []
+    banner.chosen.connect(chosen.append)
+
+    notifier.report("Permission denied.", (CopyCommand("sudo make me"), AGAIN, FIND))
+    QTest.mouseClick(driver.button("bannerReconnect"), LEFT, pos=QPoint(8, 8))
+    assert not chosen, "the button has just appeared under the pointer"
+    driver.click("bannerReconnect")
+    driver.click("bannerFind")
+    assert chosen == [AGAIN, FIND]
+    driver.click("bannerCopy")
+    assert QGuiApplication.clipboard().text() == "sudo make me"
+    assert driver.button("bannerCopy").text() == "Copied"
+
+    for following in (notifier.error, notifier.info):
+        notifier.report("Gone.", (AGAIN,))
+        assert not driver.has("bannerFind")
+        following.emit("Something else.")
+        assert not driver.has("bannerReconnect")
+        assert banner.text == "Something else."
+
+
+@pytest.mark.parametrize(
+    ("error", "may_be_found", "remedies"),
+    [
+        (PortUnavailable("gone"), False, (AGAIN,)),
+        (PortUnavailable("denied", command="sudo"), False, (CopyCommand("sudo"), AGAIN)),
+        (BadReply("not like a TReX"), True, (FIND,)),
+        (StudioError("internal"), False, ()),
+    ],
+)
+def test_remedies_follow_from_the_error(
+    error: StudioError, may_be_found: bool, remedies: Remedies
+) -> None:
+    assert remedies_of(error, may_be_found=may_be_found) == remedies
