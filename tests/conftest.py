@@ -35,6 +35,8 @@ from tests.support.window import WindowDriver
 from trex_gui.composition import build
 from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.files import end_background
@@ -144,9 +146,29 @@ def stage(board: Board) -> Stage:
     return Stage(board)
 
 
+_ORGANIZATION, _APPLICATION = "TReX Studio tests", "TReX Studio"
+
+
 @pytest.fixture(scope="session")
 def _settings_root(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("settings")
+    root = tmp_path_factory.mktemp("settings")
+    _remember_usual_boards(root / "system")
+    return root
+
+
+def _remember_usual_boards(folder: Path) -> None:
+    """Let boards with the usual number drive at full speed, as after the first drive."""
+    boards = [
+        f"{prefix}{model.key}-{firmware}-7"
+        for prefix in ("", "demo-")
+        for model in device_table().models
+        for firmware in model.firmware
+    ]
+    file = folder / _ORGANIZATION / f"{_APPLICATION}.ini"
+    file.parent.mkdir(parents=True)
+    lines = (f"ceilings\\{board}={FULL_SCALE}\n" for board in boards)
+    file.write_text(f"[motors]\n{''.join(lines)}", encoding="utf-8")
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.SystemScope, str(folder))
 
 
 _folders = itertools.count(1)
@@ -161,8 +183,8 @@ def _own_settings(_settings_root: Path, monkeypatch: pytest.MonkeyPatch) -> None
     folder = _settings_root / str(next(_folders))
     folder.mkdir()
     monkeypatch.setenv("TREX_STUDIO_DATA", str(folder))
-    QCoreApplication.setOrganizationName("TReX Studio tests")
-    QCoreApplication.setApplicationName("TReX Studio")
+    QCoreApplication.setOrganizationName(_ORGANIZATION)
+    QCoreApplication.setApplicationName(_APPLICATION)
     QSettings.setDefaultFormat(QSettings.Format.IniFormat)
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
 

@@ -258,7 +258,7 @@ VALID: dict[str, object] = {
     "line/settings": 5,
     "line/device_number": 7,
     "line/polynomial": 0x89,
-    "motors/ceiling": 100,
+    "motors/ceilings/trex-1.2-7": 100,
     "motors/brake": 50,
     "motors/lockout": 1.5,
     "motors/return_to_zero": True,

@@ -31,8 +31,8 @@ from trex_gui.supervisor import SuspendDetector
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
 
-SPEEDS = {1: 60, 2: -60}
-AUXILIARY = 50
+SPEEDS = {1: 30, 2: -30}
+AUXILIARY = 35
 HANGING = 30.0  # seconds
 
 

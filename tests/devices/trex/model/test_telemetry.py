@@ -155,10 +155,10 @@ def test_setpoints_and_channels_are_kept_with_the_currents(
     assert math.isnan(telemetry.currents.values(Series.CHANNEL5)[0])
     motors.set_available(available=True)
     motors.arm()
-    motors.set_speed(1, -90)
+    motors.set_speed(1, -30)
     motors.set_brake(2, 127)
     take(telemetry, Remapped(1.0, (10, 20, 30, 40, -50)), Currents(1.0125, (0, 0)))
-    assert telemetry.currents.values(Series.SETPOINT1)[1] == -90
+    assert telemetry.currents.values(Series.SETPOINT1)[1] == -30
     assert telemetry.currents.values(Series.SETPOINT2)[1] == 0
     assert telemetry.currents.values(Series.CHANNEL1)[1] == 10
     assert telemetry.currents.values(Series.CHANNEL5)[1] == -50

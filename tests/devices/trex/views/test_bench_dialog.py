@@ -180,7 +180,7 @@ def test_form_fields_define_the_plan(dialog: BenchTestDialog) -> None:
     dialog.select("benchMotor", 2)
     dialog.select("benchShape", Shape.SINE)
     dialog.select("benchDirection", -1)
-    dialog.find(QSpinBox, "benchSpeed").setValue(70)
+    dialog.find(QSpinBox, "benchSpeed").setValue(35)
     dialog.find(QDoubleSpinBox, "benchDuration").setValue(6.5)
     dialog.find(QDoubleSpinBox, "benchPeriod").setValue(1.25)
     dialog.select("benchSent", False)
@@ -188,7 +188,7 @@ def test_form_fields_define_the_plan(dialog: BenchTestDialog) -> None:
     dialog.find(QCheckBox, "benchAbortAtLimit").setChecked(True)
     plan = dialog.bench.plan
     assert plan.motor == 2
-    assert plan.profile == Profile(shape=Shape.SINE, speed=-70, duration=6.5, period=1.25)
+    assert plan.profile == Profile(shape=Shape.SINE, speed=-35, duration=6.5, period=1.25)
     assert not plan.accelerate
     assert plan.abort_current == 7.5
     assert plan.abort_at_limit

@@ -25,7 +25,9 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import Connected, ReadReason
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import new_timer, now
@@ -246,6 +248,7 @@ class DriveController(QObject):
     @Slot(object)
     def _on_read(self, report: Connected) -> None:
         is_back = self._identify(report)
+        self._motors.take_board(str(_identity_of(report)))
         if report.occasion is not ReadReason.RELOADED:
             if report.may_move or self._motors.armed:  # while armed, setpoints may be queued
                 reason = ""
@@ -305,6 +308,13 @@ def _may_be_same(one: Connected, other: Connected) -> bool:
     """Whether these are of one board; a simulated one has a name, and is no real one."""
     is_named_alike = one.settings.name == other.settings.name
     return is_named_alike and may_be_same_board(one.state, other.state)
+
+
+def _identity_of(board: Connected) -> BoardIdentity:
+    signature, parameters = board.state.signature, board.state.parameters
+    number = parameters.get(ParameterKey.DEVICE_NUMBER)
+    is_simulated = bool(board.settings.name)
+    return BoardIdentity(signature.model, signature.firmware, number, is_simulated)
 
 
 def _name_of(board: Connected) -> str:

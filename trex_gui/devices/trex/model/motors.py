@@ -16,6 +16,20 @@ from trex_gui.ui.runtime import new_timer, now
 _STEP_MS = 100
 _KEY = "motors/lockout"
 
+FIRST_CEILING = round(0.3 * FULL_SCALE)
+"""Speed ceiling of a board until the user chooses another one for it.
+
+Inferred: slow enough to catch a robot whose motors are swapped or reversed, fast enough to start.
+"""
+
+GROWTH = 127.0
+"""How much faster pad, keys and gamepads make a motor within a second; inferred.
+
+From rest to full speed takes a second, and to `FIRST_CEILING` a third of one.
+"""
+
+_GROWTH_MS = 20
+
 LOCKOUT = 3.0
 """Default lock after a pressed stop, in seconds.
 
@@ -48,7 +62,7 @@ class Motors(QObject):
     Signals:
         arming_changed: `armed` or `stop_reason`.
         setpoints_changed: what `drive`, `auxiliary` and `text` return.
-        options_changed: `ceiling`, `linked` or `release_brake`.
+        options_changed: `board`, `ceiling`, `linked` or `release_brake`.
         lockout_changed: `locked_for` began, passed another second, or ended.
         requested: a `SetMotor`, a `SetAuxiliary`, or a `SetMotors` if both motors start at once.
         stop_requested: everything has to stop now; emitted before any other signal of a stop.
@@ -62,6 +76,8 @@ class Motors(QObject):
         stop_reason: why the motors were stopped last; empty if the user pressed stop.
         holder: the name of the control that has acquired the motors; empty if none has.
         auxiliary: the setpoint of the auxiliary motor, 0-127.
+        board: what the ceiling is remembered for; empty before the first board was read.
+        is_first_drive: whether no ceiling was ever chosen for this board.
         ceiling: the greatest speed that is sent, 1-127; greater setpoints are limited to it.
         ceiling_in_force: the `ceiling`, or a lower one that was in force when the motors were
             acquired: raising it would speed up motors under a stick that is paused.
@@ -87,13 +103,16 @@ class Motors(QObject):
         self.stop_reason = ""
         self.holder = ""
         self.auxiliary = 0
-        self.ceiling = self.ceiling_in_force = FULL_SCALE
+        self.board = ""
+        self.is_first_drive = True
+        self.ceiling = self.ceiling_in_force = FIRST_CEILING
         self.linked = False
         self.release_brake = FULL_SCALE
         self._drives: dict[int, Drive] = {}
         self._held: set[int] = set()
         self._locked_until = -math.inf
         self._announced = 0
+        self._store = Preferences()
         self._lockout_timer = new_timer(self, _STEP_MS, self._on_lockout_step)
 
     @property
@@ -119,13 +138,31 @@ class Motors(QObject):
 
     # --- Options ------------------------------------------------------------------------
 
+    def take_board(self, board: str) -> None:
+        """Use the ceiling that was chosen for a board, else `FIRST_CEILING`."""
+        if board != self.board:
+            self.board = board
+            chosen = self._store.integer(self._ceiling_key, 0, 0, FULL_SCALE)
+            self.is_first_drive = not chosen
+            self._limit_to(chosen or FIRST_CEILING)
+
     def set_ceiling(self, speed: int) -> None:
-        """Send no greater speed from now on; motors that run faster are slowed down to it.
+        """Send no greater speed to this board, now and later; faster motors are slowed down to it.
 
         A higher ceiling applies from the next setpoint, and to a held control from its release.
         """
         if not 1 <= speed <= FULL_SCALE:
             raise ValueError(f"the speed ceiling is 1 to {FULL_SCALE}, not {speed}")
+        if self.board:
+            self._store.set(self._ceiling_key, speed)
+            self.is_first_drive = False
+        self._limit_to(speed)
+
+    @property
+    def _ceiling_key(self) -> str:
+        return f"motors/ceilings/{self.board}"
+
+    def _limit_to(self, speed: int) -> None:
         self.ceiling = speed
         if not self.holder or speed < self.ceiling_in_force:
             self.ceiling_in_force = speed
@@ -295,13 +332,23 @@ class Motors(QObject):
             self.setpoints_changed.emit()
 
 
-class MomentaryDrive:
-    """Drives with forward and turn under one name; `joint`: both drivers work as one motor."""
+class MomentaryDrive(QObject):
+    """Drives with forward and turn under one name; `joint`: both drivers work as one motor.
+
+    Speeds grow by `GROWTH` a second, so that a tapped key or an edge of the pad is no jump; they
+    fall at once.
+    """
 
     def __init__(self, motors: Motors, name: str) -> None:
+        super().__init__(motors)
         self._motors = motors
         self.name = name
         self.joint = False
+        self._direction = 0.0, 0.0  # forward and turn
+        self._speeds = 0.0, 0.0
+        self._grown_at = 0.0
+        self._timer = new_timer(self, _GROWTH_MS, self._grow)
+        motors.holder_changed.connect(self._on_holder_changed)
 
     @property
     def held(self) -> bool:
@@ -317,13 +364,35 @@ class MomentaryDrive:
         """Drive at -1 to 1 of the speed ceiling each way; return whether the motors are ours."""
         if not self._motors.acquire(self.name):
             return False
+        self._direction = forward, turn
+        if not self._timer.isActive():
+            self._grown_at = now() - _GROWTH_MS / 1000
+            self._timer.start()
+        self._grow()
+        return True
+
+    @Slot()
+    def _grow(self) -> None:
+        """Go on towards the direction; a timer that is late makes no jump."""
+        forward, turn = self._direction
         ceiling = self._motors.ceiling_in_force
-        left, right = mix(forward, turn if self.can_turn else 0.0, ceiling)
+        goal: tuple[float, float] = mix(forward, turn if self.can_turn else 0.0, ceiling)
+        seconds = min(now() - self._grown_at, 2 * _GROWTH_MS / 1000)
+        self._grown_at = now()
+        self._speeds = grown(self._speeds, goal, GROWTH * seconds)
+        if self._speeds == goal:
+            self._timer.stop()
+        left, right = map(round, self._speeds)
         if self.can_turn:
             self._motors.set_speeds(left, right, self.name)
         else:
             self._motors.set_speed(1, left, self.name)
-        return True
+
+    @Slot()
+    def _on_holder_changed(self) -> None:
+        if not self.held:
+            self._timer.stop()
+            self._speeds = 0.0, 0.0
 
     def release(self) -> None:
         """Brake the motors that this control drives; they stay armed."""
@@ -332,6 +401,25 @@ class MomentaryDrive:
     def abort(self, reason: str) -> None:
         """Stop and disarm: it is unknown whether the control is still held."""
         self._motors.abort(self.name, reason)
+
+
+def grown(
+    speeds: tuple[float, float], goal: tuple[float, float], most: float
+) -> tuple[float, float]:
+    """Return the speeds that come next: the goal, or as far as none grows by more than `most`.
+
+    Both grow in proportion, which keeps the curve. A speed falls at once, to zero where the
+    direction changes.
+    """
+    left, right = (
+        math.copysign(min(abs(speed), abs(aim)), aim) if speed * aim > 0 else 0.0
+        for speed, aim in zip(speeds, goal, strict=True)
+    )
+    growth = max(abs(goal[0] - left), abs(goal[1] - right))
+    if growth <= most:
+        return goal
+    share = most / growth
+    return left + share * (goal[0] - left), right + share * (goal[1] - right)
 
 
 def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:

@@ -27,6 +27,7 @@ class GamepadSetup:
         self.device = Device()
         self.motors = self.device.motors
         self.motors.lockout = 0
+        self.motors.set_ceiling(FULL_SCALE)
         self.motors.set_available(True)
         self.pads = HeldPads(PAD)
         self.gamepad = Gamepad(self.device, self.pads)

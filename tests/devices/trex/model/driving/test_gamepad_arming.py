@@ -49,5 +49,5 @@ def test_button_pressed_after_arming_drives(
     qtbot.waitUntil(lambda: gamepad.request.waits is Waits.HOLD)
     pads.press(HOLD)
     pads.move(STICK, -1.0)
-    qtbot.waitUntil(lambda: device.motors.text == "motor 1 +127, motor 2 +127")
+    qtbot.waitUntil(lambda: device.motors.text == "motor 1 +38, motor 2 +38")
     assert gamepad.drives

@@ -4,10 +4,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.model.motors import mix
+from trex_gui.devices.trex.model.motors import grown, mix
 from trex_gui.devices.trex.simulator.channel_control import motor_values
 
 SHARE = st.floats(-1, 1, allow_nan=False)
+SPEEDS = st.tuples(st.integers(-127, 127), st.integers(-127, 127))
 
 
 @pytest.mark.parametrize(
@@ -49,3 +50,19 @@ def test_mixing_keeps_the_speed_ratio_when_limited(forward: float, turn: float) 
     left, right = mix(forward, turn)
     # Either way the two stand in the ratio of the sums, within what rounding does.
     assert abs(left * (forward - turn) - right * (forward + turn)) <= 2
+
+
+@given(speeds=SPEEDS, goal=SPEEDS, most=st.integers(1, 127))
+def test_speeds_grow_by_steps_and_fall_at_once(
+    speeds: tuple[int, int], goal: tuple[int, int], most: int
+) -> None:
+    for speed, aim, then in zip(speeds, goal, grown(speeds, goal, most), strict=True):
+        same_way = speed * aim > 0
+        assert abs(then) <= abs(aim) + 1e-9, "no speed beyond the goal"
+        assert then * aim >= 0, "nor the other way"
+        assert abs(then) <= (abs(speed) if same_way else 0) + most + 1e-9
+        if same_way and abs(aim) <= abs(speed):
+            assert then == pytest.approx(aim)
+    for _ in range(127):
+        speeds = grown(speeds, goal, most)  # type: ignore[assignment]
+    assert speeds == goal

@@ -16,6 +16,7 @@ from trex_gui.devices.trex.driving.requests import (
     SetpointRequest,
 )
 from trex_gui.devices.trex.model.motors import LOCKOUT, MomentaryDrive, Motors, remember_lockout
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.driving import Drive
 
 
@@ -24,6 +25,7 @@ class RequestRecorder:
 
     def __init__(self) -> None:
         self.motors = Motors()
+        self.motors.set_ceiling(FULL_SCALE)
         self.requests: list[SetpointRequest] = []
         self.stops = 0
         self.changes: list[str] = []
@@ -448,8 +450,9 @@ def test_held_control_sends_both_motors_in_one_request(
 
 def test_held_control_drives_linked_motors_straight(armed: RequestRecorder) -> None:
     armed.motors.set_linked(True)
+    armed.motors.set_ceiling(4)
     MomentaryDrive(armed.motors, "pad").steer(0.5, 0.3)
-    assert armed.motors.drive(1) == armed.motors.drive(2) == Drive.at(64)
+    assert armed.motors.drive(1) == armed.motors.drive(2) == Drive.at(2)
 
 
 def test_lower_ceiling_slows_both_motors_in_one_request(armed: RequestRecorder) -> None:

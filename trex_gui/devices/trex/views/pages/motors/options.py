@@ -31,7 +31,7 @@ class _Slider(QSlider):
 
 
 class Level(QObject):
-    """A label, a slider and an entry of the same stored value, as `widgets`.
+    """A label, a slider and an entry of the same value, as `widgets`.
 
     A typed number counts with Enter only, as a speed does: a half-typed ceiling would let a motor
     run faster than intended.
@@ -47,11 +47,8 @@ class Level(QObject):
         tip: str,
         apply: Callable[[int], object],
     ) -> None:
-        """Apply the stored value, and every value that the user chooses."""
         super().__init__(parent)
-        self._key = f"motors/{name}"
         self._apply = apply
-        self._store = Preferences()
         plain = title.replace("&", "")
         self._slider = ui.named(
             _Slider(Qt.Orientation.Horizontal, parent), f"{name}Slider", accessible=plain, tip=tip
@@ -72,7 +69,6 @@ class Level(QObject):
         label = ui.label(parent, "", title, tip=tip, buddy=self.entry)
         self.widgets = (label, self._slider, self.entry)
 
-        apply(self._store.integer(self._key, FULL_SCALE, lowest, FULL_SCALE))
         self._slider.valueChanged.connect(self._on_chosen)
         self.entry.chosen.connect(self._on_chosen)
 
@@ -86,7 +82,6 @@ class Level(QObject):
     def _on_chosen(self, value: int) -> None:
         self.set_value(value)
         self._apply(value)
-        self._store.set(self._key, value)
 
 
 class Options(QGroupBox):
@@ -156,8 +151,9 @@ class Options(QGroupBox):
                 "How hard Brake and letting go of pad, keys and held sliders brake; Stop always "
                 "brakes fully"
             ),
-            apply=motors.set_release_brake,
+            apply=self._on_brake_chosen,
         )
+        motors.set_release_brake(self._store.integer("motors/brake", FULL_SCALE, 0, FULL_SCALE))
         self._brake.entry.setSpecialValueText(self.tr("coast (0 %)"))
         self._lock = self._make_lock()
         lock_label = ui.label(
@@ -219,6 +215,10 @@ class Options(QGroupBox):
         if not can_link:
             tip = self.tr("The motors run differently: stop both, or give both the same speed")
         self._link.setToolTip(tip)
+
+    def _on_brake_chosen(self, duty: int) -> None:
+        self._motors.set_release_brake(duty)
+        self._store.set("motors/brake", duty)
 
     @Slot(int)
     def _on_lock_chosen(self, seconds: int) -> None:
