@@ -184,6 +184,16 @@ was {0}</numerusform>
     </message>
 </context>
 <context>
+    <name>LogPage</name>
+    <message numerus="yes">
+        <source>%n line(s) copied.</source>
+        <translation>
+            <numerusform>%n line copied.</numerusform>
+            <numerusform>%n lines copied.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>NameModel</name>
     <message numerus="yes">
         <source>%n step(s), {0:g} s</source>

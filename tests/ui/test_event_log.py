@@ -4,13 +4,22 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import NoReply
+from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.errors import BoardEvents
 from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
+from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.ui.event_log import MOST_EVENTS, EventKind
+
+BOARD = DeviceState(
+    Signature(device_table().model("trex"), "1.2"), Mode.SERIAL_RC, True, {}, {}, calibrated=0
+)
 
 
 class EventSetup:
@@ -59,11 +68,22 @@ def test_serial_timeout_is_an_event_and_framing_error_is_not(setup: EventSetup) 
     assert setup.logged == [(2, "timeout", "Serial timeout")]
 
 
-def test_lost_connection_is_logged(setup: EventSetup) -> None:
-    setup.connection.not_responding.emit()
-    setup.now = 3
+def test_connection_is_logged_from_its_beginning_to_its_end(setup: EventSetup) -> None:
     setup.connection.line_closed.emit(None)
-    assert [(time, kind) for time, kind, _ in setup.logged] == [(0, "link"), (3, "link")]
+    assert not setup.logged, "it was never connected"
+    for now in (1, 5):
+        setup.now = now
+        setup.connection.device_read.emit(
+            Connected(BOARD, False, ReadReason.OPENED, ConnectionSettings("/dev/ttyUSB0"))
+        )
+        setup.connection.not_responding.emit()
+        setup.connection.line_closed.emit(None)
+    where = "/dev/ttyUSB0 at 19200 baud, no error detection, 1 stop bit"
+    assert setup.logged == [
+        (5, "link", f"Connected to TReX 1.2 on {where}."),
+        (5, "link", "The board stopped responding"),
+        (5, "link", "Disconnected"),
+    ]
 
 
 def test_apply_event_names_three_settings_and_counts_the_rest(setup: EventSetup) -> None:

@@ -1,4 +1,4 @@
-"""Events while a board is connected, for marks in a plot, a recording and a list."""
+"""Events while a board is connected, for marks in a plot, a recording and the log."""
 
 from bisect import bisect_right
 from collections.abc import Callable
@@ -32,22 +32,24 @@ class Event:
     time: float
     kind: EventKind
     text: str  # one line, for the user
+    is_problem: bool = False
 
 
 class EventLog(QObject):
     """The newest events."""
 
     happened = Signal(object)  # the new `Event`
-    cleared = Signal()
 
     def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
         super().__init__(parent)
         self._clock = clock
         self.all: list[Event] = []  # in the order of time
 
-    def add(self, kind: EventKind, text: str, at: float | None = None) -> Event:
+    def add(
+        self, kind: EventKind, text: str, at: float | None = None, *, is_problem: bool = False
+    ) -> Event:
         """Note an event, now or at a time of the session's clock; return it."""
-        event = Event(self._clock() if at is None else at, kind, text)
+        event = Event(self._clock() if at is None else at, kind, text, is_problem)
         self.all.insert(bisect_right(self.all, event.time, key=attrgetter("time")), event)
         del self.all[:-MOST_EVENTS]
         self.happened.emit(event)
@@ -55,4 +57,3 @@ class EventLog(QObject):
 
     def clear(self) -> None:
         self.all.clear()
-        self.cleared.emit()

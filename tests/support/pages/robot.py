@@ -9,7 +9,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QLineEdit,
     QListView,
-    QListWidget,
     QMenu,
     QSlider,
     QSpinBox,
@@ -162,9 +161,8 @@ class RobotWindow(WindowDriver):
         QTest.keyClick(editor, Qt.Key.Key_Return)
 
     def logged(self) -> list[str]:
-        """Return the lines of the log without their times, the newest first."""
-        log = self.find(QListWidget, "aracnaLog")
-        return [log.item(row).text().partition("  ")[2] for row in range(log.count())]
+        """Return the texts in the log, the newest first."""
+        return [entry.text for entry in reversed(self.program.workspace("aracna").log.entries)]
 
     @property
     def menus(self) -> list[str]:

@@ -146,6 +146,8 @@ class MainWindow(QMainWindow):
         self._manager.changed.connect(self._on_link_changed)
         self._manager.current_changed.connect(self._on_device_changed)
         self._manager.stop_reported.connect(self._notifier.delayed_error)
+        self._notifier.info.connect(self._log_news)
+        self._notifier.error.connect(self._log_problem)
         theme().changed.connect(self._on_theme_changed)
         app = QApplication.instance()
         if isinstance(app, QApplication):
@@ -315,6 +317,14 @@ class MainWindow(QMainWindow):
             PromptAnswer("disconnectYes", self.tr("Disconnect"), then),
             still=lambda: self._manager.current.is_busy,
         )
+
+    @Slot(str)
+    def _log_news(self, text: str) -> None:
+        self._workspace.log.add(text)
+
+    @Slot(str)
+    def _log_problem(self, text: str) -> None:
+        self._workspace.log.add(text, is_problem=True)
 
     @Slot(object)
     def _on_remedy_chosen(self, remedy: Remedy) -> None:

@@ -10,6 +10,7 @@ from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
+from trex_gui.ui.log import Log
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.widgets import builders as ui
@@ -80,6 +81,7 @@ class Workspace(QWidget):
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
+        self.log = Log(self)  # of messages in the window while this workspace is shown, and more
         self.stop_text = self.tr("&Stop motors")  # menu entry of Esc
         self.help_title = self.tr("Online &documentation…")  # menu entry of F1
         self.help_url = ""  # opens the documentation; without one, `help_text` is shown

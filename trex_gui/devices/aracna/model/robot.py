@@ -117,7 +117,8 @@ class Robot(DeviceConnection[PortSettings]):
 
     def _set_state(self, link: ConnectionState, status: str) -> None:
         super()._set_state(link, status)
-        self.events.add(EventKind.LINK, status)
+        is_silent = link is ConnectionState.NOT_RESPONDING
+        self.events.add(EventKind.LINK, status, is_problem=is_silent)
         self.link_changed.emit()
 
     def _reset(self, motors: int) -> None:
@@ -137,7 +138,7 @@ class Robot(DeviceConnection[PortSettings]):
     @Slot(object)
     def _on_failed(self, error: StudioError) -> None:
         text = error_text(error)
-        self.events.add(EventKind.LINK, text)
+        self.events.add(EventKind.LINK, text, is_problem=True)
         self.notifier.report(text, remedies_of(error, may_be_found=suggests_scan(error)))
 
     # --- Reports ------------------------------------------------------------------------
@@ -166,7 +167,7 @@ class Robot(DeviceConnection[PortSettings]):
         if self.link is not ConnectionState.DISCONNECTING:
             self._update_link(report)
         if (event := event_of(report, self.state)) is not None:
-            self.events.add(*event)
+            self.events.add(*event, is_problem=event[0] is EventKind.FAULT)
         self.changed.emit()
 
     def _update_link(self, report: object) -> None:

@@ -18,7 +18,7 @@ from trex_gui.devices.aracna.recording import FORMAT, Header, Record
 from trex_gui.devices.aracna.views.action_bar import ActionBar
 from trex_gui.devices.aracna.views.demo import RobotPanel
 from trex_gui.devices.aracna.views.help import help_text
-from trex_gui.devices.aracna.views.log_page import LogPage
+from trex_gui.devices.aracna.views.log_page import RobotLogPage
 from trex_gui.devices.aracna.views.poses.page import PosesPage
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection import ConnectionState
@@ -77,6 +77,7 @@ class AracnaWorkspace(Workspace):
         super().__init__(controller.plugin.key, robot.notifier, frame)
         self._robot = robot
         self._controller = controller
+        self.log.follow(robot.events)
         self.library = Library(robot)
         self._actions: Mapping[str, QAction] = {}
         self._shown: tuple[Mapping[str, bool], bool] = ({}, False)
@@ -94,7 +95,7 @@ class AracnaWorkspace(Workspace):
             (
                 PageInfo("robot", self.tr("R&obot"), lambda: page),
                 PageInfo("poses", self.tr("Pos&es"), lambda: self._poses),
-                PageInfo("log", self.tr("Lo&g"), lambda: LogPage(robot, self)),
+                PageInfo("log", self.tr("Lo&g"), lambda: RobotLogPage(robot, self.log, self)),
                 PageInfo("transcript", self.tr("&Traffic"), lambda: traffic),
             )
         )

@@ -156,6 +156,8 @@ class Device(QObject):
     def name_of(self, key: str) -> str:
         if key in CALIBRATION_KEYS:
             return CALIBRATION_KEYS[key].label
+        if key == ParameterKey.FACTORY_RESET:
+            return self.tr("Reset to factory defaults")
         index = self.parameters.index_of(key, ParameterColumn.NAME)
         return str(index.data()) if index.isValid() else key
 
@@ -239,7 +241,7 @@ class Device(QObject):
         defaults = factory_settings(self.state.signature.model, self.state.signature.firmware)
         self._expect_after(defaults.parameters)
         spec = self.state.specs[ParameterKey.FACTORY_RESET]
-        reason = self.tr("Reset to factory defaults")
+        reason = self.name_of(spec.key)
         self._apply.write(self.state, self.settings, reason, ((spec.key, spec.maximum),))
 
     def cancel_apply(self) -> None:

@@ -116,6 +116,7 @@ class BoardEvents(EventLog):
         super().__init__(parent, clock=clock)
         self._motors = motors
         self._seen: dict[str, float] = {}
+        self._was_read = False  # since the line was opened
         motors.stop_requested.connect(self._on_stop_requested)
         connection.device_read.connect(self._on_read)
         connection.not_responding.connect(self._on_not_responding)
@@ -130,7 +131,7 @@ class BoardEvents(EventLog):
             text = self.tr("{0} and {1} more").format(text, len(done) - _NAMED)
         if failed:
             text = self.tr("{0} ({1} failed)").format(text, failed).strip()
-        self.add(EventKind.APPLY, self.tr("Apply: {0}").format(text))
+        self.add(EventKind.APPLY, self.tr("Apply: {0}").format(text), is_problem=failed > 0)
 
     @Slot()
     def _on_stop_requested(self) -> None:
@@ -144,6 +145,12 @@ class BoardEvents(EventLog):
             case ReadReason.OPENED:
                 self.clear()
                 self._seen.clear()
+                self._was_read = True
+                text = self.tr("Connected to {0} on {1}.")
+                self.add(
+                    EventKind.LINK,
+                    text.format(report.state.signature, report.settings.text()),
+                )
             case ReadReason.RETURNED:
                 self.add(EventKind.LINK, self.tr("The board responds again"))
             case ReadReason.RESTARTED:
@@ -158,11 +165,13 @@ class BoardEvents(EventLog):
 
     @Slot()
     def _on_not_responding(self) -> None:
-        self.add(EventKind.LINK, self.tr("The board stopped responding"))
+        self.add(EventKind.LINK, self.tr("The board stopped responding"), is_problem=True)
 
     @Slot(object)
     def _on_closed(self, _last: Closed | None) -> None:
-        self.add(EventKind.LINK, self.tr("Disconnected"))
+        if self._was_read:
+            self._was_read = False
+            self.add(EventKind.LINK, self.tr("Disconnected"))
 
     def note_status(self, latched: LatchedStatus) -> None:
         for bit, kind in _KINDS.items():
@@ -175,4 +184,4 @@ class BoardEvents(EventLog):
         before = self._seen.get(name)
         self._seen[name] = time
         if before is None or time - before > GOES_ON:
-            self.add(kind, name, time)
+            self.add(kind, name, time, is_problem=True)

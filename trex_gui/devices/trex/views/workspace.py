@@ -35,6 +35,7 @@ from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
+from trex_gui.ui.log import LogPage
 from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import builders as ui
@@ -86,6 +87,7 @@ class TrexWorkspace(Workspace):
         self._agreed: Settings | None = None  # settings shown that may be left as they are
         self._keeps_edits = True
         self._actions: Mapping[str, QAction] = {}
+        self.log.follow(device.events)
 
         tabs = self.pages
         tabs.setObjectName("tabs")
@@ -98,6 +100,7 @@ class TrexWorkspace(Workspace):
                 PageInfo("motors", self.tr("&Motors"), self._make_motors_page),
                 PageInfo("currents", self.tr("C&urrents"), partial(CurrentsPage, device, self)),
                 PageInfo("parameters", self.tr("&Parameters"), self._make_parameters_page),
+                PageInfo("log", self.tr("Lo&g"), self._make_log_page),
                 PageInfo("transcript", self.tr("T&raffic"), self._make_traffic_page),
             )
         )
@@ -191,6 +194,9 @@ class TrexWorkspace(Workspace):
         page.power_cycle_requested.connect(self._power.guide)
         self._parameter_shown.connect(page.table.show_parameter)
         return page
+
+    def _make_log_page(self) -> QWidget:
+        return LogPage(self.log, self.key, self.notifier, self)
 
     def _make_traffic_page(self) -> QWidget:
         from trex_gui.ui.traffic.page import TrafficPage  # noqa: PLC0415

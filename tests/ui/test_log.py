@@ -1,0 +1,119 @@
+"""The log of a workspace: what was said and what happened, with its time."""
+
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFileDialog, QLineEdit, QPlainTextEdit
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import WidgetDriver
+from trex_gui.ui.event_log import EventKind, EventLog
+from trex_gui.ui.log import MOST_ENTRIES, Log, LogPage
+from trex_gui.ui.notifier import Notifier
+
+NOON = datetime(2026, 11, 23, 12, 0, 0).astimezone().timestamp()
+
+
+class Clocks:
+    """The session's clock, and that of the wall, which has run as long."""
+
+    now = 100.0
+
+    def log(self) -> Log:
+        return Log(clock=lambda: self.now, wall_clock=lambda: NOON + self.now - 100)
+
+
+@pytest.fixture
+def clocks() -> Clocks:
+    return Clocks()
+
+
+def lines(log: Log) -> list[str]:
+    return [str(entry) for entry in log.entries]
+
+
+def test_entries_have_the_time_at_which_they_happened(qtbot: QtBot, clocks: Clocks) -> None:
+    log, events = clocks.log(), EventLog(clock=lambda: clocks.now)
+    log.follow(events)
+    clocks.now = 103
+    events.add(EventKind.STOP, "Stop: Esc", 101.0)
+    events.add(EventKind.FAULT, "Motor 1 fault", is_problem=True)
+    log.add("Saved\nin  a file.")
+    events.clear()
+    assert lines(log) == [
+        "2026-11-23 12:00:01  Stop: Esc",
+        "2026-11-23 12:00:03  ⚠ Motor 1 fault",
+        "2026-11-23 12:00:03  Saved in a file.",
+    ]
+
+
+def test_event_and_its_message_are_one_entry(qtbot: QtBot, clocks: Clocks) -> None:
+    log = clocks.log()
+    log.add("Gone.", is_problem=True)
+    log.add("Gone.", is_problem=True)
+    clocks.now += 5
+    log.add("Gone.", is_problem=True)
+    assert [entry.time.second for entry in log.entries] == [0, 5]
+
+
+def test_log_is_bounded(qtbot: QtBot, clocks: Clocks) -> None:
+    log = clocks.log()
+    for number in range(MOST_ENTRIES + 3):
+        log.add(f"{number} " + "long " * 1000)
+    assert len(log.entries) == MOST_ENTRIES
+    assert log.entries[0].text.startswith("3 ")
+    assert len(log.entries[0].text) < 2100
+
+
+def test_lines_are_filtered_copied_and_saved(
+    qtbot: QtBot, clocks: Clocks, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    log, notifier = clocks.log(), Notifier()
+    page = LogPage(log, "trex", notifier)
+    qtbot.addWidget(page)
+    driver = WidgetDriver(page, qtbot)
+    text = driver.find(QPlainTextEdit, "trexLog")
+
+    def shown() -> list[str]:
+        return [line[21:] for line in text.toPlainText().splitlines()]
+
+    log.add("Stop: Esc")
+    page.show()
+    log.add("The line is gone.", is_problem=True)
+    log.add("The board stopped responding", is_problem=True)
+    assert shown() == ["Stop: Esc", "⚠ The line is gone.", "⚠ The board stopped responding"]
+    driver.type_into("trexLogSearch", "STOP", enter=False)
+    assert shown() == ["Stop: Esc", "⚠ The board stopped responding"]
+    driver.click("trexLogProblems")
+    log.add("Stop: screen locked")
+    assert shown() == ["⚠ The board stopped responding"]
+
+    driver.click("trexLogCopy")
+    line = "2026-11-23 12:00:00  ⚠ The board stopped responding\n"
+    assert QGuiApplication.clipboard().text() == line
+    asked: list[Path] = []
+
+    def choose(_page: object, _title: str, proposal: str, _kinds: str) -> tuple[str, str]:
+        asked.append(Path(proposal))
+        return str(tmp_path / "mine"), ""
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", choose)
+    said: list[str] = []
+    notifier.info.connect(said.append)
+    driver.click("trexLogSave")
+    driver.wait_for_files()
+    assert asked[0].name.startswith(f"trex_log_{datetime.now().astimezone():%Y-%m-}")
+    assert (tmp_path / "mine.txt").read_text(encoding="utf-8") == line
+    assert said == [f"The log was written to {tmp_path / 'mine.txt'}."]
+
+    driver.click("trexLogProblems")
+    driver.find(QLineEdit, "trexLogSearch").clear()
+    assert len(shown()) == 4
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "no/x.txt"), ""))
+    failed: list[str] = []
+    notifier.error.connect(failed.append)
+    driver.click("trexLogSave")
+    driver.wait_for_files()
+    assert "there is no folder" in failed[0]

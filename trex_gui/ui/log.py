@@ -1,0 +1,191 @@
+"""The log of a workspace: messages and events with their times, and the page of it."""
+
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent, QTextCursor
+from PySide6.QtWidgets import QLineEdit, QPlainTextEdit, QWidget
+
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import save
+from trex_gui.ui.event_log import Event, EventLog
+from trex_gui.ui.files import in_background
+from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.runtime import now
+from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.behaviour import only_when_visible
+
+MOST_ENTRIES = 2000  # kept; the oldest are dropped
+_LONGEST = 2000  # characters of one entry
+_REPEATED = 1.0  # seconds in which the same text again is the same entry: event and message
+_SIGN = "⚠"
+
+
+@dataclass(frozen=True, slots=True)
+class LogEntry:
+    time: datetime  # local
+    text: str  # one line, for the user
+    is_problem: bool
+
+    def __str__(self) -> str:
+        """Return the line that is shown, copied and saved."""
+        sign = f"{_SIGN} " if self.is_problem else ""
+        return f"{self.time:%Y-%m-%d %H:%M:%S}  {sign}{self.text}"
+
+
+class Log(QObject):
+    """The newest entries, over the end of connections."""
+
+    added = Signal(object)  # the new `LogEntry`
+
+    def __init__(
+        self,
+        parent: QObject | None = None,
+        *,
+        clock: Callable[[], float] = now,
+        wall_clock: Callable[[], float] = time.time,
+    ) -> None:
+        """`clock` is that of events, `wall_clock` gives seconds since 1970."""
+        super().__init__(parent)
+        self._clock = clock
+        self._wall_clock = wall_clock
+        self.entries = deque[LogEntry](maxlen=MOST_ENTRIES)  # in the order of their arrival
+
+    def follow(self, events: EventLog) -> None:
+        """Log every event from now on."""
+        events.happened.connect(self._on_happened)
+
+    def add(self, text: str, *, is_problem: bool = False, at: float | None = None) -> None:
+        """Log a message, now or at a time of `clock`."""
+        line = " ".join(text.split())
+        line = line if len(line) <= _LONGEST else f"{line[:_LONGEST]} …"
+        age = 0.0 if at is None else self._clock() - at
+        moment = datetime.fromtimestamp(self._wall_clock() - age).astimezone()
+        last = self.entries[-1] if self.entries else None
+        if last is not None and last.text == line:
+            is_repeated = (moment - last.time).total_seconds() < _REPEATED
+            if is_repeated and last.is_problem >= is_problem:
+                return
+        self.entries.append(LogEntry(moment, line, is_problem))
+        self.added.emit(self.entries[-1])
+
+    @Slot(object)
+    def _on_happened(self, event: Event) -> None:
+        self.add(event.text, is_problem=event.is_problem, at=event.time)
+
+
+class LogPage(QWidget):
+    """The entries, newest at the bottom; can be searched, copied and saved."""
+
+    def __init__(
+        self, log: Log, key: str, notifier: Notifier, parent: QWidget | None = None
+    ) -> None:
+        """`key` begins the object names and the proposed file name."""
+        super().__init__(parent)
+        self.setObjectName(f"{key}LogPage")
+        self._log = log
+        self._key = key
+        self._notifier = notifier
+        self._search = ui.named(
+            QLineEdit(self), f"{key}LogSearch", accessible=self.tr("Search the log")
+        )
+        self._search.setPlaceholderText(self.tr("Search the log (Ctrl+F)"))
+        self._search.setClearButtonEnabled(True)
+        self._problems = ui.check_box(
+            self, f"{key}LogProblems", self.tr("Only problems"), on_toggle=self._fill
+        )
+        copy = ui.button(
+            self,
+            f"{key}LogCopy",
+            self.tr("Copy"),
+            icon="copy",
+            tip=self.tr("Copy the lines shown"),
+            on_click=self._copy,
+        )
+        save_button = ui.button(
+            self,
+            f"{key}LogSave",
+            self.tr("Save…"),
+            icon="save",
+            tip=self.tr("Save the lines shown as text"),
+            on_click=self._ask_and_save,
+        )
+        self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=self.tr("Log"))
+        self._text.setReadOnly(True)
+        self._text.setUndoRedoEnabled(False)
+        self._text.setMaximumBlockCount(MOST_ENTRIES)
+        self._text.setPlaceholderText(
+            self.tr("Messages, stops, lost connections and written settings will be listed here.")
+        )
+        above = ui.row((self._search, 1), self._problems, copy, save_button)
+        self.rows = ui.column(above, (self._text, 1), into=self)
+
+        QShortcut(QKeySequence.StandardKey.Find, self, self._search.setFocus)
+        self._search.textChanged.connect(self._fill)
+        log.added.connect(self._on_added)
+
+    def _is_shown(self, entry: LogEntry) -> bool:
+        if self._problems.isChecked() and not entry.is_problem:
+            return False
+        return self._search.text().strip().casefold() in str(entry).casefold()
+
+    @property
+    def _lines(self) -> list[str]:
+        return [str(entry) for entry in self._log.entries if self._is_shown(entry)]
+
+    @Slot()
+    @only_when_visible
+    def _fill(self) -> None:
+        self._text.setPlainText("\n".join(self._lines))
+        self._text.moveCursor(QTextCursor.MoveOperation.End)
+
+    @Slot(object)
+    def _on_added(self, entry: LogEntry) -> None:
+        if self.isVisible() and self._is_shown(entry):
+            self._text.appendPlainText(str(entry))  # scrolls if the end was in view
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._fill()
+
+    @Slot()
+    def _copy(self) -> None:
+        lines = self._lines
+        QGuiApplication.clipboard().setText("".join(f"{line}\n" for line in lines))
+        self._notifier.info.emit(self.tr("%n line(s) copied.", "", len(lines)))
+
+    @Slot()
+    def _ask_and_save(self) -> None:
+        name = f"{self._key}_log_{datetime.now().astimezone():%Y-%m-%d_%H-%M-%S}.txt"
+        path = file_questions.ask_to_save(
+            self,
+            self.tr("Save the log"),
+            file_questions.last_folder() / name,
+            self.tr("Text (*.txt)"),
+            ".txt",
+        )
+        if path is not None:
+            self.save(path)
+
+    def save(self, path: Path) -> None:
+        """Write the lines shown to a file, beside the window's thread."""
+        file_questions.remember_folder(path)
+        text = "".join(f"{line}\n" for line in self._lines)
+        saved = self.tr("The log was written to {0}.").format(path)
+        in_background(
+            self,
+            partial(save, path, text),
+            lambda _: self._notifier.info.emit(saved),
+            self._on_not_saved,
+        )
+
+    def _on_not_saved(self, error: StudioError) -> None:
+        self._notifier.error.emit(error_sentence(error))
