@@ -301,6 +301,13 @@ was {0}</numerusform>
             <numerusform>%n earlier pending edits will be written, too.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n change(s) not applied yet.</source>
+        <translation>
+            <numerusform>%n change not applied yet.</numerusform>
+            <numerusform>%n changes not applied yet.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Robot</name>
@@ -350,6 +357,16 @@ was {0}</numerusform>
         <translation>
             <numerusform>took      {0:.1f} ms; %n byte needs {1:.1f} ms on this wire</numerusform>
             <numerusform>took      {0:.1f} ms; %n bytes need {1:.1f} ms on this wire</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SetupDialog</name>
+    <message numerus="yes">
+        <source>Next adds %n change(s), which wait to be applied.</source>
+        <translation>
+            <numerusform>Next adds %n change, which wait to be applied.</numerusform>
+            <numerusform>Next adds %n changes, which wait to be applied.</numerusform>
         </translation>
     </message>
 </context>

@@ -50,6 +50,11 @@ def open_bench(window: WindowDriver, folder: Path) -> QWidget:
     return window.find(QWidget, "benchDialog")
 
 
+def open_setup(window: WindowDriver, folder: Path) -> QWidget:
+    window.trigger("setup")
+    return window.find(QWidget, "setupDialog")
+
+
 def stop_button(window: QWidget) -> QPushButton:
     """Return the red button of a window that may cover the main one."""
     buttons = window.findChildren(QPushButton)
@@ -64,4 +69,5 @@ WINDOWS_WITH_STOP = (
     open_review,
     open_defaults,
     open_bench,
+    open_setup,
 )

@@ -43,6 +43,7 @@ from trex_gui.ui.widgets.messages import PromptAnswer
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.playback import PlaybackWindow
+    from trex_gui.devices.trex.views.setup.dialog import SetupDialog
 
 
 class Recordings(RecordingManager["PlaybackWindow"]):
@@ -119,7 +120,9 @@ class TrexWorkspace(Workspace):
         self._power = PowerCycleDialog(device, frame)
         self._history = HistoryDialog(device, frame)
         learning = Learning(device, self)
+        self._learning = learning
         self._learn = LearnDialog(learning, frame)
+        self._setup: SetupDialog | None = None  # made when it is first opened
         learning.begun.connect(controller.demo_board.centre_sticks)
         self._bench = BenchDialog(device, Bench(device, self), frame)
 
@@ -163,7 +166,9 @@ class TrexWorkspace(Workspace):
             lambda key: self._actions[key].trigger(),
             self,
         )
-        return StatusPage(self._device, start, self)
+        page = StatusPage(self._device, start, self)
+        page.setup_requested.connect(self._set_up)
+        return page
 
     # The first window is shown without these pages, and without what they import.
 
@@ -205,6 +210,15 @@ class TrexWorkspace(Workspace):
         page = TrafficPage(traffic, "transcript", self.tr("a board"), self.notifier, self)
         self._frame.seen_changed.connect(page.set_window_seen)
         return page
+
+    def _set_up(self) -> None:
+        if self._setup is None:
+            from trex_gui.devices.trex.views.setup.dialog import SetupDialog  # noqa: PLC0415
+
+            self._setup = SetupDialog(self._device, self._learning, self._frame)
+            self._setup.learn_requested.connect(self._learn.learn)
+            self._setup.apply_requested.connect(self._review.review)
+        self._setup.open_setup()
 
     @Slot(object)
     def _show_parameter(self, key: object) -> None:
@@ -255,6 +269,7 @@ class TrexWorkspace(Workspace):
                 Entry("apply", tr("&Apply settings…"), self._review.review, "Ctrl+Return", "apply"),
                 Entry("power", tr("Make stored settings acti&ve…"), self._power.guide, "", "power"),
                 SEPARATOR,
+                Entry("setup", tr("Set &up my robot…"), self._set_up, "", "todo"),
                 Entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
                 Entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
                 Entry("bench", tr("&Bench test…"), self._bench.open_bench, "Ctrl+B", "plot"),
@@ -301,6 +316,7 @@ class TrexWorkspace(Workspace):
             "open": not device.applying,
             "record": recorder.recording or recorder.can_record,
             "run": device.motors.can_arm,
+            "setup": device.is_connected,
             "apply": writable and not device.rejects_settings and draft.pending > 0,
             "power": device.is_connected and to_activate,
             "discard": shown and draft.pending > 0,
@@ -441,6 +457,8 @@ class TrexWorkspace(Workspace):
             self._device.edit_backup.discard()
         self._history.close()
         self._learn.close()
+        if self._setup is not None:
+            self._setup.close()
         self._bench.close()
         self._demo.leave()
         self.files.close_all()

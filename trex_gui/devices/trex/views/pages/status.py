@@ -1,6 +1,6 @@
 """Page of the board, its line, and every error that it has reported."""
 
-from PySide6.QtCore import Qt, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFormLayout,
@@ -21,10 +21,12 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_o
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
-from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.labels import Muted, Note
 
 
 class StatusPage(QWidget):
+    setup_requested = Signal()
+
     def __init__(self, device: Device, start: QWidget, parent: QWidget | None = None) -> None:
         """`start` is shown while nothing is connected."""
         super().__init__(parent)
@@ -56,6 +58,15 @@ class StatusPage(QWidget):
                 "quality": self.tr("Failures:"),
             },
         )
+        set_up = ui.button(
+            self._report,
+            "setUpButton",
+            self.tr("Set up my r&obot…"),
+            icon="todo",
+            on_click=self.setup_requested,
+        )
+        text = self.tr("Who drives, jumpers, sticks, motors and limits, step by step.")
+        lead = ui.row(set_up, (Muted(text, self._report), 1), spacing=10)
         errors = QGroupBox(self.tr("Errors seen"), self)
         self._table = self._error_table(errors)
         reset = ui.button(
@@ -66,7 +77,8 @@ class StatusPage(QWidget):
             on_click=device.errors.reset,
         )
         ui.column(self._table, (reset, 0, Qt.AlignmentFlag.AlignRight), into=errors)
-        ui.column(ui.row((board, 3), (line, 2)), (errors, 1), into=self._report, margins=0)
+        forms = ui.row((board, 3), (line, 2))
+        ui.column(lead, forms, (errors, 1), into=self._report, margins=0)
         ui.column(self._lost, start, (self._report, 1), into=self)
 
         device.link_changed.connect(self._on_device_changed)

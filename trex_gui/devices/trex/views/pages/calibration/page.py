@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.channel_curve import MixWatch
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.learning.channels import stored_curve
+from trex_gui.devices.trex.model.learning.channels import follow_mix, stored_curve
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.pages.calibration.change_menu import ChangeMenu
@@ -307,15 +307,8 @@ class CalibrationPage(PlotPage):
         return self._device.telemetry.raw_of(self.channel) if self._is_active else None
 
     def _detect_mixing(self) -> None:
-        """Compare the outputs of channels 1 and 2 with those that the board reports."""
-        device, before = self._device, self._mix.mixed
-        raws = [device.telemetry.raw_of(channel) for channel in (1, 2, 4)]
-        one, two, flip = (stored_curve(device, channel) for channel in (1, 2, 4))
-        reported = device.telemetry.remapped
-        if device.is_joint:
-            self._mix.forget()
-        elif one and two and flip and reported and not flip.is_switched(4, raws[2]):
-            self._mix.feed((one.output(raws[0]), two.output(raws[1])), (reported[0], reported[1]))
+        before = self._mix.mixed
+        follow_mix(self._device, self._mix)
         if self._mix.mixed is not before:
             self._show_heading()
 

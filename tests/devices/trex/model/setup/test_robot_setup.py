@@ -1,0 +1,328 @@
+"""The assistant on a simulated robot: pulses show its wiring, and the edits correct it."""
+
+from collections.abc import Callable, Iterator
+from itertools import product
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.robots import Robot
+from tests.support.simulator import SimulatedDevice
+from trex_gui.core.resource_files import resource
+from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
+from trex_gui.devices.trex.model.setup.pulses import PAUSE, PULSE, STRONGER, WEAK
+from trex_gui.devices.trex.model.setup.robot_setup import SetupStep
+from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Side, Wiring
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.ui.runtime import now
+
+
+@pytest.fixture
+def robot(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Robot]:
+    robot = Robot(quick_simulator, qtbot)
+    robot.connect()
+    yield robot
+    qtbot.waitUntil(robot.device.shut_down)
+
+
+FORWARD = {Side.LEFT: 1, Side.RIGHT: 1}
+RIGHT = {Side.LEFT: 1, Side.RIGHT: -1}
+
+COMBINATIONS = list(product([False, True], repeat=2))
+
+
+# --- Which motor is which ---------------------------------------------------------------
+
+
+@pytest.mark.parametrize("pushed", [2000, 1000], ids=["rising", "falling"])
+@pytest.mark.parametrize(("swapped", "reversed_"), COMBINATIONS)
+def test_one_stick_is_corrected_by_reversed_channels(
+    robot: Robot, swapped: bool, reversed_: bool, pushed: int
+) -> None:
+    """Without any change of wires, as long as both motors are connected the same way round."""
+    robot.pushed = pushed
+    if swapped:
+        robot.exchange_motors()
+    if reversed_:
+        robot.directions = {Side.LEFT: -1, Side.RIGHT: -1}
+    setup = robot.setup
+    setup.choose_driver(Driver.ONE_STICK)
+    robot.show_sticks()
+    robot.go_to(SetupStep.MOTORS)
+    robot.find_motors()
+    assert setup.wiring is not None
+    assert not setup.wiring.rewiring(setup.driver)
+    falls = pushed == 1000
+    expected = (1 if (swapped != reversed_) != falls else 0) | (2 if reversed_ != falls else 0)
+    setup.next()
+    assert robot.device.parameters.value_of(ParameterKey.REVERSED_CHANNELS) == expected
+
+    assert not robot.device.motors.armed  # the step was left
+    robot.apply()
+    robot.start_in_rc_mode()
+    assert robot.turns_when_pushed(2) == FORWARD
+    assert robot.turns_when_pushed(1) == RIGHT
+
+
+@pytest.mark.parametrize(("swapped", "reversed_"), COMBINATIONS)
+def test_two_sticks_are_corrected_once_each_drives_its_side(
+    robot: Robot, swapped: bool, reversed_: bool
+) -> None:
+    if swapped:
+        robot.exchange_motors()
+    if reversed_:
+        robot.exchange_wires(Side.LEFT)
+    setup = robot.setup
+    setup.choose_driver(Driver.TWO_STICKS)
+    robot.show_sticks()
+    robot.go_to(SetupStep.MOTORS)
+    robot.find_motors()
+    assert setup.wiring is not None
+    assert setup.wiring.rewiring(setup.driver).exchange_motors is swapped
+    if swapped:
+        assert setup.edits == {}  # they would be wrong after the exchange
+        robot.exchange_motors()
+        setup.forget_movements()
+        robot.find_motors()
+    setup.next()
+    expected = 1 if reversed_ else 0
+    assert robot.device.parameters.value_of(ParameterKey.REVERSED_CHANNELS) == expected
+
+    robot.apply()
+    robot.start_in_rc_mode()
+    assert robot.turns_when_pushed(1) == {Side.LEFT: 1, Side.RIGHT: 0}
+    assert robot.turns_when_pushed(2) == {Side.LEFT: 0, Side.RIGHT: 1}
+
+
+@pytest.mark.parametrize(("swapped", "reversed_"), COMBINATIONS)
+def test_computer_needs_the_wires_exchanged(robot: Robot, swapped: bool, reversed_: bool) -> None:
+    """No setting changes what serial commands do."""
+    if swapped:
+        robot.exchange_motors()
+    if reversed_:
+        robot.exchange_wires(Side.LEFT)
+    setup = robot.setup
+    setup.choose_driver(Driver.COMPUTER)
+    robot.go_to(SetupStep.MOTORS)
+    robot.find_motors()
+    assert setup.edits == {}
+    assert setup.wiring is not None
+    rewiring = setup.wiring.rewiring(setup.driver)
+    if rewiring.exchange_motors:
+        robot.exchange_motors()
+    for side in rewiring.reverse:
+        robot.exchange_wires(side)
+    setup.forget_movements()
+    robot.find_motors()
+    assert setup.wiring == Wiring(swapped=False, backward=frozenset())
+    assert robot.device.draft.pending == 0
+
+
+def test_single_reversed_motor_of_one_stick_is_rewired() -> None:
+    wiring = Wiring(swapped=True, backward=frozenset({Side.LEFT}))
+    assert wiring.rewiring(Driver.ONE_STICK).reverse == {Side.LEFT}
+    assert wiring.turned_channels(Driver.ONE_STICK) == {1}
+
+
+def test_answers_that_contradict_each_other_give_nothing(robot: Robot) -> None:
+    setup = robot.setup
+    setup.rises.update({1: True, 2: True})
+    robot.go_to(SetupStep.MOTORS)
+    for first, second in (
+        (Movement.LEFT_FORWARD, Movement.LEFT_BACKWARD),
+        (Movement.LEFT_FORWARD, Movement.NOTHING),
+    ):
+        setup.note_movement(1, first)
+        setup.note_movement(2, second)
+        assert setup.wiring is None
+        assert setup.edits == {}
+
+
+def test_directions_wait_until_the_sticks_are_known(robot: Robot) -> None:
+    setup = robot.setup
+    assert setup.note_pushed((1, 2)) == (1, 2)  # both are at neutral
+    robot.go_to(SetupStep.MOTORS)
+    setup.note_movement(1, Movement.LEFT_BACKWARD)
+    setup.note_movement(2, Movement.RIGHT_BACKWARD)
+    assert setup.edits == {}
+    setup.rises.update({1: True, 2: True})
+    assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 3}
+
+
+# --- Pulses -----------------------------------------------------------------------------
+
+
+def test_held_motor_runs_in_short_weak_pulses_and_the_other_rests(robot: Robot) -> None:
+    robot.arm()
+    pulses, motors = robot.setup.pulses, robot.device.motors
+    motors.set_linked(True)
+    assert pulses.start(2)
+    begun, on = now(), []
+    while now() - begun < 3 * (PULSE + PAUSE):
+        on.append(robot.speeds())
+        robot.pass_time(0.02)
+    assert set(on) == {(0, 0), (0, WEAK)}
+    lengths = [len(part) for part in "".join("01"[b > 0] for _, b in on).split("0") if part]
+    assert len(lengths) == 3
+    assert max(lengths) * 0.02 <= 0.5
+    pulses.release()
+    robot.wait(lambda: robot.speeds() == (0, 0))
+    assert motors.armed
+    assert motors.linked
+    assert motors.accelerate
+
+
+def test_motor_that_did_not_turn_gets_a_stronger_pulse(robot: Robot) -> None:
+    robot.arm()
+    assert robot.setup.pulses.start(1, stronger=True)
+    robot.wait(lambda: robot.speeds() == (STRONGER, 0))
+
+
+def test_pulse_stays_below_the_ceiling(robot: Robot) -> None:
+    robot.arm()
+    robot.device.motors.set_ceiling(10)
+    assert robot.setup.pulses.start(1)
+    robot.wait(lambda: robot.speeds() == (10, 0))
+
+
+BLOCKERS: dict[str, tuple[Callable[[Robot], object], str]] = {
+    "the wheels are not confirmed": (
+        lambda robot: robot.setup.pulses.confirm_wheels(False),
+        "Lift the robot",
+    ),
+    "a stop has locked the motors": (lambda robot: robot.device.motors.press_stop(), "locked"),
+    "the motors are not armed": (lambda robot: robot.device.motors.stop(), "press Run motor"),
+    "the other motor runs": (lambda robot: robot.device.motors.set_speed(2, 30), "motor 2 +30"),
+    "another control is held": (lambda robot: robot.device.motors.acquire("pad"), "Another"),
+}
+
+
+@pytest.mark.parametrize("case", BLOCKERS)
+def test_pulse_is_refused(robot: Robot, case: str) -> None:
+    robot.arm()
+    act, words = BLOCKERS[case]
+    act(robot)
+    pulses = robot.setup.pulses
+    assert words in pulses.blocker
+    assert not pulses.start(1)
+    robot.pass_time(0.2)
+    assert robot.speeds()[0] == 0
+
+
+ENDS: dict[str, Callable[[Robot], object]] = {
+    "the button is released": lambda robot: robot.setup.pulses.release(),
+    "Stop is pressed": lambda robot: robot.device.motors.press_stop(),
+    "the step is left": lambda robot: robot.setup.skip(),
+    "the assistant is left": lambda robot: robot.setup.leave(),
+    "the wheels are set down": lambda robot: robot.setup.pulses.confirm_wheels(False),
+    "the line is closed": lambda robot: robot.device.disconnect_line(),
+}
+
+
+@pytest.mark.parametrize("end", ENDS)
+def test_pulses_end_and_do_not_begin_again(robot: Robot, end: str) -> None:
+    robot.go_to(SetupStep.MOTORS)
+    robot.arm()
+    assert robot.setup.pulses.start(1)
+    robot.wait(lambda: robot.speeds() == (WEAK, 0))
+    ENDS[end](robot)
+    assert robot.setup.pulses.motor == 0
+    assert robot.device.motors.armed is (end == "the button is released")
+    robot.wait(lambda: robot.speeds() == (0, 0))
+    robot.pass_time(2)
+    assert robot.speeds() == (0, 0)
+    assert robot.device.motors.accelerate
+
+
+def test_board_that_went_silent_gets_no_further_pulse(robot: Robot) -> None:
+    robot.go_to(SetupStep.MOTORS)
+    robot.arm()
+    assert robot.setup.pulses.start(1)
+    robot.wait(lambda: robot.speeds() == (WEAK, 0))
+    robot.simulator.do("line mute on")
+    robot.wait(lambda: not robot.device.is_connected)
+    robot.simulator.do("line mute off")
+    robot.wait(lambda: robot.device.is_connected)
+    assert robot.setup.pulses.motor == 0
+    assert not robot.setup.pulses.wheels_are_free
+    robot.pass_time(2)
+    assert robot.speeds() == (0, 0)
+
+
+def test_board_in_rc_mode_gets_neither_pulses_nor_edits(
+    start_simulator: Callable[..., SimulatedDevice], qtbot: QtBot
+) -> None:
+    robot = Robot(start_simulator("--unpaced", "--mode", "rc"), qtbot)
+    robot.device.connect_to(ConnectionSettings(robot.simulator.url))
+    robot.wait(lambda: robot.device.telemetry.serial_controls is not None)
+    robot.setup.pulses.confirm_wheels(True)
+    assert "in RC mode" in robot.setup.pulses.blocker
+    assert not robot.setup.pulses.start(1)
+    robot.go_to(SetupStep.LIMITS)
+    robot.setup.choose_preset(Preset.TANK)
+    assert robot.setup.edits == {}
+    qtbot.waitUntil(robot.device.shut_down)
+
+
+# --- The other steps --------------------------------------------------------------------
+
+
+def test_steps_that_do_not_apply_are_left_out(robot: Robot) -> None:
+    setup = robot.setup
+    setup.choose_driver(Driver.COMPUTER)
+    assert SetupStep.STICKS not in setup.steps
+    assert SetupStep.TIMEOUT in setup.steps
+    setup.choose_driver(Driver.TWO_STICKS)
+    assert SetupStep.STICKS in setup.steps
+    assert SetupStep.TIMEOUT not in setup.steps
+
+
+@pytest.mark.parametrize("mix", ["on", "off"])
+def test_mix_jumper_is_seen_and_followed(robot: Robot, mix: str) -> None:
+    robot.go_to(SetupStep.JUMPERS)
+    assert robot.setup.is_mixed is None
+    for jumper in (mix, "off" if mix == "on" else "on"):
+        robot.simulator.do(f"jumper mix {jumper}")
+        robot.push(2)
+        robot.pass_time(0.5)
+        assert robot.setup.is_mixed is (jumper == "on")
+    robot.device.disconnect_line()
+    robot.wait(lambda: robot.setup.is_mixed is None)
+
+
+@pytest.mark.parametrize("preset", Preset)
+@pytest.mark.parametrize("model", ["trex", "trexjr"])
+def test_preset_equals_its_sample(preset: Preset, model: str) -> None:
+    path = resource("samples") / preset.value
+    sample, _ = read_settings(path.read_bytes())
+    values = preset.values(model)
+    assert {key: sample.parameters[key] for key in values} == values
+    assert {"motor1_acceleration", "motor2_brake_duration"} <= values.keys()
+    assert (set(LIMITS) <= values.keys()) is (sample.product.key == model)
+
+
+def test_limits_and_timeout_become_pending_and_undo_in_one_step(robot: Robot) -> None:
+    setup, parameters = robot.setup, robot.device.parameters
+    setup.choose_driver(Driver.COMPUTER)
+    robot.go_to(SetupStep.LIMITS)
+    assert setup.edits == {}
+    setup.choose_preset(Preset.AUTONOMOUS)
+    setup.choose_current_limit(20)
+    setup.next()
+    steps = [setup.step]
+    assert [parameters.value_of(key) for key in LIMITS] == [20, 20]
+    assert parameters.value_of("motor2_acceleration") == 25
+    setup.skip()
+    assert not parameters.is_modified(ParameterKey.SERIAL_TIMEOUT)
+    setup.back()
+    setup.next()
+    assert parameters.value_of(ParameterKey.SERIAL_TIMEOUT) == 5
+    assert [*steps, setup.step] == [SetupStep.TIMEOUT, SetupStep.REVIEW]
+
+    shown = robot.simulator.show()["parameters"]
+    assert shown["serial_timeout"] == 0  # nothing is written before Apply
+    robot.device.draft.undo.undo()
+    robot.device.draft.undo.undo()
+    assert robot.device.draft.pending == 0

@@ -1,0 +1,226 @@
+"""The assistant in its window: no motor moves but by a held button, and every way out stops."""
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.pages.every_window import stop_button
+from tests.support.robots import Robot
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import LEFT, WidgetDriver, WindowDriver
+from trex_gui.devices.trex.driving.requests import SetMotor
+from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.setup.pulses import WEAK
+from trex_gui.devices.trex.model.setup.robot_setup import SetupStep
+from trex_gui.devices.trex.model.setup.wiring import Driver
+from trex_gui.devices.trex.views.setup.dialog import SetupDialog
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.behaviour import HoldButton
+
+DRIVERS = {
+    Driver.ONE_STICK: "setupDriverOneStick",
+    Driver.TWO_STICKS: "setupDriverTwoSticks",
+    Driver.COMPUTER: "setupDriverComputer",
+}
+
+
+def go_to(driver: WidgetDriver, dialog: QWidget, step: SetupStep) -> None:
+    assert isinstance(dialog, SetupDialog)
+    while dialog.setup.step is not step:
+        driver.click("setupNextButton")
+
+
+class Assistant(WidgetDriver):
+    """The dialog of a robot.
+
+    Attributes:
+        requests: every setpoint that was requested.
+    """
+
+    def __init__(self, robot: Robot, dialog: SetupDialog, qtbot: QtBot) -> None:
+        super().__init__(dialog, qtbot)
+        self.robot = robot
+        self.setup = robot.setup = dialog.setup
+        self.requests: list[SetMotor] = []
+        robot.device.motors.requested.connect(self.requests.append)
+
+    def arm(self) -> None:
+        go_to(self, self.root, SetupStep.MOTORS)
+        self.click("setupWheelsFree")
+        self.wait(lambda: self.is_enabled("setupRunButton"))
+        self.click("setupRunButton")
+
+    def hold(self, motor: int) -> HoldButton:
+        button = self.find(HoldButton, f"setupHold{motor}")
+        self.root.activateWindow()
+        button.setFocus()
+        self.wait(button.hasFocus)
+        assert button.isEnabled()
+        QTest.mousePress(button, LEFT)
+        speeds = (WEAK, 0) if motor == 1 else (0, WEAK)
+        self.wait(lambda: self.robot.speeds() == speeds)
+        return button
+
+
+@pytest.fixture
+def assistant(
+    quick_simulator: SimulatedDevice, qtbot: QtBot, qapp: QApplication
+) -> Iterator[Assistant]:
+    theme().install(qapp)
+    robot = Robot(quick_simulator, qtbot)
+    dialog = SetupDialog(robot.device, Learning(robot.device))
+    qtbot.addWidget(dialog)
+    robot.connect()
+    dialog.open_setup()
+    yield Assistant(robot, dialog, qtbot)
+    dialog.close()
+    qtbot.waitUntil(robot.device.shut_down)
+
+
+@pytest.mark.parametrize("driver", Driver)
+def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Driver) -> None:
+    assistant.click(DRIVERS[driver])
+    assert not assistant.is_enabled("setupRunButton")
+    assistant.arm()
+    for button in ("setupMotor1RightBackward", "setupMotor2LeftForward"):
+        assistant.click(button)
+    seen = []
+    while assistant.setup.step is not SetupStep.REVIEW:
+        seen.append(assistant.setup.step)
+        if assistant.setup.step is SetupStep.LIMITS:
+            assistant.click("setupPresetTank")
+        assistant.click("setupNextButton")
+    assert (SetupStep.TIMEOUT in seen) is (driver is Driver.COMPUTER)
+    assert assistant.robot.device.draft.pending > 0
+    assert assistant.is_enabled("setupApplyButton")
+    while assistant.is_enabled("setupBackButton"):
+        assistant.click("setupBackButton")
+    assert assistant.requests == []
+    assert assistant.robot.speeds() == (0, 0)
+    assert assistant.robot.simulator.show()["parameters"]["motor1_acceleration"] == 0
+
+
+def test_held_button_moves_its_motor_only(assistant: Assistant) -> None:
+    assistant.arm()
+    for motor in (1, 2):
+        button = assistant.hold(motor)
+        other = assistant.find(HoldButton, f"setupHold{3 - motor}")
+        assert not other.isEnabled()
+        QTest.mouseRelease(button, LEFT)
+        assistant.wait(lambda: assistant.robot.speeds() == (0, 0))
+    assert {request.motor for request in assistant.requests[:2]} == {1}
+
+
+def open_menu(assistant: Assistant) -> None:
+    """As another program or a tool tip may: no event says so, and the release is lost."""
+    menu = QMenu(assistant.root)
+    menu.addAction("Anything")
+    menu.popup(QPoint())
+    assistant.wait(lambda: assistant.setup.pulses.motor == 0)
+    menu.close()
+
+
+ENDS: dict[str, Callable[[Assistant], object]] = {
+    "the button is released": lambda one: QTest.mouseRelease(one.button("setupHold1"), LEFT),
+    "the focus goes elsewhere": lambda one: one.button("setupNextButton").setFocus(),
+    "another window comes forward": lambda one: QCoreApplication.sendEvent(
+        one.button("setupHold1"), QEvent(QEvent.Type.WindowDeactivate)
+    ),
+    "a menu opens": open_menu,
+    "the dialog is closed": lambda one: one.root.close(),
+    "the dialog is hidden": lambda one: one.root.hide(),
+    "the next step is shown": lambda one: one.click("setupNextButton"),
+    "the step before is shown": lambda one: one.click("setupBackButton"),
+    "the step is skipped": lambda one: one.click("setupSkipButton"),
+    "the wheels are set down": lambda one: one.click("setupWheelsFree"),
+    "Stop is pressed": lambda one: QTest.mousePress(stop_button(one.root), LEFT),
+    "the line is cut": lambda one: one.robot.simulator.do("line unplug"),
+}
+STAYS_ARMED = {
+    "the button is released",
+    "the focus goes elsewhere",
+    "another window comes forward",
+    "a menu opens",
+}
+"""The motor brakes, as with every control that is held."""
+
+
+@pytest.mark.parametrize("end", ENDS)
+@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # popups offscreen
+def test_every_way_out_stops(assistant: Assistant, end: str) -> None:
+    assistant.arm()
+    assistant.hold(1)
+    ENDS[end](assistant)
+    robot = assistant.robot
+    assistant.wait(lambda: assistant.setup.pulses.motor == 0)
+    assert robot.device.motors.armed is (end in STAYS_ARMED)
+    if end == "the line is cut":
+        return  # the board itself has to stop the motor now
+    assistant.wait(lambda: robot.speeds() == (0, 0))
+    robot.pass_time(2)
+    assert robot.speeds() == (0, 0)
+
+
+def test_board_in_rc_mode_is_explained_and_followed(assistant: Assistant) -> None:
+    robot = assistant.robot
+    go_to(assistant, assistant.root, SetupStep.JUMPERS)
+    assistant.wait_for_text("setupModeCheck", "serial mode")
+    robot.simulator.do("jumper mode rc")
+    robot.simulator.do("power cycle")
+    assistant.wait_for_text("setupModeCheck", "started in RC mode")
+    go_to(assistant, assistant.root, SetupStep.MOTORS)
+    assert "in RC mode" in assistant.text("setupPulseNote")
+    for name in ("setupWheelsFree", "setupRunButton", "setupHold1", "setupHold2"):
+        assert not assistant.is_enabled(name)
+    go_to(assistant, assistant.root, SetupStep.LIMITS)
+    assert "rejects settings" in assistant.text("setupEdits")
+    assistant.click("setupPresetTank")
+    assistant.click("setupNextButton")
+    assert not assistant.is_enabled("setupApplyButton")
+    assert robot.device.draft.pending == 0
+    assistant.click("setupBackButton")
+
+    robot.simulator.do("jumper mode serial")
+    robot.simulator.do("power cycle")
+    assistant.wait(lambda: "Next adds 6 changes" in assistant.text("setupEdits"))
+
+
+def test_assistant_is_made_when_opened_and_joins_the_other_dialogs(
+    connected_window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    window = connected_window
+    assert window.root.findChild(SetupDialog) is None
+    window.click("setUpButton")
+    dialog = window.find_only(SetupDialog)
+    assert dialog.isVisible()
+    assert not dialog.isModal()
+    go_to(window, dialog, SetupStep.STICKS)
+    window.click("setupLearnButton")
+    assert window.find(QWidget, "learnDialog").isVisible()
+    window.find(QWidget, "learnDialog").close()
+
+    go_to(window, dialog, SetupStep.MOTORS)
+    window.click("setupWheelsFree")
+    window.wait(lambda: window.motors.can_arm)
+    window.click("setupRunButton")
+    button = window.find(HoldButton, "setupHold2")
+    QTest.mousePress(button, LEFT)
+    window.wait(lambda: window.motors.text == f"motor 2 +{WEAK}")
+    QTest.keyClick(button, Qt.Key.Key_Escape)
+    assert dialog.isVisible()
+    assert not window.motors.armed
+    assert window.motors.locked_for
+    QTest.mouseRelease(button, LEFT)
+    window.wait(lambda: quick_simulator.show()["motors"][1]["direction"] == "brake")
+
+    go_to(window, dialog, SetupStep.LIMITS)
+    window.click("setupPresetTank")
+    window.click("setupNextButton")
+    window.click("setupApplyButton")
+    assert window.find(QWidget, "reviewDialog").isVisible()
+    dialog.close()
+    assert window.device.draft.pending == 6

@@ -1,0 +1,126 @@
+"""A simulated robot: a board with two wheels, and the assistant that sets it up."""
+
+from collections.abc import Callable
+
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
+from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Side
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.runtime import now
+
+MOVEMENTS = {
+    (Side.LEFT, 1): Movement.LEFT_FORWARD,
+    (Side.LEFT, -1): Movement.LEFT_BACKWARD,
+    (Side.RIGHT, 1): Movement.RIGHT_FORWARD,
+    (Side.RIGHT, -1): Movement.RIGHT_BACKWARD,
+}
+
+
+class Robot:
+    """A simulated board with two wheels.
+
+    Attributes:
+        motors: the motor of each wheel.
+        directions: 1, or -1 for a wheel that turns backward when its motor is driven forward.
+        pushed: the pulse of a stick that is pushed forward or right, in µs.
+    """
+
+    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
+        self.device = Device()
+        self.setup = RobotSetup(self.device, Learning(self.device))
+        self.simulator = simulator
+        self.qtbot = qtbot
+        self.motors = {Side.LEFT: 1, Side.RIGHT: 2}
+        self.directions = {Side.LEFT: 1, Side.RIGHT: 1}
+        self.pushed = 2000
+
+    def wait(self, condition: Callable[[], object]) -> None:
+        self.qtbot.waitUntil(lambda: bool(condition()))
+
+    def pass_time(self, seconds: float) -> None:
+        until = now() + seconds
+        self.wait(lambda: now() >= until)
+
+    def connect(self) -> None:
+        self.device.connect_to(ConnectionSettings(self.simulator.url))
+        self.wait(lambda: self.device.telemetry.motor_currents is not None)
+        self.wait(lambda: self.device.motors.is_available)
+
+    def speeds(self) -> tuple[int, int]:
+        """What the simulated outputs do: signed speeds; 0 while they brake."""
+        signs = {"forward": 1, "reverse": -1, "brake": 0}
+        first, second = (
+            signs[m["direction"]] * m["speed"] for m in self.simulator.show()["motors"]
+        )
+        return first, second
+
+    def wheels(self) -> dict[Side, int]:
+        """How the wheels turn: 1 forward, -1 backward, 0 not."""
+        speeds = self.speeds()
+        turns = {side: speeds[self.motors[side] - 1] * self.directions[side] for side in Side}
+        return {side: (turn > 0) - (turn < 0) for side, turn in turns.items()}
+
+    def exchange_motors(self) -> None:
+        self.motors = {side: 3 - motor for side, motor in self.motors.items()}
+
+    def exchange_wires(self, side: Side) -> None:
+        self.directions[side] *= -1
+
+    def arm(self) -> None:
+        self.setup.pulses.confirm_wheels(True)
+        self.device.motors.arm()
+        assert self.device.motors.armed
+
+    def go_to(self, step: SetupStep) -> None:
+        self.setup.begin()
+        while self.setup.step is not step:
+            self.setup.skip()
+
+    def find_motors(self) -> None:
+        """Look which wheel the pulses of each motor turn, as a user does."""
+        setup = self.setup
+        self.arm()
+        for motor in (1, 2):
+            assert setup.pulses.start(motor), setup.pulses.blocker
+            self.wait(lambda: any(self.wheels().values()))
+            ((side, turn),) = ((side, turn) for side, turn in self.wheels().items() if turn)
+            setup.pulses.release()
+            self.wait(lambda: self.speeds() == (0, 0))
+            setup.note_movement(motor, MOVEMENTS[side, turn])
+
+    def push(self, *channels: int) -> None:
+        for channel in (1, 2):
+            width = self.pushed if channel in channels else 1500
+            self.simulator.do(f"channel {channel} {width}us")
+        self.pass_time(0.3)
+
+    def show_sticks(self) -> None:
+        """Push them forward, then with one stick right, and say so."""
+        one_stick = self.setup.driver is Driver.ONE_STICK
+        for channels in ((2,), (1,)) if one_stick else ((1, 2),):
+            self.push(*channels)
+            assert self.setup.note_pushed(channels) == ()
+        self.push()
+
+    def apply(self) -> None:
+        self.device.apply()
+        self.wait(lambda: not self.device.draft.pending and not self.device.applying)
+
+    def start_in_rc_mode(self) -> None:
+        self.simulator.do("jumper mode rc")
+        is_mixed = self.setup.driver is Driver.ONE_STICK
+        self.simulator.do(f"jumper mix {'on' if is_mixed else 'off'}")
+        for channel in range(1, 6):
+            self.simulator.do(f"channel {channel} 1500us")
+        self.simulator.do("power cycle")
+        self.pass_time(2)
+
+    def turns_when_pushed(self, *channels: int) -> dict[Side, int]:
+        self.push(*channels)
+        turns = self.wheels()
+        self.push()
+        return turns

@@ -1,0 +1,1 @@
+"""Setting a robot up step by step."""

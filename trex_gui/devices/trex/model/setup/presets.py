@@ -1,0 +1,47 @@
+"""Current limits and ramps for kinds of robots, from the sample settings."""
+
+from collections.abc import Mapping
+from enum import Enum
+from functools import cache
+
+from trex_gui.core.resource_files import resource
+from trex_gui.devices.trex.protocol.parameters import MotorParameter
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.reader import read_settings
+
+LIMITS = tuple(MotorParameter.CURRENT_LIMIT.of(motor) for motor in (1, 2))
+
+_RAMPS = (
+    MotorParameter.ACCELERATION,
+    MotorParameter.BRAKE_DURATION,
+    MotorParameter.CURRENT_LIMIT_P,
+)
+
+
+class Preset(Enum):
+    """Kinds of robots; the value is the sample of one."""
+
+    TANK = "tank_with_mix.txt"
+    ROVER = "rover_with_serial_override.txt"
+    AUTONOMOUS = "autonomous_robot.txt"
+
+    @property
+    def product(self) -> str:
+        """The model of the board of the sample, as a key."""
+        return _sample(self.value).product.key
+
+    def values(self, model: str) -> Mapping[str, int]:
+        """Return wire values by key for a model.
+
+        A current limit is left out where the sample is for another model: it counts in other
+        units there, and the motor drivers carry other currents.
+        """
+        sample = _sample(self.value).parameters
+        keys = [parameter.of(motor) for motor in (1, 2) for parameter in _RAMPS]
+        return {key: sample[key] for key in (*keys, *(LIMITS if model == self.product else ()))}
+
+
+@cache
+def _sample(name: str) -> Settings:
+    settings, _ = read_settings((resource("samples") / name).read_bytes(), name)
+    return settings

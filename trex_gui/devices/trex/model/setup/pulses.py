@@ -1,0 +1,139 @@
+"""Short weak pulses of one motor, which show what it drives."""
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.held_drive import held_drive_blocker
+from trex_gui.ui.runtime import new_timer
+
+_HOLDER = "setup"  # the name by which the pulses acquire the motors
+
+WEAK, STRONGER = 25, 38
+"""Speeds of a pulse: 20 % and 30 % of full.
+
+Inferred: 20 % turns most geared motors whose wheels are free, and a robot that stands on the
+floor all the same moves a few centimetres. 30 % is for motors that it did not turn.
+"""
+
+PULSE = 0.4
+"""Seconds for which the motor is driven; long enough to see which way it turns."""
+
+PAUSE = 0.6
+"""Seconds at rest between two pulses."""
+
+
+class MotorPulses(QObject):
+    """Drives one motor forward in pulses, only while a button is held.
+
+    They are common setpoints of a held control: arming, the speed ceiling, stops and the guardian
+    apply as everywhere. The other motor has to be at rest, and remains there.
+    """
+
+    changed = Signal()  # `motor`, `wheels_are_free` or `blocker`
+
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.motor = 0  # the motor that the held button drives; 0 for none
+        self.wheels_are_free = False  # the user has confirmed it
+        self._device = device
+        self._motors = motors = device.motors
+        self._speed = WEAK
+        self._is_on = False
+        self._options = True, False
+        self._timer = new_timer(self, round(PULSE * 1000), self._on_step, single_shot=True)
+
+        for signal in (
+            motors.arming_changed,
+            motors.availability_changed,
+            motors.setpoints_changed,
+            motors.holder_changed,
+            motors.lockout_changed,
+        ):
+            signal.connect(self._on_motors_changed)
+        device.link_changed.connect(self._on_link_changed)
+        device.state_changed.connect(self.changed)
+
+    @property
+    def cannot_drive(self) -> str:
+        """Why this board cannot show its motors one by one; empty if it can."""
+        device = self._device
+        if device.rejects_settings and device.state is not None:
+            text = self.tr(
+                "The board is in {0} mode, so the sticks control the motors and not this program. "
+                "Skip this step, or switch the board off, remove the mode jumper and switch it on."
+            )
+            return text.format(device.state.mode.source.value)
+        if device.is_connected and device.is_joint:
+            return self.tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
+        return ""
+
+    @property
+    def blocker(self) -> str:
+        """Why no pulse can start now and what to do, for the user; empty when one can."""
+        if self.cannot_drive:
+            return self.cannot_drive
+        if self._device.is_connected and not self.wheels_are_free:
+            return self.tr("Lift the robot so that its wheels turn freely, and confirm it here.")
+        return held_drive_blocker(self._device, _HOLDER, is_driving=bool(self.motor))
+
+    def confirm_wheels(self, free: bool) -> None:
+        """Take from the user whether the wheels are off the ground; if not, everything stops."""
+        if free != self.wheels_are_free:
+            self.wheels_are_free = free
+            if not free:
+                self.stop(self.tr("The wheels may touch the ground."))
+            self.changed.emit()
+
+    def start(self, motor: int, *, stronger: bool = False) -> bool:
+        """Begin to drive motor 1 or 2 in pulses, and return whether it does."""
+        if self.motor or self.blocker or not self._motors.acquire(_HOLDER):
+            return False
+        motors = self._motors
+        self.motor, self._speed = motor, STRONGER if stronger else WEAK
+        self._options = motors.accelerate, motors.linked
+        motors.accelerate = False  # with a slow ramp nothing would move within a pulse
+        if motors.linked:
+            motors.set_linked(False)
+        self._is_on = False
+        self._on_step()
+        self.changed.emit()
+        return bool(self.motor)
+
+    def release(self) -> None:
+        """Brake the motor; the motors stay armed."""
+        self._motors.release(_HOLDER)
+
+    def stop(self, reason: str) -> None:
+        """Stop and disarm all motors, if any may move."""
+        if self._motors.armed or self._device.may_move:
+            self._motors.stop(reason)
+
+    @Slot()
+    def _on_step(self) -> None:
+        if not self.motor:
+            return
+        self._is_on = not self._is_on
+        if self._is_on:
+            self._motors.set_speed(self.motor, self._speed, _HOLDER)
+        else:
+            self._motors.set_brake(self.motor, self._motors.release_brake, _HOLDER)
+        if self.motor:  # a setpoint may have caused a stop
+            self._timer.start(round((PULSE if self._is_on else PAUSE) * 1000))
+
+    @Slot()
+    def _on_motors_changed(self) -> None:
+        if self.motor and self._motors.holder != _HOLDER:
+            self._timer.stop()
+            self.motor = 0
+            accelerate, linked = self._options
+            self._motors.accelerate = accelerate
+            if linked:
+                self._motors.set_linked(True)
+        self.changed.emit()
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        """Forget the confirmation with the board: the robot may be set down meanwhile."""
+        if not self._device.is_connected:
+            self.wheels_are_free = False
+        self.changed.emit()

@@ -1,0 +1,249 @@
+"""The assistant that sets up a robot: its steps, and the edits that each one makes."""
+
+from collections.abc import Iterable, Mapping
+from enum import Enum, auto
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.devices.trex.model.channel_curve import MixWatch
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.learning.channels import follow_mix
+from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
+from trex_gui.devices.trex.model.setup.pulses import MotorPulses
+from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Wiring
+from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.ui.devices.connection import ConnectionState
+
+_REVERSED = ParameterKey.REVERSED_CHANNELS
+_STICKS = (1, 2)  # the channels that drive
+
+TIMEOUT_WIRE = 5
+"""The serial timeout that is proposed: 0.5 s, as in the samples of robots with a computer."""
+
+_PUSHED = 0.25  # part of a channel's range by which a stick is off neutral at least when pushed
+
+
+class SetupStep(Enum):
+    DRIVER = auto()
+    JUMPERS = auto()
+    STICKS = auto()
+    MOTORS = auto()
+    LIMITS = auto()
+    TIMEOUT = auto()
+    REVIEW = auto()
+
+
+class RobotSetup(QObject):
+    """Makes pending edits only, each with `next`; every step can be skipped and left.
+
+    Attributes:
+        step: the present one of `steps`.
+        driver: who drives the robot.
+        movements: what the user saw each motor move.
+        rises: for channels 1 and 2, whether the input rises when the stick goes forward or right;
+            without the channel if not known.
+        preset: whose ramps are used; `None` keeps those of the board.
+        current_limit: wire value for both motors; `None` keeps those of the board.
+        timeout: wire value of the serial timeout.
+    """
+
+    changed = Signal()
+
+    def __init__(self, device: Device, learning: Learning, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.step = SetupStep.DRIVER
+        self.driver = Driver.ONE_STICK
+        self.movements: dict[int, Movement] = {}
+        self.rises: dict[int, bool] = {}
+        self.preset: Preset | None = None
+        self.current_limit: int | None = None
+        self.timeout = TIMEOUT_WIRE
+        self.pulses = MotorPulses(device, self)
+        self._device = device
+        self._learning = learning
+        self._mix = MixWatch()
+
+        learning.edited.connect(self._take_learned)
+        learning.stored.connect(self._take_learned)
+        device.link_changed.connect(self._on_link_changed)
+        device.state_changed.connect(self.changed)
+        device.draft.pending_changed.connect(self.changed)
+        device.telemetry.frame_due.connect(self._on_frame_due)
+
+    # --- State --------------------------------------------------------------------------
+
+    @property
+    def steps(self) -> tuple[SetupStep, ...]:
+        """The steps that apply to the driver."""
+        sticks = self.driver.uses_sticks
+        left_out = SetupStep.TIMEOUT if sticks else SetupStep.STICKS
+        return tuple(step for step in SetupStep if step is not left_out)
+
+    @property
+    def is_mixed(self) -> bool | None:
+        """Whether the mix jumper is on; `None` before the sticks have shown it."""
+        return self._mix.mixed
+
+    @property
+    def wiring(self) -> Wiring | None:
+        """How the motors are connected, once the pulses of both showed it."""
+        return Wiring.seen(self.movements)
+
+    @property
+    def knows_sticks(self) -> bool:
+        return all(channel in self.rises for channel in _STICKS)
+
+    @property
+    def edits(self) -> Mapping[str, int]:
+        """The wire values by key that `next` would change in this step."""
+        parameters, device = self._device.parameters, self._device
+        if not device.is_writable or device.rejects_settings:
+            return {}
+        return {
+            key: wire
+            for key, wire in self._wanted().items()
+            if parameters.can_edit(key) and parameters.value_of(key) != wire
+        }
+
+    def _wanted(self) -> Mapping[str, int]:
+        match self.step:
+            case SetupStep.MOTORS:
+                return self._directions()
+            case SetupStep.LIMITS:
+                limit = self.current_limit
+                model = self._device.parameters.model_key
+                values = {} if self.preset is None else self.preset.values(model)
+                ramps = {key: wire for key, wire in values.items() if key not in LIMITS}
+                return ramps | ({} if limit is None else dict.fromkeys(LIMITS, limit))
+            case SetupStep.TIMEOUT:
+                return {ParameterKey.SERIAL_TIMEOUT: self.timeout}
+        return {}
+
+    def _directions(self) -> Mapping[str, int]:
+        wiring = self.wiring
+        if not self.driver.uses_sticks or wiring is None or not self.knows_sticks:
+            return {}
+        if wiring.rewiring(self.driver):
+            return {}
+        turned = wiring.turned_channels(self.driver)
+        others = set(channels_in(self._device.parameters.value_of(_REVERSED) or 0)) - set(_STICKS)
+        reversed_ = {n for n in _STICKS if self.rises[n] == (n in turned)}
+        return {_REVERSED: channel_mask(others | reversed_)}
+
+    # --- User actions -------------------------------------------------------------------
+
+    def choose_driver(self, driver: Driver) -> None:
+        if driver is not self.driver:
+            self.driver = driver
+            self.rises.clear()  # a stick's way to the right may be another one's way forward
+            self.changed.emit()
+
+    def note_pushed(self, channels: Iterable[int]) -> tuple[int, ...]:
+        """Note that the sticks of these channels are pushed forward or right now.
+
+        Return the channels whose input does not show it.
+        """
+        unclear = []
+        for channel in channels:
+            raw = self._device.telemetry.raw_of(channel)
+            calibration = self._device.calibrations.stored(channel)
+            if raw is None or calibration is None:
+                unclear.append(channel)
+                continue
+            offset = raw - calibration.neutral
+            if abs(offset) < _PUSHED * (calibration.maximum - calibration.minimum):
+                unclear.append(channel)
+            else:
+                self.rises[channel] = offset > 0
+        self.changed.emit()
+        return tuple(unclear)
+
+    def note_movement(self, motor: int, seen: Movement) -> None:
+        self.movements[motor] = seen
+        self.changed.emit()
+
+    def forget_movements(self) -> None:
+        """Begin anew with both motors, as after their wires were exchanged."""
+        self.movements.clear()
+        self.changed.emit()
+
+    def choose_preset(self, preset: Preset | None) -> None:
+        """Choose ramps, and the current limit with them if the sample has one for this board."""
+        model = self._device.parameters.model_key
+        self.preset = preset
+        self.current_limit = None
+        if preset is not None and not self._device.is_joint:
+            self.current_limit = preset.values(model).get(LIMITS[0])
+        self.changed.emit()
+
+    def choose_current_limit(self, wire: int) -> None:
+        self.current_limit = wire
+        self.changed.emit()
+
+    def choose_timeout(self, wire: int) -> None:
+        self.timeout = wire
+        self.changed.emit()
+
+    def next(self) -> None:
+        """Make the edits of this step, in one undo step, and go on."""
+        if edits := self.edits:
+            with self._device.draft.one_edit(self.tr("Set up my robot")):
+                for key, wire in edits.items():
+                    self._device.parameters.edit(key, wire, alone=True)
+        self.skip()
+
+    def skip(self) -> None:
+        self._move(1)
+
+    def back(self) -> None:
+        self._move(-1)
+
+    def begin(self) -> None:
+        """Start with the first step; the answers given so far are kept."""
+        self._go(SetupStep.DRIVER)
+
+    def leave(self) -> None:
+        """Stop the motors; the pending edits stay."""
+        self.pulses.confirm_wheels(False)
+        self.pulses.stop(self.tr("The assistant was left."))
+
+    def _move(self, by: int) -> None:
+        steps = self.steps
+        index = steps.index(self.step) + by
+        if 0 <= index < len(steps):
+            self._go(steps[index])
+
+    def _go(self, step: SetupStep) -> None:
+        if self.step is SetupStep.MOTORS:
+            self.leave()
+        self.step = step
+        self.changed.emit()
+
+    # --- What has changed ---------------------------------------------------------------
+
+    @Slot()
+    def _take_learned(self) -> None:
+        for channel in self._learning.channels:
+            if channel.can_be_used and channel.choice is not None and channel.number in _STICKS:
+                self.rises[channel.number] = not channel.choice.reversed_
+        self.changed.emit()
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        """Forget what is known of another board, perhaps another robot."""
+        if not self._device.is_connected:
+            self._mix.forget()
+        if self._device.link is ConnectionState.DISCONNECTED:
+            self.movements.clear()
+            self.rises.clear()
+        self.changed.emit()
+
+    @Slot()
+    def _on_frame_due(self) -> None:
+        before = self._mix.mixed
+        if self.step is SetupStep.JUMPERS:
+            follow_mix(self._device, self._mix)
+        if self._mix.mixed is not before:
+            self.changed.emit()

@@ -1,0 +1,109 @@
+"""Which motor drives which wheel, and what corrects it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum, auto
+
+
+class Driver(Enum):
+    """Who drives the robot."""
+
+    ONE_STICK = auto()  # the mix jumper is on: channel 2 drives, channel 1 turns
+    TWO_STICKS = auto()  # the mix jumper is off: channel 1 is motor 1, channel 2 motor 2
+    COMPUTER = auto()  # by serial commands
+
+    @property
+    def uses_sticks(self) -> bool:
+        return self is not Driver.COMPUTER
+
+
+class Side(Enum):
+    LEFT = auto()
+    RIGHT = auto()
+
+
+class Movement(Enum):
+    """What moved while a motor was driven forward by a serial command."""
+
+    LEFT_FORWARD = auto()
+    LEFT_BACKWARD = auto()
+    RIGHT_FORWARD = auto()
+    RIGHT_BACKWARD = auto()
+    NOTHING = auto()
+
+    @property
+    def side(self) -> Side | None:
+        if self is Movement.NOTHING:
+            return None
+        left = {Movement.LEFT_FORWARD, Movement.LEFT_BACKWARD}
+        return Side.LEFT if self in left else Side.RIGHT
+
+    @property
+    def is_backward(self) -> bool:
+        return self in {Movement.LEFT_BACKWARD, Movement.RIGHT_BACKWARD}
+
+
+@dataclass(frozen=True, slots=True)
+class Rewiring:
+    """What no setting of the board can do."""
+
+    exchange_motors: bool  # the pairs of wires of motors 1 and 2
+    reverse: frozenset[Side]  # motors whose two wires have to be exchanged
+
+    def __bool__(self) -> bool:
+        return self.exchange_motors or bool(self.reverse)
+
+
+@dataclass(frozen=True, slots=True)
+class Wiring:
+    """How the motors are connected; normally motor 1 drives the left wheel, both forward."""
+
+    swapped: bool  # motor 1 drives the right wheel
+    backward: frozenset[Side]  # wheels that turn backward when their motor is driven forward
+
+    @classmethod
+    def seen(cls, movements: Mapping[int, Movement]) -> "Wiring | None":
+        """Return the wiring that both motors (1 and 2) showed; `None` if not known yet.
+
+        Nor is it known if both seemed to move the same wheel.
+        """
+        sides = [movements[motor].side for motor in (1, 2) if motor in movements]
+        if set(sides) != {Side.LEFT, Side.RIGHT}:
+            return None
+        backward = (seen.side for seen in movements.values() if seen.is_backward)
+        return cls(sides[0] is Side.RIGHT, frozenset(side for side in backward if side))
+
+    def rewiring(self, driver: Driver) -> Rewiring:
+        """Return which wires have to be exchanged.
+
+        The board stores no direction and no place of a motor, only directions of channels
+        (parameter 0x03), which serial commands ignore. With mixing these can turn both motors
+        round, or make left of right; without it, each motor round.
+        """
+        nothing: frozenset[Side] = frozenset()
+        match driver:
+            case Driver.ONE_STICK:
+                return Rewiring(False, self.backward if len(self.backward) == 1 else nothing)
+            case Driver.TWO_STICKS:
+                return Rewiring(self.swapped, nothing)
+            case Driver.COMPUTER:
+                return Rewiring(self.swapped, self.backward)
+
+    def turned_channels(self, driver: Driver) -> frozenset[int]:
+        """Return which of channels 1 and 2 have to give the opposite, once all is rewired.
+
+        Mixing is motor 1 = forward + turn, motor 2 = forward - turn (inferred, reference
+        section 3), so turning channel 1 exchanges the motors, and turning both channels
+        reverses both motors.
+        """
+        wrong = self.rewiring(driver)
+        backward = self.backward - wrong.reverse
+        match driver:
+            case Driver.ONE_STICK:
+                is_reversed = len(backward) == 2
+                turned = {1: self.swapped != is_reversed, 2: is_reversed}
+            case Driver.TWO_STICKS:
+                turned = {1: Side.LEFT in backward, 2: Side.RIGHT in backward}
+            case Driver.COMPUTER:
+                turned = {}
+        return frozenset(channel for channel, is_turned in turned.items() if is_turned)

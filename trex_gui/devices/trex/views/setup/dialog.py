@@ -1,0 +1,156 @@
+"""The assistant that sets up a robot, beside the window."""
+
+from PySide6.QtCore import Signal, Slot
+from PySide6.QtGui import QCloseEvent, QHideEvent
+from PySide6.QtWidgets import QStackedWidget, QWidget
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
+from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.devices.trex.views.learning.dialog import StepStrip
+from trex_gui.devices.trex.views.setup.motors_page import WiringPage
+from trex_gui.devices.trex.views.setup.pages import (
+    DriverPage,
+    JumperPage,
+    LimitsPage,
+    ReviewPage,
+    SticksPage,
+    TimeoutPage,
+)
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import ReusedDialog, only_when_visible
+from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+_Page = DriverPage | JumperPage | SticksPage | WiringPage | LimitsPage | TimeoutPage | ReviewPage
+
+_MOST_NAMED = 2  # changes that are listed; of more the number is given
+
+
+class SetupDialog(ReusedDialog):
+    """Not modal, with a stop button of its own: the window stays in reach.
+
+    Esc stops the motors, as everywhere, and leaves the dialog open. Leaving it stops them, too.
+    """
+
+    learn_requested = Signal()
+    apply_requested = Signal()
+
+    def __init__(self, device: Device, learning: Learning, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("setupDialog")
+        self.setWindowTitle(self.tr("Set up my robot"))
+        self.resize(900, 540)
+        self._device = device
+        self.setup = setup = RobotSetup(device, learning, self)
+
+        self._strip = StepStrip(self)
+        sticks = SticksPage(device, setup, learning, self)
+        review = ReviewPage(device, setup, self)
+        sticks.learn_requested.connect(self.learn_requested)
+        review.apply_requested.connect(self.apply_requested)
+        self._pages: dict[SetupStep, _Page] = {
+            SetupStep.DRIVER: DriverPage(setup, self),
+            SetupStep.JUMPERS: JumperPage(device, setup, self),
+            SetupStep.STICKS: sticks,
+            SetupStep.MOTORS: WiringPage(device, setup, self),
+            SetupStep.LIMITS: LimitsPage(device, setup, self),
+            SetupStep.TIMEOUT: TimeoutPage(device, setup, self),
+            SetupStep.REVIEW: review,
+        }
+        self._stack = QStackedWidget(self)
+        for step, page in self._pages.items():
+            page.setObjectName(page.objectName() or f"setup{step.name.title()}Page")
+            self._stack.addWidget(ScrollBox(page, self))
+        self._edits = ui.named(Note(2, self), "setupEdits")
+        self._back = ui.button(
+            self, "setupBackButton", self.tr("&Back"), default=False, on_click=setup.back
+        )
+        self._skip = ui.button(
+            self,
+            "setupSkipButton",
+            self.tr("S&kip"),
+            default=False,
+            tip=self.tr("Go on without the changes of this step"),
+            on_click=setup.skip,
+        )
+        self._next = ui.button(
+            self, "setupNextButton", self.tr("&Next"), default=True, on_click=setup.next
+        )
+        self._close = ui.button(
+            self,
+            "setupCloseButton",
+            self.tr("Close"),
+            default=False,
+            tip=self.tr("Leave the assistant; changes that it made wait to be applied"),
+            on_click=self.close,
+        )
+        stop = StopButton(device, "setupStopButton", self)
+        buttons = ui.row(stop, 1, self._back, self._skip, self._next, self._close)
+        ui.column(self._strip, (self._stack, 1), self._edits, buttons, into=self, spacing=10)
+
+        setup.changed.connect(self._on_changed)
+        device.link_changed.connect(self._on_changed)
+
+    def open_setup(self) -> None:
+        if not self.isVisible():
+            self.setup.begin()
+        self.show()
+        self.activateWindow()
+        self._on_changed()
+
+    def reject(self) -> None:
+        """Esc stops the motors; the dialog stays open, so that no answer is lost."""
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Close; the one of Qt calls `reject`, which keeps the dialog open."""
+        event.accept()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self.setup.leave()
+
+    @Slot()
+    @only_when_visible
+    def _on_changed(self) -> None:
+        setup = self.setup
+        step, steps = setup.step, setup.steps
+        titles = {
+            SetupStep.DRIVER: self.tr("Who drives"),
+            SetupStep.JUMPERS: self.tr("Jumpers"),
+            SetupStep.STICKS: self.tr("Sticks"),
+            SetupStep.MOTORS: self.tr("Which motor is which"),
+            SetupStep.LIMITS: self.tr("Ramps and limits"),
+            SetupStep.TIMEOUT: self.tr("Serial timeout"),
+            SetupStep.REVIEW: self.tr("Review"),
+        }
+        self._strip.show_steps([titles[each] for each in steps], steps.index(step))
+        self._pages[step].refresh()
+        self._stack.setCurrentIndex(list(self._pages).index(step))
+        is_last = step is SetupStep.REVIEW
+        self._back.setEnabled(step is not SetupStep.DRIVER)
+        self._skip.setVisible(step is not SetupStep.DRIVER and not is_last)
+        self._next.setVisible(not is_last)
+        self._edits.show_note(self._edits_text(), alarming=self._device.rejects_settings)
+
+    def _edits_text(self) -> str:
+        device, edits = self._device, self.setup.edits
+        is_first = self.setup.step in {SetupStep.DRIVER, SetupStep.JUMPERS}
+        if device.rejects_settings and device.state is not None and not is_first:
+            text = self.tr(
+                "The board is in {0} mode and rejects settings: go back to the jumpers, or skip."
+            )
+            return text.format(device.state.mode.source.value)
+        if not edits:
+            return ""
+        if len(edits) > _MOST_NAMED:
+            return self.tr("Next adds %n change(s), which wait to be applied.", "", len(edits))
+        parameters = device.parameters
+        rows = []
+        for key, wire in edits.items():
+            spec, before = parameters.spec_of(key), parameters.value_of(key)
+            old = "" if before is None else parameters.text.physical(spec, before)
+            rows.append(f"{spec.name}: {old} → {parameters.text.physical(spec, wire)}")
+        text = self.tr("Next changes {0}; that waits to be applied.")
+        return text.format("; ".join(rows))

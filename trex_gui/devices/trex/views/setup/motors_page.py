@@ -1,0 +1,196 @@
+"""The step that finds out which motor is which."""
+
+from functools import partial
+
+from PySide6.QtCore import QCoreApplication, Slot
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QButtonGroup, QGroupBox, QRadioButton, QWidget
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
+from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
+from trex_gui.devices.trex.views.action_bar import RunButton, TimeoutNotice
+from trex_gui.ui.theme.theme import tint
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import HoldButton, only_when_visible
+from trex_gui.ui.widgets.labels import Note
+
+
+class _MotorBox(QGroupBox):
+    """A button to hold for one motor, and what it moved."""
+
+    def __init__(self, setup: RobotSetup, motor: int, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setTitle(self.tr("Motor {0}").format(motor))
+        self._setup = setup
+        self._motor = motor
+        self._hold = ui.named(
+            HoldButton(self.tr("Hold to pulse motor {0}").format(motor), self),
+            f"setupHold{motor}",
+            tip=self.tr("Short weak pulses, only while it is held with the mouse or the space bar"),
+        )
+        self._hold.setMinimumHeight(2 * self.fontMetrics().height() + 4)
+        ui.set_bold(self._hold)
+        tint(self._hold, "run")
+        question = ui.label(self, text=self.tr("What turned, and which way?"))
+        texts = {
+            Movement.LEFT_FORWARD: self.tr("Left wheel, forward"),
+            Movement.RIGHT_FORWARD: self.tr("Right wheel, forward"),
+            Movement.LEFT_BACKWARD: self.tr("Left wheel, backward"),
+            Movement.RIGHT_BACKWARD: self.tr("Right wheel, backward"),
+            Movement.NOTHING: self.tr("Nothing"),
+        }
+        self._answers = {}
+        self._group = QButtonGroup(self)
+        grid = ui.grid()
+        for index, (movement, text) in enumerate(texts.items()):
+            name = f"setupMotor{motor}{movement.name.title().replace('_', '')}"
+            answer = ui.named(QRadioButton(text, self), name)
+            answer.setAccessibleName(f"{self.title()}: {text}")
+            answer.clicked.connect(partial(setup.note_movement, motor, movement))
+            grid.addWidget(answer, index // 2, index % 2)
+            self._group.addButton(answer)
+            self._answers[movement] = answer
+        ui.column(self._hold, question, grid, into=self)
+
+        self._hold.hold_started.connect(self._on_hold_started)
+        self._hold.hold_ended.connect(setup.pulses.release)
+
+    @Slot()
+    def _on_hold_started(self) -> None:
+        stronger = self._setup.movements.get(self._motor) is Movement.NOTHING
+        self._setup.pulses.start(self._motor, stronger=stronger)
+
+    def show_state(self, *, can_hold: bool) -> None:
+        pulses = self._setup.pulses
+        self._hold.setEnabled(pulses.motor in {0, self._motor} and can_hold)
+        seen = self._setup.movements.get(self._motor)
+        self._group.setExclusive(False)
+        for movement, answer in self._answers.items():
+            answer.setChecked(movement is seen)
+        self._group.setExclusive(True)
+
+
+class WiringPage(QWidget):
+    """Nothing on it moves while motors are armed: texts have their room, buttons are disabled."""
+
+    def __init__(self, device: Device, setup: RobotSetup, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("setupWiringPage")
+        self._device = device
+        self._setup = setup
+        self._free = ui.check_box(
+            self,
+            "setupWheelsFree",
+            self.tr("The wheels are &off the ground, and nothing can get caught in them"),
+            on_click=setup.pulses.confirm_wheels,
+        )
+        self._run_place = QWidget(self)  # disables the button, which enables itself
+        run = RunButton(
+            device, "setupRunButton", self.tr("Let the buttons below move a motor"), self._run_place
+        )
+        run.setAutoDefault(False)
+        self._run_place.setEnabled(False)
+        ui.row(run, into=self._run_place, margins=0)
+        self._note = ui.named(Note(2, self), "setupPulseNote")
+        self._boxes = [_MotorBox(setup, motor, self) for motor in (1, 2)]
+        self._result = ui.named(Note(4, self), "setupWiringNote")
+        self._again = ui.button(
+            self,
+            "setupAgainButton",
+            self.tr("&Exchanged: ask again"),
+            icon="reload",
+            default=False,
+            tip=self.tr("Forget both answers and find out again which motor is which"),
+            on_click=setup.forget_movements,
+        )
+        result = ui.row((self._result, 1), self._again, spacing=10)
+        ui.column(
+            ui.row((self._free, 1), self._run_place),
+            self._note,
+            ui.row(*((box, 1) for box in self._boxes)),
+            result,
+            1,
+            TimeoutNotice(device, self),
+            into=self,
+            margins=0,
+        )
+
+        setup.changed.connect(self.refresh)
+        setup.pulses.changed.connect(self.refresh)
+        device.telemetry.text_due.connect(self.refresh)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.refresh()
+
+    @Slot()
+    @only_when_visible
+    def refresh(self) -> None:
+        pulses, blocker = self._setup.pulses, self._setup.pulses.blocker
+        can_confirm = self._device.is_connected and not pulses.cannot_drive
+        self._free.setEnabled(can_confirm)
+        self._free.setChecked(pulses.wheels_are_free)
+        self._run_place.setEnabled(can_confirm and pulses.wheels_are_free)
+        for box in self._boxes:
+            box.show_state(can_hold=not blocker)
+        text = blocker or self.tr(
+            "Armed. Hold a button: its motor is driven forward in short weak pulses, the other one "
+            "stays at rest. Say below what turned."
+        )
+        if pulses.motor:
+            text = self.tr("Motor {0} gets pulses. Release the button to stop it.")
+            text = text.format(pulses.motor)
+        self._note.show_note(text, alarming=self._device.motors.armed)
+        wiring = self._setup.wiring
+        rewiring = wiring.rewiring(self._setup.driver) if wiring else None
+        self._again.setEnabled(bool(rewiring))
+        self._result.show_note(self._result_text(wiring, rewiring), alarming=bool(rewiring))
+
+    def _result_text(self, wiring: Wiring | None, rewiring: Rewiring | None) -> str:
+        setup = self._setup
+        if Movement.NOTHING in setup.movements.values():
+            return self.tr(
+                "Nothing turned: the next pulses are stronger (30 % instead of 20 %). If that does "
+                "not help, check the battery and the wires of this motor."
+            )
+        if wiring is None or rewiring is None:
+            if len(setup.movements) == 2:
+                return self.tr("Both motors cannot drive the same wheel: hold both buttons again.")
+            return ""
+        if rewiring:
+            return rewiring_text(setup.driver, rewiring)
+        if not setup.driver.uses_sticks:
+            return self.tr("Motor 1 drives the left wheel, motor 2 the right one, both forward.")
+        if not setup.knows_sticks:
+            return self.tr(
+                "The directions of the sticks are not known yet. Go back to the sticks; your "
+                "answers are kept."
+            )
+        if setup.edits:
+            return self.tr("Settings correct this; no wire has to be changed.")
+        return self.tr("Nothing has to be changed: the wheels follow the sticks.")
+
+
+def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:
+    """Return what to do with the wires, in sentences."""
+    texts = [_tr("Switch the motors' power off.")]
+    if rewiring.exchange_motors:
+        texts.append(
+            _tr("Exchange the pair of wires of motor 1 with that of motor 2 (keep their order).")
+        )
+    for side in sorted(rewiring.reverse, key=lambda side: side.value):
+        left = _tr("Exchange the two wires of the left motor with each other.")
+        right = _tr("Exchange the two wires of the right motor with each other.")
+        texts.append(left if side is Side.LEFT else right)
+    if driver is Driver.COMPUTER:
+        texts.append(
+            _tr("No setting does that for serial commands; your own program may do it instead.")
+        )
+    else:
+        texts.append(_tr("No setting of the board does that."))
+    return " ".join(texts)
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("rewiring_text", text)

@@ -1,0 +1,547 @@
+"""The steps of the assistant that ask, explain or choose values."""
+
+from collections.abc import Mapping
+from enum import Enum
+from functools import partial
+from typing import TypeVar
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtWidgets import QButtonGroup, QLabel, QRadioButton, QVBoxLayout, QWidget
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
+from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
+from trex_gui.devices.trex.model.setup.wiring import Driver
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
+from trex_gui.devices.trex.views.setup.motors_page import rewiring_text
+from trex_gui.devices.trex.views.setup.sketch import JumperPlaces, JumperSketch
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import Muted, Note, Sign
+
+ChoiceT = TypeVar("ChoiceT", bound=Enum | None)
+
+
+class Choices(QWidget):
+    """Radio buttons with an explanation below each."""
+
+    chosen = Signal(object)
+
+    def __init__(
+        self, name: str, texts: Mapping[ChoiceT, tuple[str, str]], parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self._buttons: dict[object, QRadioButton] = {}
+        group = QButtonGroup(self)
+        column = ui.column(into=self, margins=0, spacing=2)
+        for choice, (text, explanation) in texts.items():
+            key = "Keep" if choice is None else choice.name.title().replace("_", "")
+            button = ui.named(QRadioButton(text, self), f"{name}{key}")
+            ui.set_bold(button)
+            button.clicked.connect(partial(self.chosen.emit, choice))
+            group.addButton(button)
+            below = Muted(explanation, self)
+            below.setContentsMargins(24, 0, 0, 8)
+            column.addWidget(button)
+            column.addWidget(below)
+            self._buttons[choice] = button
+
+    def show_choice(self, choice: object) -> None:
+        self._buttons[choice].setChecked(True)
+
+
+class _Check(QWidget):
+    """A statement about the board with a sign."""
+
+    def __init__(self, name: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._sign = Sign(self)
+        self._text = ui.named(Note(2, self), name)
+        top = Qt.AlignmentFlag.AlignTop
+        ui.row((self._sign, 0, top), (self._text, 1), into=self, margins=0)
+
+    def show_result(self, good: bool | None, text: str) -> None:
+        """`good`: `None` if it is not known."""
+        signs = {True: ("ok", "good"), False: ("warning", "warning"), None: ("info", "info")}
+        self._sign.show_sign(*signs[good])
+        self._text.show_note(text, alarming=good is False)
+
+
+class DriverPage(QWidget):
+    def __init__(self, setup: RobotSetup, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._setup = setup
+        texts = {
+            Driver.ONE_STICK: (
+                self.tr("One stick"),
+                self.tr(
+                    "A transmitter or a joystick: forward and back, left and right with one stick. "
+                    "The board mixes both."
+                ),
+            ),
+            Driver.TWO_STICKS: (
+                self.tr("Two sticks"),
+                self.tr("One stick for each side of the robot, as in a tank."),
+            ),
+            Driver.COMPUTER: (
+                self.tr("A computer"),
+                self.tr(
+                    "A program, a microcontroller or this window sends commands over the serial "
+                    "line."
+                ),
+            ),
+        }
+        self._choices = Choices("setupDriver", texts, self)
+        self._choices.chosen.connect(setup.choose_driver)
+        ui.column(
+            ui.label(self, text=self.tr("Who drives your robot?"), bold=True),
+            self._choices,
+            Muted(
+                self.tr(
+                    "Each step can be skipped. The assistant writes nothing by itself: what you "
+                    "choose becomes unapplied changes, which you review at the end."
+                ),
+                self,
+            ),
+            1,
+            into=self,
+            margins=0,
+            spacing=10,
+        )
+
+    def refresh(self) -> None:
+        self._choices.show_choice(self._setup.driver)
+
+
+class JumperPage(QWidget):
+    """What has to be plugged where, and whether the board shows that it is."""
+
+    def __init__(self, device: Device, setup: RobotSetup, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._setup = setup
+        self._sketch = JumperSketch(self)
+        self._text = ui.label(self, "setupJumperText", wrap=True)
+        self._mode = _Check("setupModeCheck", self)
+        self._mix = _Check("setupMixCheck", self)
+        caption = Muted(
+            self.tr("Schematic: the user's guide shows where your board has them."), self
+        )
+        caption.setMaximumWidth(self._sketch.width())
+        top = Qt.AlignmentFlag.AlignTop
+        ui.row(
+            ui.column(self._sketch, caption, 1),
+            (ui.column((self._text, 0, top), self._mode, self._mix, 1, spacing=12), 1),
+            into=self,
+            margins=0,
+            spacing=20,
+        )
+        device.telemetry.text_due.connect(self.refresh)
+
+    @Slot()
+    def refresh(self) -> None:
+        driver, source = self._setup.driver, self._device.calibrations.source
+        is_mixed = driver is Driver.ONE_STICK
+        if driver is Driver.COMPUTER:
+            self._sketch.show_boards(JumperPlaces(self.tr("Always"), "", None))
+        else:
+            mode = "RC" if source is InputSource.RC else "Analog"
+            self._sketch.show_boards(
+                JumperPlaces(self.tr("Now: to set up"), "", is_mixed),
+                JumperPlaces(self.tr("Later: to drive"), mode, is_mixed),
+            )
+        texts = {
+            Driver.ONE_STICK: self.tr(
+                "The mode jumper is off while you set the board up: only then it takes settings. "
+                "To drive, put it at RC, or at analog for a joystick of potentiometers. The board "
+                "reads it when it is switched on.\n\n"
+                "The mix jumper is on: channel 2 drives forward and back, channel 1 turns. It "
+                "works at once."
+            ),
+            Driver.TWO_STICKS: self.tr(
+                "The mode jumper is off while you set the board up: only then it takes settings. "
+                "To drive, put it at RC, or at analog for joysticks of potentiometers. The board "
+                "reads it when it is switched on.\n\n"
+                "The mix jumper is off: channel 1 drives motor 1, channel 2 drives motor 2."
+            ),
+            Driver.COMPUTER: self.tr(
+                "The mode jumper stays off: then the board takes settings and serial commands. The "
+                "board reads it when it is switched on.\n\n"
+                "The mix jumper does not matter: it changes no serial command."
+            ),
+        }
+        self._text.setText(texts[driver])
+        self._mode.show_result(*self._mode_result())
+        self._mix.setVisible(driver.uses_sticks)
+        self._mix.show_result(*self._mix_result(is_mixed))
+
+    def _mode_result(self) -> tuple[bool | None, str]:
+        state = self._device.state
+        if self._device.link is ConnectionState.NOT_RESPONDING:
+            return None, self.tr("The board does not respond: it may be switched off.")
+        if state is None or not self._device.is_connected:
+            return None, self.tr("No board is connected, so its jumpers cannot be checked.")
+        if state.mode.is_serial:
+            return True, self.tr("This board was started without the mode jumper (serial mode).")
+        text = self.tr(
+            "This board was started in {0} mode. Switch it off, remove the mode jumper, and switch "
+            "it on: this is checked all the time."
+        )
+        return False, text.format(state.mode.source.value)
+
+    def _mix_result(self, is_mixed: bool) -> tuple[bool | None, str]:
+        seen = self._setup.is_mixed
+        if seen is None:
+            return None, self.tr(
+                "The mix jumper is not known: no command reads it. Push a stick one way, and the "
+                "values of the board show it."
+            )
+        if seen is is_mixed:
+            on, off = self.tr("The mix jumper is on."), self.tr("The mix jumper is off.")
+            return True, on if seen else off
+        take = self.tr("The mix jumper is on: take it off, then push a stick again.")
+        put = self.tr("The mix jumper is off: put it on, then push a stick again.")
+        return False, take if seen else put
+
+
+class SticksPage(QWidget):
+    """Leads to learning; or, with learned channels, asks for the directions of the sticks."""
+
+    learn_requested = Signal()
+
+    def __init__(
+        self, device: Device, setup: RobotSetup, learning: Learning, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._setup = setup
+        self._learning = learning
+        self._unclear: tuple[int, ...] = ()
+        learn_text = ui.label(
+            self,
+            text=self.tr(
+                "The board has to know the middle and the ends of each stick. Learning measures "
+                "them in two minutes, in a window of its own, and ends with a review. The motors "
+                "stay off meanwhile."
+            ),
+            wrap=True,
+        )
+        self._learn = ui.button(
+            self,
+            "setupLearnButton",
+            self.tr("&Learn channels…"),
+            icon="calibrate",
+            default=False,
+            on_click=self.learn_requested,
+        )
+        self._blocker = ui.named(Note(0, self), "setupLearnBlocker")
+        pushed_text = ui.label(
+            self,
+            text=self.tr(
+                "Learned already? Then show which way the sticks go: push, hold, and click. In "
+                "serial mode they move no motor."
+            ),
+            wrap=True,
+        )
+        self._forward = ui.button(
+            self,
+            "setupForwardButton",
+            default=False,
+            on_click=lambda: self._note((2,) if self._is_one else (1, 2)),
+        )
+        self._right = ui.button(
+            self,
+            "setupRightButton",
+            self.tr("The stick is fully &right now"),
+            default=False,
+            on_click=lambda: self._note((1,)),
+        )
+        self._known = ui.named(Note(3, self), "setupSticksNote")
+        ui.column(
+            learn_text,
+            ui.row(self._learn, (self._blocker, 1), 1),
+            pushed_text,
+            ui.row(self._forward, self._right, 1),
+            self._known,
+            1,
+            into=self,
+            margins=0,
+            spacing=12,
+        )
+
+    @property
+    def _is_one(self) -> bool:
+        return self._setup.driver is Driver.ONE_STICK
+
+    def _note(self, channels: tuple[int, ...]) -> None:
+        self._unclear = self._setup.note_pushed(channels)
+        self.refresh()
+
+    def refresh(self) -> None:
+        blocker = self._learning.preconditions.blocker
+        self._learn.setEnabled(not blocker)
+        self._blocker.show_note(blocker, alarming=True)
+        self._right.setVisible(self._is_one)
+        one, two = (
+            self.tr("The stick is fully &forward now"),
+            self.tr("Both sticks are fully &forward now"),
+        )
+        self._forward.setText(one if self._is_one else two)
+        for button in (self._forward, self._right):
+            button.setEnabled(self._device.is_connected)
+        self._known.show_note("\n".join(self._lines()), alarming=bool(self._unclear))
+
+    def _lines(self) -> list[str]:
+        names = {1: self.tr("Channel 1 (motor 1)"), 2: self.tr("Channel 2 (motor 2)")}
+        if self._is_one:
+            names = {1: self.tr("Channel 1 (turns)"), 2: self.tr("Channel 2 (drives)")}
+        texts = {
+            None: self.tr("{0}: not known yet."),
+            True: self.tr("{0}: its value rises."),
+            False: self.tr("{0}: its value falls."),
+        }
+        if self._unclear:
+            texts[None] = self.tr("{0}: no stick is seen away from its middle. Push it fully.")
+        return [texts[self._setup.rises.get(n)].format(name) for n, name in names.items()]
+
+
+class LimitsPage(QWidget):
+    def __init__(self, device: Device, setup: RobotSetup, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._setup = setup
+        texts: dict[Preset | None, tuple[str, str]] = {
+            None: (self.tr("Keep what the board has"), self.tr("Neither ramps nor limits change.")),
+            Preset.TANK: (self.tr("Tank"), ""),
+            Preset.ROVER: (self.tr("Rover"), ""),
+            Preset.AUTONOMOUS: (self.tr("Autonomous robot"), ""),
+        }
+        self._choices = Choices("setupPreset", texts, self)
+        self._explained = self._choices.findChildren(Muted)
+        self._limit = ui.double_spin_box(
+            self,
+            "setupCurrentLimit",
+            self.tr("Current limit of each motor"),
+            0.0,
+            1.0,
+            decimals=2,
+            suffix=" A",
+            on_change=self._on_limit_changed,
+        )
+        self._limit.setSpecialValueText(self.tr("off"))
+        self._hint = ui.named(Note(3, self), "setupLimitHint")
+        self._choices.chosen.connect(setup.choose_preset)
+        ui.column(
+            ui.label(self, text=self.tr("How shall the motors start and stop?"), bold=True),
+            self._choices,
+            ui.row(
+                ui.label(self, text=self.tr("&Current limit of each motor"), buddy=self._limit),
+                self._limit,
+                1,
+            ),
+            self._hint,
+            1,
+            into=self,
+            margins=0,
+            spacing=8,
+        )
+
+    def refresh(self) -> None:
+        device, setup = self._device, self._setup
+        parameters = device.parameters
+        self._choices.show_choice(setup.preset)
+        if not parameters.model_key:
+            self.setEnabled(False)
+            return
+        self.setEnabled(True)
+        for preset, explained in zip(Preset, self._explained[1:], strict=True):
+            explained.setText(self._text_of(preset))
+        spec = parameters.spec_of(LIMITS[0])
+        stored = parameters.value_of(LIMITS[0]) or 0
+        wire = stored if setup.current_limit is None else setup.current_limit
+        with QSignalBlocker(self._limit):
+            self._limit.setDecimals(spec.decimals)
+            self._limit.setRange(0, spec.maximum * spec.scale)
+            self._limit.setSingleStep(spec.scale)
+            self._limit.setValue(wire * spec.scale)
+        self._limit.setEnabled(not device.is_joint)
+        self._hint.show_note(self._hint_text())
+
+    def _hint_text(self) -> str:
+        preset = self._setup.preset
+        if self._device.is_joint:
+            return self.tr("In joint mode the board measures no current, so it cannot limit it.")
+        text = self.tr(
+            "Set the current that your motors may draw for long; the figures of the samples are "
+            "examples. The limiter needs a ramp to work with."
+        )
+        if preset is not None and preset.product != self._device.parameters.model_key:
+            name = device_table().model(preset.product).name
+            other = self.tr(
+                "This sample is for a {0}, whose current limit does not fit this board: yours is "
+                "kept."
+            )
+            text = f"{other.format(name)} {text}"
+        return text
+
+    def _text_of(self, preset: Preset) -> str:
+        """Return the ramps of a preset, as the table of parameters shows them."""
+        parameters = self._device.parameters
+        values = preset.values(parameters.model_key)
+        keys = [p.of(1) for p in (MotorParameter.ACCELERATION, MotorParameter.BRAKE_DURATION)]
+        ramp, brake = (
+            parameters.text.physical(parameters.spec_of(key), values[key]) for key in keys
+        )
+        text = self.tr("Acceleration: {0}; brake before a reversal: {1}.").format(ramp, brake)
+        limit = values.get(LIMITS[0])
+        if limit is None:
+            return text
+        amps = parameters.spec_of(LIMITS[0]).text(limit)
+        return f"{text} {self.tr('Current limit of the sample: {0}.').format(amps)}"
+
+    @Slot(float)
+    def _on_limit_changed(self, amps: float) -> None:
+        scale = self._device.parameters.spec_of(LIMITS[0]).scale
+        self._setup.choose_current_limit(round(amps / scale))
+
+
+class TimeoutPage(QWidget):
+    def __init__(self, device: Device, setup: RobotSetup, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._setup = setup
+        text = ui.label(
+            self,
+            text=self.tr(
+                "When the cable falls out or the computer fails, only the board itself can notice "
+                "that and stop the motors. Without a serial timeout they run on at their last "
+                "speed."
+            ),
+            wrap=True,
+        )
+        self._seconds = ui.double_spin_box(
+            self,
+            "setupTimeout",
+            self.tr("Serial timeout in seconds"),
+            0.1,
+            12.7,
+            decimals=1,
+            step=0.1,
+            suffix=self.tr(" s"),
+            on_change=lambda seconds: setup.choose_timeout(round(10 * seconds)),
+        )
+        now = ui.named(Muted(parent=self), "setupTimeoutNow")
+        self._now = now
+        ui.column(
+            text,
+            ui.row(
+                ui.label(
+                    self, text=self.tr("&Stop the motors after silence of"), buddy=self._seconds
+                ),
+                self._seconds,
+                1,
+            ),
+            Muted(
+                self.tr(
+                    "Let the computer send something at least twice in that time; a question for "
+                    "the status will do. 0.5 s is a good value for most robots."
+                ),
+                self,
+            ),
+            now,
+            1,
+            into=self,
+            margins=0,
+            spacing=12,
+        )
+
+    def refresh(self) -> None:
+        with QSignalBlocker(self._seconds):
+            self._seconds.setValue(self._setup.timeout / 10)
+        parameters, key = self._device.parameters, ParameterKey.SERIAL_TIMEOUT
+        wire = parameters.stored_of(key)
+        text = self.tr("The board stores: {0}.")
+        self._now.setText("" if wire is None else text.format(parameters.spec_of(key).text(wire)))
+
+
+class ReviewPage(QWidget):
+    """What is left to do: by Apply, and by hand."""
+
+    apply_requested = Signal()
+
+    def __init__(self, device: Device, setup: RobotSetup, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._setup = setup
+        self._pending = ui.named(Note(1, self), "setupPending")
+        self._apply = ui.button(
+            self,
+            "setupApplyButton",
+            self.tr("Review and &apply…"),
+            icon="apply",
+            default=False,
+            on_click=self.apply_requested,
+        )
+        self._tasks: QVBoxLayout = ui.column(spacing=8)
+        self._labels: list[QLabel] = []
+        ui.column(
+            ui.row((self._pending, 1), self._apply),
+            ui.label(self, text=self.tr("Then, by hand:"), bold=True),
+            self._tasks,
+            1,
+            into=self,
+            margins=0,
+            spacing=12,
+        )
+
+    def refresh(self) -> None:
+        device = self._device
+        pending = device.draft.pending
+        text = self.tr("%n change(s) not applied yet.", "", pending)
+        if not pending:
+            text = self.tr("No change is waiting: the board has everything.")
+        self._pending.show_note(text)
+        can_apply = device.is_writable and not device.rejects_settings and pending > 0
+        self._apply.setEnabled(can_apply)
+        tasks = [f"{number}. {task}" for number, task in enumerate(self._texts(), 1)]
+        if tasks != [label.text() for label in self._labels]:
+            for label in self._labels:
+                self._tasks.removeWidget(label)
+                label.hide()
+                label.deleteLater()
+            self._labels = [ui.label(self, "setupTask", text, wrap=True) for text in tasks]
+            for label in self._labels:
+                self._tasks.addWidget(label)
+
+    def _texts(self) -> list[str]:
+        setup = self._setup
+        texts = []
+        wiring = setup.wiring
+        if wiring is not None and (rewiring := wiring.rewiring(setup.driver)):
+            texts.append(rewiring_text(setup.driver, rewiring))
+        if setup.driver.uses_sticks:
+            source = self._device.calibrations.source.value
+            on, off = self.tr("put the mix jumper on"), self.tr("leave the mix jumper off")
+            mix = on if setup.driver is Driver.ONE_STICK else off
+            texts.append(
+                self.tr(
+                    "Switch the board off, put the mode jumper at {0}, {1}, switch the transmitter "
+                    "on, and then the board. The motors stay off until the sticks are released "
+                    "(safe-start)."
+                ).format(source, mix)
+            )
+        else:
+            texts.append(
+                self.tr(
+                    "Leave the mode jumper off. The Motors page of this window is a first computer "
+                    "to drive with."
+                )
+            )
+        texts.append(
+            self.tr("Drive first with the wheels off the ground: forward, back, left, right.")
+        )
+        return texts
