@@ -36,7 +36,7 @@ def test_known_mix_jumper_state_is_described() -> None:
         for channel in (1, 2, 3)
         for mixed in (True, False)
     }
-    assert said[1, True] == "Channel 1 steers (the mix jumper is on)."
+    assert said[1, True] == "Channel 1 steers: it moves both motors (the mix jumper is on)."
     assert said[1, False] == "Channel 1 drives motor 1 (the mix jumper is off)."
     assert "forward and back (the mix jumper is on)" in said[2, True]
     assert "motor 2 (the mix jumper is off)" in said[2, False]
@@ -44,12 +44,36 @@ def test_known_mix_jumper_state_is_described() -> None:
     assert "joint" in function_text(1, Mode.RC, joint=True, ignored=False, mixed=True)
 
 
-def test_serial_mode_text_says_channel_is_only_measured() -> None:
-    assert "only measured" in function_text(2, Mode.SERIAL_RC, joint=False, ignored=False)
+def test_serial_mode_text_says_channel_does_not_drive() -> None:
+    said = function_text(2, Mode.SERIAL_RC, joint=False, ignored=False, mixed=False)
+    assert said == (
+        "Read only; does not drive. In RC and analog mode it drives motor 2 (the mix jumper is "
+        "off)."
+    )
 
 
-def test_joint_mode_text_says_channel_2_does_nothing() -> None:
-    assert "nothing" in function_text(2, Mode.RC, joint=True, ignored=False)
+def test_override_takes_motors_from_channels_and_names_channel_5() -> None:
+    said = [
+        function_text(channel, Mode.RC, joint=False, ignored=False, overridden=True)
+        for channel in (1, 2, 3, 4, 5)
+    ]
+    assert [
+        text.startswith("Does not drive now: serial commands override it.") for text in said
+    ] == [
+        *(True, True, True),
+        *(False, False),
+    ]
+    assert said[4].startswith("On now. It is the override switch")
+
+
+def test_reversed_channel_is_described_as_reversed_unless_it_is_ignored() -> None:
+    for ignored in (False, True):
+        said = function_text(1, Mode.RC, joint=False, ignored=ignored, is_reversed=True)
+        assert ("reversed" in said) is not ignored
+
+
+def test_joint_mode_text_says_channel_2_has_no_motor() -> None:
+    assert "has no motor" in function_text(2, Mode.RC, joint=True, ignored=False)
     assert "both drivers" in function_text(1, Mode.ANALOG, joint=True, ignored=False)
     assert "flip" in function_text(4, Mode.RC, joint=True, ignored=False)
 

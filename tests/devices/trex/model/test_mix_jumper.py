@@ -3,8 +3,13 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pytestqt.qtbot import QtBot
 
-from trex_gui.devices.trex.model.channel_curve import MixWatch, is_mixed
+from trex_gui.devices.trex.model.channel_curve import is_mixed
+from trex_gui.devices.trex.model.mix_jumper import MixJumper
+from trex_gui.devices.trex.model.motors import Motors
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.simulator.channel_control import motor_values
 
 outputs = st.integers(-127, 127)
@@ -28,17 +33,18 @@ def test_neutral_or_inconsistent_values_give_no_result() -> None:
     assert is_mixed((80, 0), (-40, 90)) is None
 
 
-def test_mix_result_needs_several_values_and_survives_neutral() -> None:
-    watch, seen = MixWatch(), []
+def test_mix_result_needs_several_values_and_survives_neutral(qtbot: QtBot) -> None:
+    jumper, seen = MixJumper(SettingsDraft(), Telemetry(Motors())), []
     for times, outputs, answered in (
         (1, (80, 0), (80, -80)),
-        (5, (80, 0), (80, -80)),
+        (3, (80, 0), (80, -80)),
         (1, (80, 0), (80, 0)),
         (9, (0, 0), (0, 0)),
-        (5, (80, 0), (80, 0)),
+        (3, (80, 0), (80, 0)),
     ):
         for _ in range(times):
-            watch.feed(outputs, answered)
-        seen.append(watch.mixed)
-    watch.forget()
-    assert [*seen, watch.mixed] == [None, True, True, True, False, None]
+            jumper.feed(outputs, answered)
+        seen.append(jumper.is_on)
+    with qtbot.waitSignal(jumper.changed):
+        jumper.forget()
+    assert [*seen, jumper.is_on] == [None, True, True, True, False, None]

@@ -236,7 +236,7 @@ def test_mix_jumper_is_shown_when_a_stick_reveals_it(
     quick_simulator.do("channel 1 1800us")
     page.wait_for_text("channelDoes", "drives motor 1 (the mix jumper is off)")
     quick_simulator.do("jumper mix on")
-    page.wait_for_text("channelDoes", "steers (the mix jumper is on)")
+    page.wait_for_text("channelDoes", "both motors (the mix jumper is on)")
     quick_simulator.do("channel 1 1500us")
     page.select_channel(2)
     assert "forward and back (the mix jumper is on)" in page.text("channelDoes")

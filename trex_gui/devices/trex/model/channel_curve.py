@@ -8,7 +8,6 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration, 
 _SWITCHES = (4, 5)
 
 _NEAR = 10  # how far values of two moments may differ while a stick moves
-_ENOUGH = 5  # consecutive results that make the state of the mix jumper known
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,28 +82,6 @@ def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None
     if _distance(outputs, reported) <= _NEAR:
         return False
     return True if _distance(mixed, reported) <= _NEAR else None
-
-
-class MixWatch:
-    """Whether the mix jumper was on when a stick was last off neutral; it may be moved any time."""
-
-    def __init__(self) -> None:
-        self.mixed: bool | None = None  # `None`: not known
-        self._candidate: bool | None = None
-        self._count = 0
-
-    def feed(self, outputs: tuple[int, int], reported: tuple[int, int]) -> None:
-        seen = is_mixed(outputs, reported)
-        if seen is None:
-            return
-        self._count = self._count + 1 if seen is self._candidate else 1
-        self._candidate = seen
-        if self._count >= _ENOUGH:
-            self.mixed = seen
-
-    def forget(self) -> None:
-        """Forget the state: it may be another board."""
-        self.mixed = self._candidate = None
 
 
 def _clipped(value: int) -> int:

@@ -3,6 +3,7 @@
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.core.errors import QT_TRANSLATE_NOOP, StudioError
+from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
@@ -18,10 +19,7 @@ _TASKS = {
     2: QT_TRANSLATE_NOOP(
         "ChannelText", "drives motor 2; with the mix jumper on it drives forward and back"
     ),
-    3: QT_TRANSLATE_NOOP(
-        "ChannelText",
-        "drives the auxiliary motor, which turns one way only: both sides of neutral speed it up",
-    ),
+    3: QT_TRANSLATE_NOOP("ChannelText", "drives the auxiliary motor, which turns one way only"),
     4: QT_TRANSLATE_NOOP(
         "ChannelText", "is the flip switch: motors 1 and 2 change places and directions"
     ),
@@ -31,16 +29,21 @@ _TASKS = {
 }
 _MIXED_TASKS = {
     (1, False): QT_TRANSLATE_NOOP("ChannelText", "drives motor 1 (the mix jumper is off)"),
-    (1, True): QT_TRANSLATE_NOOP("ChannelText", "steers (the mix jumper is on)"),
+    (1, True): QT_TRANSLATE_NOOP(
+        "ChannelText", "steers: it moves both motors (the mix jumper is on)"
+    ),
     (2, False): QT_TRANSLATE_NOOP("ChannelText", "drives motor 2 (the mix jumper is off)"),
-    (2, True): QT_TRANSLATE_NOOP("ChannelText", "drives forward and back (the mix jumper is on)"),
+    (2, True): QT_TRANSLATE_NOOP(
+        "ChannelText", "drives both motors forward and back (the mix jumper is on)"
+    ),
 }
 _JOINT_TASKS = {
     1: QT_TRANSLATE_NOOP(
         "ChannelText", "drives the one motor that both drivers power (joint mode, no mixing)"
     ),
-    2: QT_TRANSLATE_NOOP("ChannelText", "does nothing in joint mode"),
+    2: QT_TRANSLATE_NOOP("ChannelText", "has no motor: in joint mode both drivers power motor 1"),
 }
+_SWITCHES = (4, 5)
 
 
 translate = QCoreApplication.translate
@@ -52,52 +55,66 @@ def function_text(
     *,
     joint: bool,
     ignored: bool,
+    is_reversed: bool = False,
+    overridden: bool = False,
     switches_at: str = "",
     mixed: bool | None = None,
 ) -> str:
     """Return what a channel does now.
 
-    `switches_at` is where a switch does, such as `below 1.2 V`; `mixed` is whether the mix jumper
-    is on, `None` if that is not known.
+    `overridden` is whether serial commands control the motors of a board in RC or analog mode,
+    `switches_at` where a switch does, such as `below 1.2 V`; `mixed` is whether the mix jumper is
+    on, `None` if that is not known.
     """
     if ignored:
-        return _ignored_text(channel, mode)
-    task = _TASKS[channel]
-    if joint:
-        task = _JOINT_TASKS.get(channel, task)
-    elif mixed is not None:
-        task = _MIXED_TASKS.get((channel, mixed), task)
-    task = translate("ChannelText", task)
-    if switches_at:
-        task = translate("ChannelText", "{0} while the input is {1}").format(task, switches_at)
-    if mode.is_serial:
-        text = translate(
-            "ChannelText", "Serial mode: only measured. In RC and analog mode channel {0} {1}."
+        held = (
+            QT_TRANSLATE_NOOP("ChannelText", "is ignored: it is held off, whatever its input is")
+            if channel in _SWITCHES
+            else QT_TRANSLATE_NOOP(
+                "ChannelText", "is ignored: it is held at neutral, whatever its input is"
+            )
         )
+        task = translate("ChannelText", held)
+    else:
+        task = _task(channel, joint=joint, mixed=mixed)
+        if switches_at:
+            task = translate("ChannelText", "{0} while the input is {1}").format(task, switches_at)
+        elif is_reversed:
+            task = translate("ChannelText", "{0}; it is reversed").format(task)
+    if mode.is_serial:
+        text = translate("ChannelText", "Read only; does not drive. In RC and analog mode it {1}.")
+    elif overridden and channel not in _SWITCHES:
+        text = translate(
+            "ChannelText",
+            "Does not drive now: serial commands override it. Otherwise it {1}.",
+        )
+    elif overridden and channel == 5:
+        text = translate("ChannelText", "On now. It {1}.")
     else:
         text = translate("ChannelText", "Channel {0} {1}.")
     return text.format(channel, task)
 
 
-def _ignored_text(channel: int, mode: Mode) -> str:
-    is_switch = channel in {4, 5}
-    if mode.is_serial and is_switch:
-        text = translate(
-            "ChannelText", "Channel {0} is ignored in RC and analog mode: it is held off."
-        )
-    elif mode.is_serial:
-        text = translate(
-            "ChannelText", "Channel {0} is ignored in RC and analog mode: it is held at neutral."
-        )
-    elif is_switch:
-        text = translate(
-            "ChannelText", "Channel {0} is ignored: it is held off, whatever its input is."
-        )
-    else:
-        text = translate(
-            "ChannelText", "Channel {0} is ignored: it is held at neutral, whatever its input is."
-        )
-    return text.format(channel)
+def _task(channel: int, *, joint: bool, mixed: bool | None) -> str:
+    task = _TASKS[channel]
+    if joint:
+        task = _JOINT_TASKS.get(channel, task)
+    elif mixed is not None:
+        task = _MIXED_TASKS.get((channel, mixed), task)
+    return translate("ChannelText", task)
+
+
+def switching_text(channel: int, curve: ChannelCurve, source: InputSource) -> str:
+    """Return where a switch is on, `below about 1250 µs`; empty for other channels."""
+    threshold = curve.threshold(channel)
+    if threshold is None:
+        return ""
+    side = (
+        translate("ChannelText", "above about {0}")
+        if curve.reversed_
+        else translate("ChannelText", "below about {0}")
+    )
+    return side.format(source.text(threshold))
 
 
 def learned_text(learned: bool) -> str:

@@ -14,6 +14,7 @@ from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.drive_controller import DriveController, why_the_board_stopped
 from trex_gui.devices.trex.model.errors import BoardEvents, ErrorLog
+from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.apply import Apply
@@ -75,6 +76,7 @@ class Device(QObject):
         self.draft = SettingsDraft(self)
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
+        self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
         self.history = SettingsHistory()
         self.edit_backup = EditBackup(self.draft, parent=self)
         self._apply = Apply(self.draft, self.history, self._request, self)

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.calibration.neutral import Neutral, Sample, measure_n
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import TASKS, Task, Travel
-from trex_gui.devices.trex.model.channel_curve import ChannelCurve, MixWatch
+from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.checks import Check
 from trex_gui.devices.trex.model.telemetry import Telemetry
@@ -89,34 +89,6 @@ class MeasuredInputs(QObject):
             self.stalled_changed.emit()
 
 
-def stored_curve(device: Device, number: int) -> ChannelCurve | None:
-    """Return the curve of a channel with the values that the board stores, if they are known."""
-    calibration = device.calibrations.stored(number)
-    if calibration is None:
-        return None
-
-    def has(key: ParameterKey) -> bool:
-        return number in channels_in(device.parameters.stored_of(key) or 0)
-
-    return ChannelCurve(
-        calibration,
-        reversed_=has(ParameterKey.REVERSED_CHANNELS),
-        parabolic=has(ParameterKey.PARABOLIC_CHANNELS),
-        ignored=has(ParameterKey.IGNORED_CHANNELS),
-    )
-
-
-def follow_mix(device: Device, watch: MixWatch) -> None:
-    """Compare the outputs of channels 1 and 2 with those that the board reports."""
-    raws = [device.telemetry.raw_of(channel) for channel in (1, 2, 4)]
-    one, two, flip = (stored_curve(device, channel) for channel in (1, 2, 4))
-    reported = device.telemetry.remapped
-    if device.is_joint:
-        watch.forget()
-    elif one and two and flip and reported and not flip.is_switched(4, raws[2]):
-        watch.feed((one.output(raws[0]), two.output(raws[1])), (reported[0], reported[1]))
-
-
 @dataclass(frozen=True, slots=True)
 class Choice:
     """The user's choice for a channel: the proposal, until they change it."""
@@ -137,7 +109,7 @@ class LearnedChannel:
 
         self.number = number
         self.source = source
-        self.curve_before = stored_curve(device, number)  # without pending edits
+        self.curve_before = device.draft.stored_curve(number)  # without pending edits
         self.reversed_now = is_in(parameters.stored_of(ParameterKey.REVERSED_CHANNELS))
         self._parabolic = is_in(parameters.value_of(ParameterKey.PARABOLIC_CHANNELS))
         self._ignored = is_in(parameters.value_of(ParameterKey.IGNORED_CHANNELS))

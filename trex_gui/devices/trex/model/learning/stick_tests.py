@@ -11,7 +11,6 @@ from PySide6.QtCore import QCoreApplication
 from trex_gui.devices.trex.calibration.neutral import LIMITS
 from trex_gui.devices.trex.calibration.travel import TASKS, Task
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.learning.channels import stored_curve
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, NEARLY_NEUTRAL, Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -172,7 +171,7 @@ class StickTests:
     def feed(self, moment: float, counts: Sequence[int | None]) -> None:
         tests = {test.channel: test for test in self.tests}
         for channel, raw in zip(CHANNELS, counts, strict=True):
-            curve = stored_curve(self._device, channel)
+            curve = self._device.draft.stored_curve(channel)
             output = None if raw is None or curve is None else curve.output(raw)
             switched = curve is not None and curve.is_switched(channel, raw)
             self._outputs[channel] = output

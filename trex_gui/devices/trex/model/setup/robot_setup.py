@@ -5,9 +5,7 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.devices.trex.model.channel_curve import MixWatch
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.learning.channels import follow_mix
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.pulses import MotorPulses
@@ -63,14 +61,13 @@ class RobotSetup(QObject):
         self.pulses = MotorPulses(device, self)
         self._device = device
         self._learning = learning
-        self._mix = MixWatch()
 
         learning.edited.connect(self._take_learned)
         learning.stored.connect(self._take_learned)
         device.link_changed.connect(self._on_link_changed)
         device.state_changed.connect(self.changed)
         device.draft.pending_changed.connect(self.changed)
-        device.telemetry.frame_due.connect(self._on_frame_due)
+        device.mix_jumper.changed.connect(self.changed)
 
     # --- State --------------------------------------------------------------------------
 
@@ -84,7 +81,7 @@ class RobotSetup(QObject):
     @property
     def is_mixed(self) -> bool | None:
         """Whether the mix jumper is on; `None` before the sticks have shown it."""
-        return self._mix.mixed
+        return self._device.mix_jumper.is_on
 
     @property
     def wiring(self) -> Wiring | None:
@@ -233,17 +230,7 @@ class RobotSetup(QObject):
     @Slot()
     def _on_link_changed(self) -> None:
         """Forget what is known of another board, perhaps another robot."""
-        if not self._device.is_connected:
-            self._mix.forget()
         if self._device.link is ConnectionState.DISCONNECTED:
             self.movements.clear()
             self.rises.clear()
         self.changed.emit()
-
-    @Slot()
-    def _on_frame_due(self) -> None:
-        before = self._mix.mixed
-        if self.step is SetupStep.JUMPERS:
-            follow_mix(self._device, self._mix)
-        if self._mix.mixed is not before:
-            self.changed.emit()

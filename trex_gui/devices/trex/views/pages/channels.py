@@ -1,101 +1,180 @@
 """Page of the five live inputs: the raw input, and what the board makes of it."""
 
-from PySide6.QtCore import Qt, Slot
+import math
+from typing import NamedTuple
+
+from PySide6.QtCore import QEvent, Qt, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
+from trex_gui.devices.trex.model.channel_text import function_text, switching_text
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
+from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
+from trex_gui.devices.trex.views.input_strip import STRIP_SECONDS, InputStrip
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 
+_STRIP_INTERVAL = 0.06  # seconds: every second frame
+
+
+class _Row(NamedTuple):
+    function: QLabel
+    value: QLabel
+    bar: ChannelBar
+    strip: InputStrip
+    output: OutputBar
+
 
 class ChannelsPage(QWidget):
-    """One row a channel: name, input in µs or V and counts, bar with calibration, output."""
+    """For each channel what it does now, its input in µs or V and counts, and its output."""
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("channelsPage")
         self._device = device
         self._source = InputSource.RC
+        self._drawn_until = -math.inf  # time of the newest sample in the strips
+        self._control: bool | None = None  # as the texts say
 
-        self._rows: dict[int, tuple[QLabel, ChannelBar, OutputBar]] = {}
         self._summary = ui.label(self, "channelsSummary", wrap=True)
-        legend = ui.label(
-            self,
-            "",
-            self.tr(
-                "The bar shows the raw input. Its marks are the channel's calibration: full "
-                "output at min and max, none within the shaded deadband around neutral. Channels "
-                "1 to 3 drive motors in RC and analog mode; in serial mode they are only measured."
-            ),
-            wrap=True,
-        )
-
-        self._grid = ui.grid(spacing=(16, 10), stretch=[(2, 3), (3, 2)])
+        self._grid = ui.grid(spacing=(16, 2), stretch=[(1, 5), (2, 4), (3, 3)])
         headings = (
-            self.tr("Channel"),
-            self.tr("Input (counts)"),
-            self.tr("Raw, with its calibration"),
-            self.tr("Remapped (−127 to 127)"),
+            (self.tr("Input (counts)"), ""),
+            (
+                self.tr("Raw, with its calibration"),
+                self.tr(
+                    "The bar shows the raw input. Its marks are the channel's calibration: full "
+                    "output at min and max, none within the shaded deadband around neutral."
+                ),
+            ),
+            (
+                self.tr("Last 10 seconds"),
+                self.tr(
+                    "The raw input on the scale of the bar, the newest at the right. Where there "
+                    "was no valid signal the line has a gap."
+                ),
+            ),
+            (
+                self.tr("Remapped (−127 to 127)"),
+                self.tr(
+                    "What the board makes of the input. Those of channels 1 and 2 are the speeds "
+                    "for motors 1 and 2, after mixing and flip."
+                ),
+            ),
         )
-        for column, text in enumerate(headings):
-            self._grid.addWidget(ui.label(self, "", text, bold=True), 0, column)
-        for channel in CHANNELS:
-            self._add_row(channel)
-        ui.column(self._summary, self._grid, legend, 1, into=self)
+        for column, (text, tip) in enumerate(headings):
+            self._grid.addWidget(ui.label(self, "", text, tip=tip, bold=True), 0, column)
+        self._rows = {channel: self._add_row(channel) for channel in CHANNELS}
+        self._fit_values()
+        ui.column(self._summary, (self._grid, 1), into=self)
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
         device.calibrations.changed.connect(self._on_device_changed)
+        device.mix_jumper.changed.connect(self._show_functions)
         device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
         self._on_device_changed()
 
-    def _add_row(self, channel: int) -> None:
-        role = CHANNEL_ROLES[channel]
-        name = ui.label(self, "", f"<b>{channel}</b><br><small>{role}</small>")
+    def _add_row(self, channel: int) -> _Row:
+        name = ui.label(self, "", self.tr("Channel {0}").format(channel), bold=True)
         value = ui.label(self, f"channel{channel}Input")
-        value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        value.setMinimumWidth(value.fontMetrics().horizontalAdvance("1500 µs (3750)") + 8)
-        bar = ui.named(
-            ChannelBar(self),
-            f"channel{channel}Bar",
-            accessible=self.tr("Raw input of channel {0}").format(channel),
+        row = _Row(
+            ui.label(self, f"channel{channel}Function", wrap=True),
+            value,
+            ui.named(
+                ChannelBar(self),
+                f"channel{channel}Bar",
+                accessible=self.tr("Raw input of channel {0}").format(channel),
+            ),
+            ui.named(
+                InputStrip(self),
+                f"channel{channel}Strip",
+                accessible=self.tr("Input of channel {0} in the last 10 seconds").format(channel),
+            ),
+            ui.named(
+                OutputBar(self),
+                f"channel{channel}Output",
+                accessible=self.tr("Remapped channel {0}").format(channel),
+            ),
         )
-        bar.set_value_shown(False)
-        output = ui.named(
-            OutputBar(self),
-            f"channel{channel}Output",
-            accessible=self.tr("Remapped channel {0}").format(channel),
-        )
-        for column, widget in enumerate((name, value, bar, output)):
-            self._grid.addWidget(widget, channel, column)
-        self._rows[channel] = value, bar, output
+        row.bar.set_value_shown(False)
+        head, bars = 3 * channel - 2, 3 * channel - 1  # and the rest of the strip below
+        self._grid.addWidget(name, head, 0, Qt.AlignmentFlag.AlignTop)
+        self._grid.addWidget(row.function, head, 1, 1, 3, Qt.AlignmentFlag.AlignTop)
+        self._grid.addWidget(row.value, bars, 0)
+        self._grid.addWidget(row.bar, bars, 1)
+        self._grid.addWidget(row.strip, bars, 2, 2, 1)
+        self._grid.addWidget(row.output, bars, 3)
+        self._grid.setRowStretch(bars + 1, 1)
+        return row
+
+    def _fit_values(self) -> None:
+        """Give the values a fixed size: otherwise each new one lays out the whole page."""
+        metrics = self.fontMetrics()
+        for row in self._rows.values():
+            row.value.setFixedSize(
+                metrics.horizontalAdvance("1500 µs (3750)") + 8, metrics.height() + 2
+            )
 
     @Slot()
     def _on_device_changed(self) -> None:
         state = self._device.state
         is_connected = state is not None and self._device.is_connected
-        if state is None:
-            self._summary.setText(self.tr("Connect to a board to see its inputs."))
-        else:
+        if state is not None:
             self._source = state.source
-            if state.source is InputSource.RC:
-                text = self.tr("The inputs are read as RC pulses (µs; 0.4 µs a count).")
-            else:
-                text = self.tr("The inputs are read as voltages (V; 4.89 mV a count).")
-            self._summary.setText(text)
-        for channel, (label, bar, output) in self._rows.items():
-            label.setEnabled(is_connected)
-            bar.set_connected(is_connected)
-            output.set_connected(is_connected)
+        for channel, row in self._rows.items():
+            row.value.setEnabled(is_connected)
+            row.bar.set_connected(is_connected)
+            row.output.set_connected(is_connected)
             if state is not None:
-                bar.set_source(state.source)
-                bar.set_calibration(self._device.calibrations.stored(channel))
+                row.bar.set_source(state.source)
+                row.bar.set_calibration(self._device.calibrations.stored(channel))
+        self._show_functions()
         self._renew()
+
+    @Slot()
+    def _show_functions(self) -> None:
+        """Say what the board and its channels do with the inputs."""
+        device, state = self._device, self._device.state
+        by_serial = self._control = device.telemetry.serial_controls
+        self._summary.setText(self._board_text())
+        for channel, row in self._rows.items():
+            curve = device.draft.stored_curve(channel)
+            if state is None or curve is None:
+                row.function.clear()
+                continue
+            text = function_text(
+                channel,
+                state.mode,
+                joint=device.is_joint,
+                ignored=curve.ignored,
+                is_reversed=curve.reversed_,
+                overridden=bool(by_serial) and not state.mode.is_serial,
+                switches_at=switching_text(channel, curve, state.source),
+                mixed=device.mix_jumper.is_on,
+            )
+            row.function.setText(text)
+
+    def _board_text(self) -> str:
+        state, is_mixed = self._device.state, self._device.mix_jumper.is_on
+        if state is None:
+            return self.tr("Connect to a board to see its inputs.")
+        if self._device.is_joint:
+            mixing = self.tr("Joint mode: both drivers power motor 1, nothing is mixed.")
+        elif is_mixed is None:
+            mixing = self.tr("Moving channel 1 or 2 shows whether the mix jumper is on.")
+        elif is_mixed:
+            mixing = self.tr("The mix jumper is on.")
+        else:
+            mixing = self.tr("The mix jumper is off.")
+        if state.source is InputSource.RC:
+            count = self.tr("A count is 0.4 µs.")
+        else:
+            count = self.tr("A count is 4.89 mV.")
+        return f"{MODE_TEXT[state.mode]} {mixing} {count}"
 
     @Slot()
     @only_when_visible
@@ -103,28 +182,56 @@ class ChannelsPage(QWidget):
         telemetry = self._device.telemetry
         if telemetry.raw is None:
             return
-        for channel, (_, bar, output) in self._rows.items():
+        for channel, row in self._rows.items():
             raw = telemetry.raw_of(channel)
-            bar.set_raw(raw)
+            row.bar.set_raw(raw)
             # Without a signal the board reports 0, which is no measurement.
-            output.set_value(None if raw is None else telemetry.remapped_of(channel))
+            row.output.set_value(None if raw is None else telemetry.remapped_of(channel))
+        if telemetry.latest - self._drawn_until >= _STRIP_INTERVAL:
+            self._draw_strips()
+
+    def _draw_strips(self) -> None:
+        inputs = self._device.telemetry.inputs
+        newest = inputs.span[1] if inputs.span is not None else -math.inf
+        first = max(math.nextafter(self._drawn_until, math.inf), newest - STRIP_SECONDS)
+        rows = inputs.rows(first, newest)
+        times = inputs.times[rows].tolist()
+        for channel, row in self._rows.items():
+            row.strip.set_scale(row.bar.axis, self._device.calibrations.stored(channel))
+            row.strip.add_samples(times, inputs.values(channel - 1)[rows].tolist())
+        self._drawn_until = newest
+
+    def _clear_strips(self) -> None:
+        self._drawn_until = -math.inf
+        for row in self._rows.values():
+            row.strip.clear()
 
     @Slot()
     @only_when_visible
     def _on_text_due(self) -> None:
         telemetry = self._device.telemetry
-        for channel, (label, _, _) in self._rows.items():
+        if telemetry.serial_controls is not self._control:
+            self._show_functions()
+        if telemetry.raw is None:
+            self._clear_strips()
+        for channel, row in self._rows.items():
             raw = telemetry.raw_of(channel)
             if telemetry.raw is None:
-                label.setText(self.tr("N/A"))
+                row.value.setText(self.tr("N/A"))
             elif raw is None:
-                label.setText(self.tr("no signal"))
+                row.value.setText(self.tr("no signal"))
             else:
-                label.setText(f"{self._source.text(raw)} ({raw})")
+                row.value.setText(f"{self._source.text(raw)} ({raw})")
 
     def _renew(self) -> None:
+        self._clear_strips()
         self._on_frame_due()
         self._on_text_due()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and hasattr(self, "_rows"):
+            self._fit_values()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -130,11 +130,7 @@ class ChannelHeading(QWidget):
         else:
             self._learned.show_text(self.tr("not learned: has factory defaults"))
         self._learned.setToolTip(channel_text.learned_text(learned))
-        switches_at = ""
-        threshold = curve.threshold(channel) if curve is not None else None
-        if curve is not None and threshold is not None:
-            side = self.tr("above about {0}") if curve.reversed_ else self.tr("below about {0}")
-            switches_at = side.format(source.text(threshold))
+        switches_at = "" if curve is None else channel_text.switching_text(channel, curve, source)
         self._function.show_note(
             channel_text.function_text(
                 channel,

@@ -10,9 +10,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.calibration_moves import Handle
-from trex_gui.devices.trex.model.channel_curve import MixWatch
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.learning.channels import follow_mix, stored_curve
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.pages.calibration.change_menu import ChangeMenu
@@ -60,7 +58,6 @@ class CalibrationPage(PlotPage):
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._rejection = ""
         self._plot: CurvePlot | None = None
-        self._mix = MixWatch()
 
         self._empty = label(
             self,
@@ -115,6 +112,7 @@ class CalibrationPage(PlotPage):
         self._fields.edited.connect(self._on_edited)
         self._fields.rejected.connect(self._on_rejected)
         self._other.power_cycle_requested.connect(self.power_cycle_requested)
+        device.mix_jumper.changed.connect(self._show_heading)
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
         device.applied.connect(self._on_applied)
@@ -151,8 +149,6 @@ class CalibrationPage(PlotPage):
         state = self._device.state
         if state is not None and state.source is not self._followed:
             self.source = self._followed = state.source
-        if not self._device.is_connected:
-            self._mix.forget()
         known = self._device.calibrations.stored(1) is not None
         self._empty.setVisible(not known)
         self._body.setVisible(known)
@@ -168,7 +164,7 @@ class CalibrationPage(PlotPage):
         channel, editable, is_active = self.channel, self._editable, self._is_active
         shown = self._calibration()
         after = self._options.curve(channel, shown)
-        before = stored_curve(self._device, channel) if is_active else after
+        before = self._device.draft.stored_curve(channel) if is_active else after
         self._fields.show_calibration(self.source, shown, editable=editable)
         self._show_actions()
         self._menu.show_channel(channel)
@@ -186,6 +182,7 @@ class CalibrationPage(PlotPage):
         self._on_frame_due()
         self._on_text_due()
 
+    @Slot()
     def _show_heading(self) -> None:
         channel, shown = self.channel, self._calibration()
         self._heading.show_channel(
@@ -193,7 +190,7 @@ class CalibrationPage(PlotPage):
             self.source,
             self._options.curve(channel, shown),
             edited=self._is_active and shown != self._device.calibrations.stored(channel),
-            mixed=self._mix.mixed,
+            mixed=self._device.mix_jumper.is_on,
         )
 
     def _show_actions(self) -> None:
@@ -283,7 +280,6 @@ class CalibrationPage(PlotPage):
     @Slot()
     @only_when_visible
     def _on_frame_due(self) -> None:
-        self._detect_mixing()
         if self._plot is not None:
             self._plot.set_raw(self._raw)
             if self._is_active:
@@ -305,12 +301,6 @@ class CalibrationPage(PlotPage):
     def _raw(self) -> int | None:
         """The raw count of the chosen channel, if the board measures it now."""
         return self._device.telemetry.raw_of(self.channel) if self._is_active else None
-
-    def _detect_mixing(self) -> None:
-        before = self._mix.mixed
-        follow_mix(self._device, self._mix)
-        if self._mix.mixed is not before:
-            self._show_heading()
 
     def _live_text(self, raw: int | None) -> str:
         if not self._is_active:
@@ -339,7 +329,7 @@ class CalibrationPage(PlotPage):
         self._fields.show_calibration(self.source, calibration, editable=self._editable)
         if self._plot is not None:
             self._rejection = self._plot.handles.message
-            differs = self._plot.curve != stored_curve(self._device, self.channel)
+            differs = self._plot.curve != self._device.draft.stored_curve(self.channel)
             self._legend.set_curves(True, differs=differs, live=True)
         self._show_note()
 

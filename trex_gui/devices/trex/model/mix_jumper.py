@@ -1,0 +1,68 @@
+"""Whether the mix jumper of a board is on."""
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.devices.trex.model.channel_curve import is_mixed
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.model.telemetry import Telemetry
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+
+_ENOUGH = 3  # consecutive results, of five a second, that make the state known
+
+
+class MixJumper(QObject):
+    """Whether it was on when a stick was last off neutral; it may be moved any time.
+
+    No command reads it: the outputs of channels 1 and 2 are compared with those that the board
+    reports.
+    """
+
+    changed = Signal()
+
+    def __init__(
+        self, draft: SettingsDraft, telemetry: Telemetry, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._draft = draft
+        self._telemetry = telemetry
+        self.is_on: bool | None = None  # `None`: not known
+        self._candidate: bool | None = None
+        self._count = 0
+        telemetry.updated.connect(self._on_updated)
+        telemetry.text_due.connect(self._on_text_due)
+
+    def feed(self, outputs: tuple[int, int], reported: tuple[int, int]) -> None:
+        seen = is_mixed(outputs, reported)
+        if seen is None:
+            return
+        self._count = self._count + 1 if seen is self._candidate else 1
+        self._candidate = seen
+        if self._count >= _ENOUGH:
+            self._set(seen)
+
+    def forget(self) -> None:
+        """Forget the state: it may be another board."""
+        self._candidate = None
+        self._set(None)
+
+    def _set(self, is_on: bool | None) -> None:
+        if is_on is not self.is_on:
+            self.is_on = is_on
+            self.changed.emit()
+
+    @Slot()
+    def _on_updated(self) -> None:
+        if self._telemetry.raw is None:
+            self.forget()
+
+    @Slot()
+    def _on_text_due(self) -> None:
+        telemetry, draft = self._telemetry, self._draft
+        reported = telemetry.remapped
+        if draft.parameters.active_of(ParameterKey.MOTOR_MODE) == 1:  # joint: nothing is mixed
+            self.forget()
+            return
+        one, two, flip = (draft.stored_curve(channel) for channel in (1, 2, 4))
+        if one and two and flip and reported and not flip.is_switched(4, telemetry.raw_of(4)):
+            outputs = one.output(telemetry.raw_of(1)), two.output(telemetry.raw_of(2))
+            self.feed(outputs, (reported[0], reported[1]))
