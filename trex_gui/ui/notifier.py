@@ -15,6 +15,8 @@ class Remedy(Enum):
     """Look for a board whose line settings are unknown."""
     RECONNECT = auto()
     """Connect again to the port that was used last."""
+    SET_UP_CRC = auto()
+    """Let the board detect errors on the line."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,6 @@
 """Controller of one device: from a choice in the port list to an open line, and back."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
 
 from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
@@ -31,6 +31,15 @@ class DeviceModel(Protocol[SettingsT_contra]):
     def connect_to(self, settings: SettingsT_contra) -> None: ...
     def disconnect_line(self) -> None: ...
     def shut_down(self) -> bool: ...
+
+
+@dataclass(frozen=True, slots=True)
+class LineQuality:
+    """How good a line is, in words, and whether the user should do something about it."""
+
+    text: str = ""  # empty while it is not known
+    is_bad: bool = False
+    remedy: Remedy | None = None  # what the program can do
 
 
 class DeviceController(QObject, Generic[SettingsT]):
@@ -171,6 +180,10 @@ class DeviceController(QObject, Generic[SettingsT]):
         self.changed.emit()
 
     # --- For each device ----------------------------------------------------------------
+
+    @property
+    def quality(self) -> LineQuality:
+        return LineQuality()
 
     @property
     def is_busy(self) -> bool:

@@ -9,8 +9,11 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
+from trex_gui.ui.notifier import Remedy
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.theme import set_text_color
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import ElidedLabel
 
 _NOT_CONNECTED, _OTHER = "not connected", "other"
 
@@ -25,6 +28,7 @@ class ConnectionBar(QWidget):
     connecting = Signal()
     choice_changed = Signal()  # `would_connect` may be another
     line_settings_requested = Signal()
+    remedy_chosen = Signal(object)  # a `Remedy`
     # The user's choice would interrupt the writing of settings; carries the function that does it
     # anyway.
     interruption_wanted = Signal(object)
@@ -77,7 +81,20 @@ class ConnectionBar(QWidget):
             tip=self.tr("Find a board whose line settings are unknown"),
             on_click=self.find_board,
         )
-        self._status = ui.label(self, "statusLabel", wrap=True, expand=True)
+        state = QWidget(self)
+        state.setMinimumHeight(2 * self.fontMetrics().lineSpacing())  # nothing moves below
+        self._status = ui.named(ElidedLabel("", state), "statusLabel")
+        self._quality = ui.named(ElidedLabel("", state), "qualityLabel")
+        ui.column((self._status, 1), self._quality, into=state, margins=0, spacing=0)
+        self._remedy = ui.button(
+            self,
+            "setUpCrcButton",
+            self.tr("Set up CRC…"),
+            tip=self.tr("Let the board detect damaged bytes; shows what will be written first"),
+            confirms=True,
+            on_click=lambda: self.remedy_chosen.emit(Remedy.SET_UP_CRC),
+        )
+        self._remedy.hide()
         self._progress = ui.progress_bar(self, "progressBar", self.tr("Progress"))
         self._progress.setFixedWidth(70)
         self._progress.hide()
@@ -87,7 +104,8 @@ class ConnectionBar(QWidget):
             self._connect,
             self._line,
             self._find,
-            (self._status, 1),
+            (state, 1),
+            self._remedy,
             self._progress,
             into=self,
             margins=0,
@@ -223,16 +241,25 @@ class ConnectionBar(QWidget):
                 self._last = device.port
             self._on_ports_changed()
         self._line.setText(device.line_text)
-        self._status.setText(
+        self._status.show_text(
             self.tr("Starting the Demo {0} …").format(device.plugin.name)
             if starting
             else device.status
         )
+        self._show_quality()
         self._progress.setVisible(opening)
         if opening:
             self._progress.setRange(0, 0)
         self._line.setEnabled(idle and device.has_line_settings)
         self._show_button()
+
+    def _show_quality(self) -> None:
+        quality = self._manager.current.quality
+        self._quality.show_text(quality.text)
+        self._quality.setVisible(bool(quality.text))
+        self._status.setWordWrap(not quality.text)
+        set_text_color(self._quality, "warning" if quality.is_bad else "muted")
+        self._remedy.setVisible(quality.remedy is not None)
 
     def _show_button(self) -> None:
         connects = self.would_connect

@@ -142,6 +142,7 @@ class MainWindow(QMainWindow):
         self._connection.connecting.connect(self._notifier.cleared)
         self._connection.choice_changed.connect(self._on_actions_changed)
         self._connection.line_settings_requested.connect(self._edit_line_settings)
+        self._connection.remedy_chosen.connect(self._on_remedy_chosen)
         self._connection.interruption_wanted.connect(self._on_interruption_wanted)
         self._manager.changed.connect(self._on_link_changed)
         self._manager.current_changed.connect(self._on_device_changed)
@@ -333,6 +334,8 @@ class MainWindow(QMainWindow):
                 self._connection.find_board()
             case Remedy.RECONNECT:
                 self._connection.reconnect()
+            case Remedy.SET_UP_CRC:
+                self._workspace.set_up_crc()
 
     # --- Appearance, beginning and end --------------------------------------------------
 

@@ -179,6 +179,9 @@ class Workspace(QWidget):
         """End every thread; return whether all ended in time."""
         return True
 
+    def set_up_crc(self) -> None:
+        """Let the user review the settings with which the device detects errors on the line."""
+
     def edit_line_settings(self) -> None:
         """Let the user edit how this computer talks to the device."""
 

@@ -41,7 +41,7 @@ class Note(QLabel):
 
 
 class ElidedLabel(QLabel):
-    """Plain text whose end may be elided; the tool tip has all of it.
+    """Plain text whose end may be elided, unless it wraps; the tool tip has all of it.
 
     It is always wide enough for the text `at_least`.
     """
@@ -57,12 +57,16 @@ class ElidedLabel(QLabel):
             self.setToolTip(text)
 
     def minimumSizeHint(self) -> QSize:
+        if self.wordWrap():
+            return super().minimumSizeHint()
         whole = self.sizeHint()
         least = self.fontMetrics().horizontalAdvance(self._at_least)
         return QSize(min(whole.width(), least), whole.height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+        if self.wordWrap():
+            super().paintEvent(event)
+            return
         rect = self.contentsRect()
         text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, rect.width())
         enabled, role = self.isEnabled(), self.foregroundRole()

@@ -69,7 +69,7 @@ class Banner(_MessageRow):
         super().__init__("banner", parent, selectable=True)
         dismiss = ui.tool_button(self, "bannerDismiss", self.tr("Dismiss"), on_click=self.clear)
         dismiss.setAutoRaise(True)
-        self._layout.addWidget(dismiss, 0, Qt.AlignmentFlag.AlignTop)
+        self._layout.addWidget(dismiss)
         if notifier is not None:
             notifier.info.connect(self.show_news)
             notifier.error.connect(self.show_problem)

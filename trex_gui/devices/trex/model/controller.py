@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.framing import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.devices.controller import DeviceController
+from trex_gui.ui.devices.controller import DeviceController, LineQuality
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.notifier import Notifier, Remedy
@@ -53,6 +53,8 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.simulator.ended.connect(self._on_simulator_ended)
         self.demo_board.factory_reset.connect(self._on_demo_factory_reset)
         device.link_changed.connect(self._note_settings)
+        device.quality_changed.connect(self.changed)
+        device.motors.arming_changed.connect(self.changed)
         device.connection.progressed.connect(self.progressed)
 
     @property
@@ -118,6 +120,21 @@ class TrexController(DeviceController[ConnectionSettings]):
         except BadRequest:
             return self._default
         return settings
+
+    @property
+    def quality(self) -> LineQuality:
+        device, quality = self.device, self.device.quality
+        if quality.is_noisy is None or not device.is_connected:
+            return LineQuality()
+        if not quality.is_noisy:
+            return LineQuality(self.tr("Line: good"))
+        lost = self.tr("{0:.1f} % lost").format(100 * quality.lost)
+        if device.settings is not None and device.settings.line.has_crc:
+            text = self.tr("{0}: noisy; shorten the cable, check ground")
+            return LineQuality(text.format(lost), is_bad=True)
+        text = self.tr("{0}: noisy; shorten the cable, check ground, use CRC").format(lost)
+        can_set_up = device.is_writable and not device.rejects_settings and not self.is_armed
+        return LineQuality(text, is_bad=True, remedy=Remedy.SET_UP_CRC if can_set_up else None)
 
     @property
     def is_busy(self) -> bool:

@@ -12,6 +12,7 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
+from trex_gui.devices.trex.model.connection_quality import ConnectionQuality
 from trex_gui.devices.trex.model.drive_controller import DriveController, why_the_board_stopped
 from trex_gui.devices.trex.model.errors import BoardEvents, ErrorLog
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
@@ -39,6 +40,7 @@ from trex_gui.devices.trex.session.reconnecting import reconnect_candidates
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.notifier import Notifier, remedies_of
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
@@ -64,6 +66,7 @@ class Device(QObject):
     link_changed = Signal()
     state_changed = Signal()  # `state` was read again, or forgotten
     request_failed = Signal(str)  # why a request or a connection failed; the notifier has it, too
+    quality_changed = Signal()
     applied = Signal(object)  # the `WriteResult` of everything that Apply tried
     sampled = Signal(object)  # a `Batch`, after the models have taken it
 
@@ -86,6 +89,7 @@ class Device(QObject):
         )
         self.events = BoardEvents(self.motors, self.connection, self)
         self.state: DeviceState | None = None
+        self.quality = ConnectionQuality()
         self._failures = 0  # transactions that failed, as last reported
         self._failed_at = -math.inf
 
@@ -97,6 +101,7 @@ class Device(QObject):
         self.connection.line_closed.connect(self._on_closed)
         # In this order: a stop of the board's precedes the samples that show it.
         self.connection.sampled.connect(self._note_statuses)
+        self.connection.sampled.connect(self._note_quality)
         self.connection.sampled.connect(self.telemetry.take)
         self.connection.sampled.connect(self.driving.follow_control)
         self.connection.sampled.connect(self.sampled)
@@ -319,6 +324,8 @@ class Device(QObject):
                 pending,
             )
             self.notifier.delayed_info.emit(text.format(f"{before.product.name} {before.firmware}"))
+        if occasion is not ReadReason.RELOADED:
+            self._forget_quality()
         if occasion is ReadReason.OPENED:
             if pending and is_same_kind:
                 text = self.tr(
@@ -338,6 +345,7 @@ class Device(QObject):
     @Slot()
     def _on_not_responding(self) -> None:
         self._give_up_apply(self.tr("Nothing was written: the board does not respond."))
+        self._forget_quality()
 
     def _give_up_apply(self, reason: str) -> None:
         """Write nothing, if the snapshot is still being saved."""
@@ -375,6 +383,22 @@ class Device(QObject):
                 self.errors.take(sample, is_doubtful=is_noisy and not has_crc)
                 self._follow_board_stop(sample)
 
+    @Slot(object)
+    def _note_quality(self, batch: Batch) -> None:
+        was_noisy, time = self.quality.is_noisy, batch.samples[-1].time
+        if not self.is_connected or not self.quality.take(time, batch.counters):
+            return
+        if self.quality.is_noisy and not was_noisy:
+            text = self.tr("The line is noisy: {0:.1f} % lost").format(100 * self.quality.lost)
+            self.events.add(EventKind.LINK, text, time, is_problem=True)
+        elif was_noisy and not self.quality.is_noisy:
+            self.events.add(EventKind.LINK, self.tr("The line is good again"), time)
+        self.quality_changed.emit()
+
+    def _forget_quality(self) -> None:
+        if self.quality.reset():
+            self.quality_changed.emit()
+
     def _follow_board_stop(self, latched: LatchedStatus) -> None:
         """Drop the setpoints of motors that the board has stopped by itself."""
         parameters = {} if self.state is None else self.state.parameters
@@ -388,4 +412,5 @@ class Device(QObject):
         self.state = None
         self._apply.end()
         self.telemetry.forget()
+        self._forget_quality()
         self.state_changed.emit()

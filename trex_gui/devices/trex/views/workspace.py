@@ -1,6 +1,8 @@
 """The workspace of a TReX: pages, dialogs and menus."""
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -9,6 +11,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.recording.store import Recording
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.bench import Bench
@@ -16,6 +19,7 @@ from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.recorder import Recorder
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
 from trex_gui.devices.trex.settings.document import Settings
@@ -470,6 +474,27 @@ class TrexWorkspace(Workspace):
     def shut_down(self) -> bool:
         ends = [self.recordings.shut_down(), self._device.edit_backup.shut_down()]
         return all(ends)
+
+    def set_up_crc(self) -> None:
+        key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
+        if parameters.stored_of(key) != parameters.active_of(key):
+            self._power.guide()
+            return
+        self._show_parameter(key)
+        wire = parameters.value_of(key)
+        if wire is None:
+            return
+        with suppress(BadRequest):  # a value that names no baud rate has to be edited first
+            line = replace(LineSettings.from_wire(wire), detection=Detection.CRC7)
+            parameters.edit(key, line.to_wire())
+            self.notifier.info.emit(
+                self.tr(
+                    "CRC-7 is one of the pending changes now. It takes effect when the board was "
+                    "switched off and on; this window follows. Other programs on this line have "
+                    "to use CRC-7, too."
+                )
+            )
+            self._review.review()
 
     def edit_line_settings(self) -> None:
         dialog = LineSettingsDialog(self._controller.settings, self._frame)

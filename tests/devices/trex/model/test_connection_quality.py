@@ -1,0 +1,102 @@
+"""When a line is called good or noisy."""
+
+from dataclasses import replace
+
+import pytest
+
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.model.connection_quality import ConnectionQuality
+
+
+class MeasuredLine:
+    """A line with so many transactions a second, whose quality is looked at in each frame."""
+
+    def __init__(self, rate: float = 190.0) -> None:
+        self.quality = ConnectionQuality()
+        self.counters = Counters()
+        self.time = 1000.0
+        self._rate = rate
+        self._exact = dict.fromkeys(("requests", "missing", "corrupted", "unsolicited"), 0.0)
+
+    def run(
+        self, seconds: float, *, missing: float = 0.0, corrupted: float = 0.0, stray: float = 0.0
+    ) -> list[bool | None]:
+        """Let time pass with these shares of failures; return each new judgement."""
+        judged: list[bool | None] = []
+        shares = {
+            "requests": 1.0,
+            "missing": missing,
+            "corrupted": corrupted,
+            "unsolicited": stray,
+        }
+        for _ in range(round(seconds * 30)):
+            self.time += 1 / 30
+            for name, share in shares.items():
+                self._exact[name] += share * self._rate / 30
+                setattr(self.counters, name, int(self._exact[name]))
+            if self.quality.take(self.time, replace(self.counters)):
+                judged.append(self.quality.is_noisy)
+        return judged
+
+
+def test_nothing_is_claimed_before_enough_was_measured() -> None:
+    line = MeasuredLine()
+    assert line.run(2.5) == []
+    assert line.quality.is_noisy is None
+    assert line.run(4) == [False]
+
+
+@pytest.mark.parametrize(
+    "failures",
+    [{"missing": 0.026}, {"corrupted": 0.026}, {"missing": 0.016, "corrupted": 0.01}],
+)
+def test_share_of_lost_transactions_is_measured(failures: dict[str, float]) -> None:
+    line = MeasuredLine()
+    assert True in line.run(20, **failures)
+    assert line.quality.lost == pytest.approx(0.026, abs=0.001)
+
+
+def test_line_with_stray_bytes_is_noisy_although_no_reply_is_lost() -> None:
+    line = MeasuredLine()
+    assert True in line.run(20, stray=0.2)
+    assert line.quality.lost == 0
+
+
+def test_judgement_does_not_flicker_between_its_thresholds() -> None:
+    line = MeasuredLine()
+    line.run(20, missing=0.02)
+    judged = line.run(60, missing=0.008)
+    assert set(judged) <= {True}
+    assert len(judged) < 10, "the share of ten seconds falls, and stays"
+    assert line.run(30, missing=0.001)[-1] is False
+    assert True not in line.run(60, missing=0.008)
+
+
+def test_words_stay_for_two_seconds() -> None:
+    line = MeasuredLine()
+    changes = [line.run(2, missing=share) for share in (0.05, 0.0) * 20]
+    assert all(len(judged) <= 1 for judged in changes)
+
+
+def test_three_failures_before_a_silence_are_no_noise() -> None:
+    line = MeasuredLine()
+    line.run(3)
+    line.counters.missing += 3
+    assert line.quality.take(line.time + 2, line.counters)
+    assert line.quality.is_noisy is False
+
+
+def test_slow_line_is_measured_over_as_many_transactions() -> None:
+    line = MeasuredLine(rate=12)
+    assert line.run(40, missing=0.03) == []
+    assert line.run(10, missing=0.03)[0] is True
+
+
+def test_new_connection_is_measured_anew() -> None:
+    line = MeasuredLine()
+    line.run(20, missing=0.05)
+    assert line.quality.reset()
+    assert line.quality.is_noisy is None
+    assert not line.quality.reset()
+    line.run(6)
+    assert line.quality.is_noisy is False
