@@ -363,10 +363,10 @@ was {0}</numerusform>
 <context>
     <name>SetupDialog</name>
     <message numerus="yes">
-        <source>Next adds %n change(s), which wait to be applied.</source>
+        <source>Next adds %n change(s). Nothing is written before you apply them.</source>
         <translation>
-            <numerusform>Next adds %n change, which wait to be applied.</numerusform>
-            <numerusform>Next adds %n changes, which wait to be applied.</numerusform>
+            <numerusform>Next adds %n change. Nothing is written before you apply them.</numerusform>
+            <numerusform>Next adds %n changes. Nothing is written before you apply them.</numerusform>
         </translation>
     </message>
 </context>

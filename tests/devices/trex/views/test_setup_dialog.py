@@ -138,6 +138,7 @@ ENDS: dict[str, Callable[[Assistant], object]] = {
     "the step is skipped": lambda one: one.click("setupSkipButton"),
     "the wheels are set down": lambda one: one.click("setupWheelsFree"),
     "Stop is pressed": lambda one: QTest.mousePress(stop_button(one.root), LEFT),
+    "the line is closed": lambda one: one.robot.device.disconnect_line(),
     "the line is cut": lambda one: one.robot.simulator.do("line unplug"),
 }
 STAYS_ARMED = {
@@ -163,6 +164,7 @@ def test_every_way_out_stops(assistant: Assistant, end: str) -> None:
     assistant.wait(lambda: robot.speeds() == (0, 0))
     robot.pass_time(2)
     assert robot.speeds() == (0, 0)
+    assert robot.device.motors.accelerate
 
 
 def test_board_in_rc_mode_is_explained_and_followed(assistant: Assistant) -> None:

@@ -199,7 +199,8 @@ class RobotSetup(QObject):
 
     def begin(self) -> None:
         """Start with the first step; the answers given so far are kept."""
-        self._go(SetupStep.DRIVER)
+        self.step = SetupStep.DRIVER
+        self.changed.emit()
 
     def leave(self) -> None:
         """Stop the motors; the pending edits stay."""
@@ -210,13 +211,10 @@ class RobotSetup(QObject):
         steps = self.steps
         index = steps.index(self.step) + by
         if 0 <= index < len(steps):
-            self._go(steps[index])
-
-    def _go(self, step: SetupStep) -> None:
-        if self.step is SetupStep.MOTORS:
-            self.leave()
-        self.step = step
-        self.changed.emit()
+            if self.step is SetupStep.MOTORS:
+                self.leave()
+            self.step = steps[index]
+            self.changed.emit()
 
     # --- What has changed ---------------------------------------------------------------
 

@@ -145,12 +145,14 @@ class SetupDialog(ReusedDialog):
         if not edits:
             return ""
         if len(edits) > _MOST_NAMED:
-            return self.tr("Next adds %n change(s), which wait to be applied.", "", len(edits))
+            return self.tr(
+                "Next adds %n change(s). Nothing is written before you apply them.", "", len(edits)
+            )
         parameters = device.parameters
         rows = []
         for key, wire in edits.items():
             spec, before = parameters.spec_of(key), parameters.value_of(key)
             old = "" if before is None else parameters.text.physical(spec, before)
             rows.append(f"{spec.name}: {old} → {parameters.text.physical(spec, wire)}")
-        text = self.tr("Next changes {0}; that waits to be applied.")
+        text = self.tr("Next changes {0}. Nothing is written before you apply it.")
         return text.format("; ".join(rows))

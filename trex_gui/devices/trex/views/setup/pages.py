@@ -149,32 +149,35 @@ class JumperPage(QWidget):
         if driver is Driver.COMPUTER:
             self._sketch.show_boards(JumperPlaces(self.tr("Always"), "", None))
         else:
-            mode = "RC" if source is InputSource.RC else "Analog"
+            position = "RC" if source is InputSource.RC else "Analog"
             self._sketch.show_boards(
                 JumperPlaces(self.tr("Now: to set up"), "", is_mixed),
-                JumperPlaces(self.tr("Later: to drive"), mode, is_mixed),
+                JumperPlaces(self.tr("Later: to drive"), position, is_mixed),
             )
-        texts = {
+        mode = self.tr(
+            "Take the mode jumper off to set the board up: only then it takes settings. To drive, "
+            "put it at RC, or at analog for a stick of potentiometers. The board reads it when it "
+            "is switched on."
+        )
+        mix = {
             Driver.ONE_STICK: self.tr(
-                "The mode jumper is off while you set the board up: only then it takes settings. "
-                "To drive, put it at RC, or at analog for a joystick of potentiometers. The board "
-                "reads it when it is switched on.\n\n"
-                "The mix jumper is on: channel 2 drives forward and back, channel 1 turns. It "
+                "Put the mix jumper on: channel 2 drives forward and back, channel 1 turns. It "
                 "works at once."
             ),
             Driver.TWO_STICKS: self.tr(
-                "The mode jumper is off while you set the board up: only then it takes settings. "
-                "To drive, put it at RC, or at analog for joysticks of potentiometers. The board "
-                "reads it when it is switched on.\n\n"
-                "The mix jumper is off: channel 1 drives motor 1, channel 2 drives motor 2."
+                "Take the mix jumper off: channel 1 drives motor 1, channel 2 drives motor 2. It "
+                "works at once."
             ),
             Driver.COMPUTER: self.tr(
-                "The mode jumper stays off: then the board takes settings and serial commands. The "
-                "board reads it when it is switched on.\n\n"
                 "The mix jumper does not matter: it changes no serial command."
             ),
         }
-        self._text.setText(texts[driver])
+        if driver is Driver.COMPUTER:
+            mode = self.tr(
+                "Take the mode jumper off and leave it off: then the board takes settings and "
+                "serial commands. The board reads it when it is switched on."
+            )
+        self._text.setText(f"{mode}\n\n{mix[driver]}")
         self._mode.show_result(*self._mode_result())
         self._mix.setVisible(driver.uses_sticks)
         self._mix.show_result(*self._mix_result(is_mixed))
@@ -336,7 +339,7 @@ class LimitsPage(QWidget):
         self._hint = ui.named(Note(3, self), "setupLimitHint")
         self._choices.chosen.connect(setup.choose_preset)
         ui.column(
-            ui.label(self, text=self.tr("How shall the motors start and stop?"), bold=True),
+            ui.label(self, text=self.tr("How should the motors start and stop?"), bold=True),
             self._choices,
             ui.row(
                 ui.label(self, text=self.tr("&Current limit of each motor"), buddy=self._limit),
@@ -440,7 +443,7 @@ class TimeoutPage(QWidget):
             text,
             ui.row(
                 ui.label(
-                    self, text=self.tr("&Stop the motors after silence of"), buddy=self._seconds
+                    self, text=self.tr("&Stop the motors after a silence of"), buddy=self._seconds
                 ),
                 self._seconds,
                 1,
