@@ -33,6 +33,7 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         page = window.open_page("motorsPage")
         lose(window, board)
         assert f"{grave}</b> {remedy}" in page.text("motorsReason")
+        assert f"{grave} {remedy}" in window.text("motorStateLabel")
         page = window.open_page("statusPage")
         assert page.has("statusLost")
         assert page.text("statusLost").startswith(f"{grave} {remedy}")

@@ -50,6 +50,10 @@ class PaintedSlider(QSlider):
             self.paint_groove(painter, handle)
             self.style().drawComplexControl(slider, option, painter, self)
             self.paint_below(painter, handle)
+            if self.hasFocus():  # Fusion shows it after a key only, and thin
+                painter.setPen(QPen(theme().color("highlight"), 2))
+                painter.setBrush(Qt.BrushStyle.NoBrush)
+                painter.drawRoundedRect(handle.adjusted(1, 1, -1, -1), 2, 2)
 
     def x_of(self, value: int, handle: QRect) -> int:
         """Return where the middle of a handle of this size is at a value."""

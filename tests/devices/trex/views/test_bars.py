@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
+from trex_gui.devices.trex.views.bars import ChannelBar, CurrentBar, OutputBar
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import Bar, BarState
 
@@ -195,7 +195,7 @@ def test_bar_is_painted_at_any_width_and_calibration(
         assert not bar.grab().isNull()
 
 
-@pytest.mark.parametrize("make", [ChannelBar, OutputBar])
+@pytest.mark.parametrize("make", [ChannelBar, OutputBar, CurrentBar])
 def test_bar_follows_the_theme(qtbot: QtBot, make: Callable[[], Bar]) -> None:
     widget = make()
     qtbot.addWidget(widget)
@@ -208,7 +208,7 @@ def test_bar_follows_the_theme(qtbot: QtBot, make: Callable[[], Bar]) -> None:
     )
 
 
-@pytest.mark.parametrize("make", [ChannelBar, OutputBar])
+@pytest.mark.parametrize("make", [ChannelBar, OutputBar, CurrentBar])
 def test_bar_grows_with_the_font(qtbot: QtBot, make: Callable[[], Bar]) -> None:
     widget = make()
     qtbot.addWidget(widget)
@@ -267,3 +267,24 @@ def test_auxiliary_output_fills_from_the_left(qtbot: QtBot) -> None:
     assert auxiliary.x_of(0) == auxiliary._track().left()
     assert colours(auxiliary, auxiliary.x_of(0), auxiliary.x_of(60)) == {named("bar")}
     assert colours(auxiliary, auxiliary.x_of(60), auxiliary.x_of(127)) == {named("track")}
+
+
+def test_current_has_a_line_at_its_limit(qtbot: QtBot) -> None:
+    current = CurrentBar()
+    qtbot.addWidget(current)
+    current.resize(400, current.sizeHint().height())
+    current.set_connected(True)
+    current.set_scale(15.0, None)
+    current.set_value(3.0)
+    assert colours(current, current.x_of(0), current.x_of(3)) == {named("bar")}
+    assert colours(current, current.x_of(3), current.x_of(15)) == {named("track")}
+    assert current.accessibleDescription() == "3.00 A"
+
+    current.set_scale(15.0, 5.0)
+    assert current.x_of(10) == current._track().left() + current._track().width()
+    current.set_value(2.0)
+    assert named("limit") in colours(current, current.x_of(3), current.x_of(7))
+    assert current.accessibleDescription() == "2.00 A, limit 5.00 A"
+    before = current.x_of(5)
+    current.set_value(20.0)
+    assert current.x_of(5) < before, "the scale widens for a greater current"

@@ -173,10 +173,7 @@ def _texts(now: DriveInputs) -> dict[DriveBlocker, tuple[str, str]]:
         ),
         DriveBlocker.OPENING: (_tr("The board is being read."), ""),
         DriveBlocker.CLOSING: (_tr("The connection is being closed."), ""),
-        DriveBlocker.SILENT: (
-            " ".join([_tr("The board does not respond."), *_may_turn(now)]),
-            _tr("Check its power and the cable; the stop is being repeated."),
-        ),
+        DriveBlocker.SILENT: _silent(now),
         DriveBlocker.UNKNOWN: (_tr("The board has not reported yet what controls the motors."), ""),
         DriveBlocker.NOT_SERIAL: (
             _tr("The board reports that serial commands do not control the motors."),
@@ -235,13 +232,14 @@ def _lost(now: DriveInputs) -> tuple[str, str]:
     return text, stops.format(now.timeout)
 
 
-def _may_turn(now: DriveInputs) -> list[str]:
+def _silent(now: DriveInputs) -> tuple[str, str]:
+    remedy = _tr("Check its power and the cable; the stop is being repeated.")
     if not now.may_move:
-        return []
-    if not now.timeout:
-        return [_tr("Motors may still turn.")]
-    text = _tr("Motors may still turn: the board stops them {0} after the last byte it received.")
-    return [text.format(now.timeout)]
+        return _tr("The board does not respond."), remedy
+    if now.timeout:
+        stops = _tr("The board stops them {0} after the last byte it received.")
+        remedy = f"{stops.format(now.timeout)} {remedy}"
+    return _tr("The board does not respond: motors may still turn."), remedy
 
 
 def _fault_text(faults: Collection[int]) -> str:

@@ -45,7 +45,7 @@ def channel_text(device: Device, channel: int) -> str:
 
 
 def report_text(device: Device, motor: int) -> str:
-    """What the board reports of motor 1 or 2, or of the auxiliary (3): control, current, errors.
+    """What the board reports of motor 1 or 2, or of the auxiliary (3): control and errors.
 
     If channel 5 has handed over to serial, its channel shows what the motor does after that.
     """
@@ -59,7 +59,6 @@ def report_text(device: Device, motor: int) -> str:
         if device.is_joint:
             parts.append(_tr("no current sensing in joint mode"))
         else:
-            parts.append(f"{telemetry.motor_currents[motor - 1]:.2f} A")
             parts += [entry.name.lower() for entry in device.errors.recent(motor)]
     value = telemetry.remapped_of(motor)
     if by_serial and state is not None and not state.mode.is_serial and value is not None:

@@ -7,7 +7,12 @@ from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import recent_fault_text
+from trex_gui.devices.trex.model.drive_status import (
+    DriveBlocker,
+    drive_inputs,
+    drive_status,
+    recent_fault_text,
+)
 from trex_gui.devices.trex.model.drive_texts import TimeoutWarning, timeout_warning
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
@@ -189,8 +194,9 @@ class ActionBar(QWidget):
         if self._device.may_move:
             if link in {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}:
                 return self.tr("Stopping …")
-            if link is ConnectionState.DISCONNECTED:
-                return self.tr("The connection was lost: motors may still turn. Cut their power.")
+            status = drive_status(drive_inputs(self._device))  # the Motors page says the same
+            if status.blocker in {DriveBlocker.LOST, DriveBlocker.SILENT}:
+                return f"{status.text} {status.remedy}"
             return self.tr("Unknown: motors may still turn. The stop is being repeated.")
         if self._device.driving.lost_board:
             return self.tr("The board driven before may still turn its motors. Cut their power.")

@@ -1,9 +1,9 @@
-"""The live bars: a channel's input with its calibration, and an output."""
+"""The live bars: a channel's input with its calibration, an output, and a current."""
 
 from collections.abc import Iterable
 
 from PySide6.QtCore import QRect, QRectF, Qt
-from PySide6.QtGui import QPainter
+from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
@@ -268,18 +268,15 @@ class ChannelBar(Bar):
         self._paint_fill(painter, track, edge, self.x_of(raw), color)
 
 
-class OutputBar(Bar):
-    """Shows -127 to 127 from the centre, or 0 to 127 from the left; `value` is the one shown."""
+class _FilledBar(Bar):
+    """Filled from zero to `value`, the one shown; `None` is no valid signal."""
 
-    def __init__(self, parent: QWidget | None = None, *, bipolar: bool = True) -> None:
-        self._bipolar = bipolar
-        self.value: int | None = None
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self.value: float | None = None
         super().__init__("bar", "bar_negative", parent)
-        self.setAccessibleName(self.tr("Output"))
         self._refresh()
 
-    def set_value(self, value: int | None) -> None:
-        """Show a value, kept within the bar; `None` means that there is no valid signal."""
+    def set_value(self, value: float | None) -> None:
         if not self._has_value or value != self.value:
             self._has_value = True
             self.value = value
@@ -287,24 +284,16 @@ class OutputBar(Bar):
 
     def x_of(self, value: float) -> float:
         """Return where a value lies, in pixels from the left of the widget."""
-        return _x_on(self._track(), (-FULL_SCALE if self._bipolar else 0, FULL_SCALE), value)
+        return _x_on(self._track(), self._axis(), value)
+
+    def _axis(self) -> tuple[float, float]:
+        raise NotImplementedError
 
     def _clear(self) -> None:
         self.value = None
 
     def _has_signal(self) -> bool:
         return self.value is not None
-
-    def _value_text(self) -> str:
-        if self.value is None:
-            return ""
-        return with_sign(self.value) if self._bipolar else str(self.value)
-
-    def _spoken_value(self) -> str:
-        return self.tr("{value} of {full}").format(value=self._value_text(), full=FULL_SCALE)
-
-    def _widest_value(self) -> str:
-        return with_sign(-FULL_SCALE) if self._bipolar else str(FULL_SCALE)
 
     def _height(self) -> int:
         return self.fontMetrics().height() + 2 + 2 * _ZERO_OVERSHOOT + 2
@@ -316,22 +305,93 @@ class OutputBar(Bar):
 
     def _paint_static(self, painter: QPainter, track: QRect) -> None:
         if not self._caption():
-            self._paint_zero(painter, track)
+            self._paint_line(painter, track, 0, self._marks.mark)
 
-    def _paint_zero(self, painter: QPainter, track: QRect) -> None:
-        x = self._snap(self.x_of(0) - 0.5)
+    def _paint_line(self, painter: QPainter, track: QRect, value: float, color: QColor) -> None:
+        x = self._snap(self.x_of(value) - 0.5)
         top, height = track.top() - _ZERO_OVERSHOOT, track.height() + 2 * _ZERO_OVERSHOOT
-        painter.fillRect(QRectF(x, top, 1, height), self._marks.mark)
+        painter.fillRect(QRectF(x, top, 1, height), color)
 
     def _paint_live(self, painter: QPainter, track: QRect) -> None:
         value = self.value
         if value is not None:
             color = self._marks.fill if value > 0 else self._marks.negative
             self._paint_fill(painter, track, self.x_of(0), self.x_of(value), color)
-            self._paint_zero(painter, track)
+            self._paint_line(painter, track, 0, self._marks.mark)
             self._paint_pointer(painter, track, self.x_of(value), 0)
 
 
-def _x_on(track: QRect, axis: tuple[int, int], value: float) -> float:
+class OutputBar(_FilledBar):
+    """Shows -127 to 127 from the centre, or 0 to 127 from the left."""
+
+    def __init__(self, parent: QWidget | None = None, *, bipolar: bool = True) -> None:
+        self._bipolar = bipolar
+        super().__init__(parent)
+        self.setAccessibleName(self.tr("Output"))
+
+    def _axis(self) -> tuple[float, float]:
+        return (-FULL_SCALE if self._bipolar else 0), FULL_SCALE
+
+    def _value_text(self) -> str:
+        if self.value is None:
+            return ""
+        return with_sign(int(self.value)) if self._bipolar else f"{self.value:.0f}"
+
+    def _spoken_value(self) -> str:
+        return self.tr("{value} of {full}").format(value=self._value_text(), full=FULL_SCALE)
+
+    def _widest_value(self) -> str:
+        return with_sign(-FULL_SCALE) if self._bipolar else str(FULL_SCALE)
+
+
+class CurrentBar(_FilledBar):
+    """Shows a motor's current in A, with a line at its limit."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self._limit: float | None = None
+        self._usual = self._end = 1.0
+        super().__init__(parent)
+
+    def set_scale(self, usual: float, limit: float | None) -> None:
+        """Show 0 to `usual` A, or twice the limit; greater currents widen that until it changes.
+
+        `limit` is `None` where the board has none.
+        """
+        if (usual, limit) != (self._usual, self._limit):
+            self._usual, self._limit = usual, limit
+            self._end = 2 * limit if limit else usual
+            self._refresh()
+
+    def set_value(self, value: float | None) -> None:
+        self._end = max(self._end, value or 0.0)
+        super().set_value(value)
+
+    def _axis(self) -> tuple[float, float]:
+        return 0.0, self._end
+
+    def _cache_key(self) -> tuple[object, ...]:
+        return (self._limit, self._end)
+
+    def _value_text(self) -> str:
+        return "" if self.value is None else f"{self.value:.2f} A"
+
+    def _spoken_value(self) -> str:
+        if self._limit is None:
+            return self._value_text()
+        text = self.tr("{value}, limit {limit:.2f} A")
+        return text.format(value=self._value_text(), limit=self._limit)
+
+    def _widest_value(self) -> str:
+        return "00.00 A"
+
+    def _paint_live(self, painter: QPainter, track: QRect) -> None:
+        super()._paint_live(painter, track)
+        if self._limit is not None:
+            color = theme().color("limit")
+            for x in (self._limit, self._limit + self._end / track.width()):
+                self._paint_line(painter, track, x, color)
+
+
+def _x_on(track: QRect, axis: tuple[float, float], value: float) -> float:
     low, high = axis
     return track.left() + min(max((value - low) / (high - low), 0.0), 1.0) * track.width()

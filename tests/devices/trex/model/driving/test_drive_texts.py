@@ -43,14 +43,13 @@ def test_channel_text_shows_a_missing_signal(
     assert channel_text(rc_device, 1) == "Channel 1: 0"
 
 
-def test_report_gives_each_motor_its_own_current(
+def test_report_gives_each_motor_its_own_errors(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert report_text(rc_device, 1) == "Board: N/A"
-    rc_board.do("current 1 3.0")
-    rc_board.do("current 2 6.0")
-    qtbot.waitUntil(lambda: report_text(rc_device, 1) == "Board: serial not in control, 3.00 A")
-    assert report_text(rc_device, 2) == "Board: serial not in control, 6.00 A"
+    rc_board.do("fault 2 on")
+    qtbot.waitUntil(lambda: "fault" in report_text(rc_device, 2))
+    assert report_text(rc_device, 1) == "Board: serial not in control"
     assert report_text(rc_device, 3) == "Board: serial not in control"
 
 

@@ -5,7 +5,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QSpinBox, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.views.bars import OutputBar
+from trex_gui.devices.trex.views.bars import CurrentBar, OutputBar
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import with_sign
@@ -95,10 +95,13 @@ class SpeedSlider(PressSlider):
         painter.drawRoundedRect(groove, 3, 3)
         if not self.isEnabled():
             return
-        start = self.x_of(max(-self._ceiling, self.minimum()), handle)
-        end = self.x_of(self._ceiling, handle)
+        ends = max(-self._ceiling, self.minimum()), self._ceiling
+        start, end = (self.x_of(value, handle) for value in ends)
         painter.setBrush(theme().color("track"))
         painter.drawRoundedRect(QRect(start, middle - 3, end - start, 7), 3, 3)
+        if self._ceiling < self.maximum():
+            for x in (start, end):
+                painter.fillRect(x - 1, middle - 7, 2, 15, theme().color("mark"))
         zero, here = self.x_of(0, handle), handle.center().x()
         name = "bar_negative" if self.sliderPosition() < 0 else "bar"
         painter.setPen(Qt.PenStyle.NoPen)
@@ -189,9 +192,9 @@ class SpeedEntry(QSpinBox):
 
 
 class DriveControl(QWidget):
-    """A slider and an entry box that always show the same speed.
+    """A slider and an entry box that always show the same speed, and the motor's current.
 
-    While channels drive, a bar of their command replaces both.
+    While channels drive, a bar of their command replaces slider and box.
     """
 
     speed_wanted = Signal(int)  # a speed of 0 or -127 to 127 that the user chose
@@ -223,22 +226,26 @@ class DriveControl(QWidget):
         self._bar.hide()
         self._setpoint_label = ui.label(self, f"{name}Setpoint")
         self.reported = ui.named(
-            ElidedLabel(self.tr("Board: serial in control, 10.00 A…"), self), f"{name}Reported"
+            ElidedLabel(self.tr("Board: serial in control…"), self), f"{name}Reported"
         )
         self.reported.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for button in (self._zero, self.brake):
             button.setMinimumWidth(button.fontMetrics().horizontalAdvance(button.text()) + 20)
-        if not two_way:
-            self.brake.hide()
+        self.current = ui.named(CurrentBar(self), f"{name}Current")
+        self.current.setToolTip(self.tr("Current of this motor; the red line is its limit"))
+        policy = self.brake.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)  # so that all sliders have the same length
+        self.brake.setSizePolicy(policy)
+        for widget in (self.brake, self.current):
+            widget.setVisible(two_way)
 
-        layout = ui.grid(self, margins=0, spacing=(8, 2), stretch=[(0, 1)])
         words = ui.row(self._title, self._setpoint_label, 1, self.reported, spacing=10)
-        layout.addLayout(words, 0, 0, 1, 4)
-        for place, widget in enumerate((self.slider, self._entry, self._zero, self.brake)):
-            layout.addWidget(widget, 1, place, Qt.AlignmentFlag.AlignTop)
-        layout.addWidget(self._bar, 2, 0, 1, 4)
-        # The room of the brake is kept without it, so that all sliders have the same length.
-        layout.setColumnMinimumWidth(3, self.brake.sizeHint().width())
+        numbers = ui.row(self._entry, self._zero, self.brake, 1, spacing=8)
+        beside = ui.column(numbers, self.current, 1, spacing=1)
+        speed = ui.column(self.slider, self._bar, 1, spacing=0)
+        ui.column(
+            words, ui.row((speed, 3), (beside, 1), spacing=8), into=self, margins=0, spacing=2
+        )
 
         self.slider.valueChanged.connect(self._on_slider_changed)
         self._entry.chosen.connect(self._on_entry_chosen)
@@ -251,6 +258,7 @@ class DriveControl(QWidget):
         self._zero.setAccessibleName(self.tr("{0}, speed zero").format(title))
         self.brake.setAccessibleName(self.tr("{0}, brake").format(title))
         self._bar.setAccessibleName(self.tr("{0}, channel command").format(title))
+        self.current.setAccessibleName(self.tr("{0}, current").format(title))
 
     def set_ceiling(self, ceiling: int) -> None:
         """Offer no speed beyond this one, 1-127, either way."""

@@ -1,9 +1,18 @@
 """Pad to steer in: up is forward, to the side turns, letting go springs back."""
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
-from PySide6.QtGui import QEventPoint, QMouseEvent, QPainter, QPaintEvent, QPen, QTouchEvent
+from PySide6.QtGui import (
+    QEventPoint,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+    QTouchEvent,
+)
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.widgets.behaviour import PressMonitor
 
@@ -11,6 +20,9 @@ _STRAIGHT = 0.06
 """Share of the travel within which a direction counts as zero."""
 
 _KNOB = 13
+_USUAL_SIDE = 210  # pixels
+_LARGEST_SHARE = 0.4
+"""Share of its parent's width that it takes at most."""
 
 
 class DrivePad(QWidget):
@@ -28,6 +40,7 @@ class DrivePad(QWidget):
         self.held = False
         self._finger = 0
         self._can_turn = True
+        self._ceiling = FULL_SCALE
         self._forward = self._turn = 0.0
         self._watch = PressMonitor(self)
         self.setObjectName("drivePad")
@@ -44,6 +57,13 @@ class DrivePad(QWidget):
         if can_turn != self._can_turn:
             self._can_turn = can_turn
             self.release()
+            self._describe()
+            self.update()
+
+    def set_ceiling(self, ceiling: int) -> None:
+        """Show which speed, 1-127, full deflection gives."""
+        if ceiling != self._ceiling:
+            self._ceiling = ceiling
             self._describe()
             self.update()
 
@@ -142,13 +162,24 @@ class DrivePad(QWidget):
             position = self.tr("{0} {1:.0%}, {2} {3:.0%}.").format(
                 ahead, abs(self._forward), side, abs(self._turn)
             )
-        self.setAccessibleDescription(f"{position} {use}")
+        parts = [position, use]
+        if self._ceiling < FULL_SCALE:
+            share = 100 * self._ceiling / FULL_SCALE
+            parts.append(self.tr("Full deflection is {0:.0f} % of full speed.").format(share))
+        self.setAccessibleDescription(" ".join(parts))
 
     def sizeHint(self) -> QSize:
-        return QSize(210, 210)
+        """Return a square of its height, which the page gives; the sliders need the rest."""
+        page = self.parentWidget()
+        most = _LARGEST_SHARE * page.width() if page is not None else _USUAL_SIDE
+        return QSize(round(max(min(self.height(), most), _USUAL_SIDE)), _USUAL_SIDE)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(170, 170)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.updateGeometry()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
@@ -181,7 +212,11 @@ class DrivePad(QWidget):
         painter.setFont(scaled_font(self.font(), 0.85))
         box = frame.adjusted(6, 3, -6, -3)
         centred = Qt.AlignmentFlag.AlignHCenter
-        painter.drawText(box, centred | Qt.AlignmentFlag.AlignTop, self.tr("forward"))
+        forward = self.tr("forward")
+        if self._ceiling < FULL_SCALE:
+            share = 100 * self._ceiling / FULL_SCALE
+            forward = self.tr("forward, at most {0:.0f} %").format(share)
+        painter.drawText(box, centred | Qt.AlignmentFlag.AlignTop, forward)
         painter.drawText(box, centred | Qt.AlignmentFlag.AlignBottom, self.tr("back"))
         if self._can_turn:
             side = Qt.AlignmentFlag.AlignVCenter

@@ -1,4 +1,4 @@
-"""How speeds are sent: ramp, ceiling, brake strength, lock, spring return."""
+"""How speeds are sent: ceiling, ramp, brake strength, lock, spring return."""
 
 from collections.abc import Callable
 from functools import partial
@@ -12,6 +12,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedEntry
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.labels import Note
 
 _SPACING = 6  # pixels
 
@@ -84,8 +85,43 @@ class Level(QObject):
         self._apply(value)
 
 
+class SpeedCeiling(QWidget):
+    """The ceiling of the board, and why it is low at first."""
+
+    def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._motors = motors
+        self._level = Level(
+            self.tr("&Speed ceiling"),
+            "ceiling",
+            1,
+            self,
+            tip=self.tr(
+                "Highest speed that this program sends to this board; full deflection of pad, "
+                "keys and gamepad gives this speed. Raising it makes no running motor faster."
+            ),
+            apply=motors.set_ceiling,
+        )
+        self._note = ui.named(Note(1, self), "ceilingNote")
+        self._note.setAlignment(Qt.AlignmentFlag.AlignVCenter)
+        label, slider, entry = self._level.widgets
+        ui.row(label, (slider, 1), entry, (self._note, 2), into=self, margins=0)
+        motors.options_changed.connect(self._on_options_changed)
+        self._on_options_changed()
+
+    @Slot()
+    def _on_options_changed(self) -> None:
+        motors = self._motors
+        self._level.set_value(motors.ceiling)
+        self.setEnabled(bool(motors.board))
+        text = self.tr("Remembered for this board.")
+        if motors.is_first_drive:
+            text = self.tr("New board: raise this when its motors turn the right way.")
+        self._note.show_note(text if motors.board else "")
+
+
 class Options(QGroupBox):
-    """Ceiling, brake strength, lock and spring return are stored; the other options are not."""
+    """Brake strength, lock and spring return are stored; the other options are not."""
 
     keys_toggled = Signal(bool)  # whether keys drive wherever the focus is
 
@@ -134,14 +170,6 @@ class Options(QGroupBox):
         self._link = ui.check_box(
             self, "linkMotors", self.tr("&Link both motors"), on_toggle=motors.set_linked
         )
-        self._ceiling = Level(
-            self.tr("&Speed ceiling"),
-            "ceiling",
-            1,
-            self,
-            tip=self.tr("Highest speed sent; full deflection of pad or keys gives this speed"),
-            apply=motors.set_ceiling,
-        )
         self._brake = Level(
             self.tr("&Brake strength"),
             "brake",
@@ -163,13 +191,12 @@ class Options(QGroupBox):
         # Without a spacing of its own a column would take that of its row.
         left = ui.column(accelerate, at_once, keys, 1, spacing=_SPACING)
         right = ui.grid(spacing=(2 * _SPACING, _SPACING), stretch=[(1, 1)])
-        for row, level in enumerate((self._ceiling, self._brake)):
-            for column, widget in enumerate(level.widgets):
-                right.addWidget(widget, row, column)
-        right.addWidget(lock_label, 2, 0)
-        right.addWidget(self._lock, 2, 2)
+        for column, widget in enumerate(self._brake.widgets):
+            right.addWidget(widget, 0, column)
+        right.addWidget(lock_label, 1, 0)
+        right.addWidget(self._lock, 1, 2)
         checks = ui.row(self._return, self._link, 1, spacing=3 * _SPACING)
-        right.addLayout(checks, 3, 0, 1, 3)
+        right.addLayout(checks, 2, 0, 1, 3)
         ui.row(left, (right, 1), into=self, spacing=4 * _SPACING)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
@@ -227,7 +254,6 @@ class Options(QGroupBox):
 
     @Slot()
     def _on_options_changed(self) -> None:
-        self._ceiling.set_value(self._motors.ceiling)
         self._brake.set_value(self._motors.release_brake)
         self._lock.show_setpoint(round(self._motors.lockout))
         self._show_link()

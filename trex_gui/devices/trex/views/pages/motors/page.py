@@ -15,11 +15,12 @@ from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.action_bar import RunButton
+from trex_gui.devices.trex.views.pages.currents import current_limit
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
-from trex_gui.devices.trex.views.pages.motors.options import Options
+from trex_gui.devices.trex.views.pages.motors.options import Options, SpeedCeiling
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
@@ -28,6 +29,12 @@ from trex_gui.ui.widgets.labels import Note, Sign
 
 _AUXILIARY = 3
 """Number of the auxiliary motor among the controls: that of its channel."""
+
+_UNLIMITED = 16_777_215
+"""The height of widgets without a limit, QWIDGETSIZE_MAX in C++."""
+
+_USUAL_COUNTS = 100
+"""Current in counts that the bars show without a limit: 15 A, on a Jr 4 A, as bench tests allow."""
 
 
 class MotorsPage(QWidget):
@@ -46,6 +53,7 @@ class MotorsPage(QWidget):
 
         self._holder = ""
         self._dragged: int | None = None
+        self._is_held_still = False
         self._forget_holder = new_timer(self, 0, self._on_event_over, single_shot=True)
 
         self._sign = Sign(self)
@@ -54,7 +62,7 @@ class MotorsPage(QWidget):
         self._reason.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         tip = self.tr("Let the controls of this page move the motors")
         run = RunButton(device, "motorsRunButton", tip, self)
-        drive_box = QGroupBox(self.tr("Drive"), self)
+        self._drive_box = drive_box = QGroupBox(self.tr("Drive"), self)
         self._pad = DrivePad(drive_box)
         self._controls = {
             1: DriveControl(self.tr("Motor 1"), "motor1", parent=drive_box),
@@ -77,10 +85,12 @@ class MotorsPage(QWidget):
         self._keys = KeyDriver(self._key_drive, device.motors, self, self._pad)
 
         head = ui.row(self._sign, (self._reason, 1), run, spacing=10)
-        controls = ui.column(*self._controls.values(), 1, spacing=8)
-        ui.row(self._pad, (controls, 1), into=drive_box, spacing=16)
+        first, second, auxiliary = self._controls.values()
+        controls = ui.column(first, 1, second, 1, auxiliary, 1, spacing=4)
+        drive = ui.row(self._pad, (controls, 1), spacing=16)
+        ui.column(SpeedCeiling(device.motors, drive_box), (drive, 1), into=drive_box)
         gamepad = GamepadPanel(device, self)
-        ui.column(head, drive_box, self._options, self._stored, gamepad, 1, into=self)
+        ui.column(head, (drive_box, 1), self._options, self._stored, gamepad, into=self)
 
         for number, control in self._controls.items():
             control.speed_wanted.connect(partial(self._on_speed_wanted, number))
@@ -156,6 +166,12 @@ class MotorsPage(QWidget):
         self._options.set_joint(joint)
         text = _stored_text(self._device.parameters, joint=joint)
         self._stored.setText(text)
+        state = self._device.state
+        if state is not None:
+            usual = _USUAL_COUNTS * state.signature.model.current_unit
+            for number in (1, 2):
+                limit = current_limit(self._device, number)
+                self._controls[number].current.set_scale(usual, limit)
         self._stored.setAccessibleName("" if text else self.tr("Stored motor settings: not known"))
         self._show_setpoints()
         self._show_options()
@@ -171,11 +187,13 @@ class MotorsPage(QWidget):
         motors = self._motors
         self._pad.setEnabled(motors.armed)
         self._pad.set_can_turn(self._pad_drive.can_turn)
+        self._pad.set_ceiling(motors.ceiling)
         share = 100 * motors.release_brake / FULL_SCALE
         brake = self.tr("Brake with {0:.0f} % (see Brake strength below)").format(share)
         for number, control in self._controls.items():
             control.setEnabled(motors.armed and not self._is_unused(number))
             control.set_ceiling(motors.ceiling)
+            control.current.set_connected(self._device.is_connected and not self._device.is_joint)
             control.brake.setToolTip(brake)
         self._on_text_due()
 
@@ -200,11 +218,14 @@ class MotorsPage(QWidget):
         if self._channels_drive():
             for number, control in self._controls.items():
                 self._show_channel(number, control)
+        for number, amps in enumerate(self._device.telemetry.motor_currents or (), 1):
+            self._controls[number].current.set_value(amps)
 
     @Slot()
     @only_when_visible
     def _on_text_due(self) -> None:
         device = self._device
+        self._hold_still()
         self._show_status()
         driven = self._channels_drive()
         self._pad.setVisible(not driven)
@@ -216,6 +237,17 @@ class MotorsPage(QWidget):
                     control.show_setpoint(0, channel_text(device, number))
             report = "" if self._is_unused(number) else report_text(device, number)
             control.reported.show_text(report)
+
+    def _hold_still(self) -> None:
+        """Move no control while the motors are armed, whatever needs more room below."""
+        armed = self._motors.armed
+        if armed != self._is_held_still:
+            self._is_held_still = armed
+            least = most = self._drive_box.height()
+            if not armed:
+                least, most = 0, _UNLIMITED
+            self._drive_box.setMinimumHeight(least)
+            self._drive_box.setMaximumHeight(most)
 
     def _show_status(self) -> None:
         status = drive_status(drive_inputs(self._device, perhaps_held=self._safe_start.may_hold))

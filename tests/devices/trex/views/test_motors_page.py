@@ -1,0 +1,165 @@
+"""The page to drive by hand: how it uses its room, and what it says of the speed ceiling."""
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication, QGroupBox, QSpinBox, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.colours import contrast
+from tests.support.simulator import StartSimulator
+from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.views.bars import CurrentBar
+from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedSlider
+from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
+from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
+from trex_gui.ui.theme.theme import SCHEMES, theme
+from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+
+class MotorsPageDriver(WidgetDriver):
+    """The page in a scroll area, as in the window, of a device that is not connected."""
+
+    def __init__(self, device: Device, qtbot: QtBot) -> None:
+        self.device = device
+        self.page = MotorsPage(device)
+        self.area = ScrollBox(self.page)
+        super().__init__(self.page, qtbot)
+        qtbot.addWidget(self.area)
+        self.area.show()
+        self.resize(990, 519)
+        self.pad = self.find(DrivePad, "drivePad")
+
+    def resize(self, width: int, height: int) -> None:
+        self.area.resize(width, height)
+        QApplication.processEvents()
+
+    def connect(self, url: str) -> None:
+        self.device.connect_to(ConnectionSettings(url))
+        self.wait(lambda: self.device.motors.is_available)
+
+    def place_of(self, widget: QWidget) -> QRect:
+        return QRect(widget.mapTo(self.page, QPoint()), widget.size())
+
+
+@pytest.fixture
+def page(qtbot: QtBot, qapp: QApplication) -> Iterator[MotorsPageDriver]:
+    theme().install(qapp)
+    device = Device()
+    yield MotorsPageDriver(device, qtbot)
+    qtbot.waitUntil(device.shut_down)
+
+
+def test_page_says_why_the_ceiling_is_low(
+    page: MotorsPageDriver, start_simulator: StartSimulator
+) -> None:
+    entry = page.find(QSpinBox, "ceilingEntry")
+    assert not entry.isEnabled()
+    assert page.text("ceilingNote") == ""
+    page.connect(start_simulator("--unpaced", "--device", "9").url)
+    assert entry.text() == "38 (30 %)"
+    assert page.text("ceilingNote").startswith("New board")
+    assert "30 % of full speed" in page.pad.accessibleDescription()
+    assert page.find(QSpinBox, "motor1Entry").maximum() == 38
+
+    page.type_into("ceilingEntry", "127")
+    assert page.device.motors.ceiling == 127
+    assert page.text("ceilingNote") == "Remembered for this board."
+    assert "full speed" not in page.pad.accessibleDescription()
+    assert page.find(QSpinBox, "motor1Entry").maximum() == 127
+
+
+def test_controls_grow_with_the_page_and_hold_still_while_armed(
+    page: MotorsPageDriver, start_simulator: StartSimulator
+) -> None:
+    panel = page.find(QGroupBox, "gamepadPanel")
+    brake = page.button("motor1Brake")
+
+    def side_of_pad() -> int:
+        return min(page.pad.width(), page.pad.height())
+
+    def room_left() -> int:
+        return page.page.height() - page.place_of(panel).bottom()
+
+    assert 170 <= side_of_pad() <= 210
+    page.resize(1880, 830)
+    assert side_of_pad() > 400
+    assert page.pad.width() == pytest.approx(page.pad.height(), abs=2), "no empty room beside it"
+    assert room_left() < 20
+    assert page.place_of(page.find(QWidget, "auxSlider")).bottom() > 0.4 * page.page.height()
+    page.resize(990, 1200)
+    assert page.pad.width() < 0.45 * page.page.width(), "sliders keep their room"
+
+    page.resize(1880, 830)
+    page.connect(start_simulator("--unpaced").url)
+    page.device.motors.arm()
+    page.wait(page.pad.isEnabled)
+
+    def heights() -> list[tuple[int, int]]:
+        places = map(page.place_of, (brake, page.pad))
+        return [(place.top(), place.bottom()) for place in places]
+
+    before = heights()
+    page.find(Note, "gamepadState").show_note("A long text. " * 30)
+    page.resize(1880, 700)
+    page.page.updateGeometry()
+    QApplication.processEvents()
+    assert heights() == before
+    page.device.motors.stop()
+    page.wait(lambda: heights() != before)
+
+
+def test_currents_are_shown_with_their_limits(
+    page: MotorsPageDriver, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--unpaced")
+    simulator.do("eeprom motor2_current_limit 20")
+    simulator.do("current 1 3.0")
+    simulator.do("current 2 4.5")
+    page.connect(simulator.url)
+    first, second = (page.find(CurrentBar, f"motor{motor}Current") for motor in (1, 2))
+    page.wait(lambda: second.accessibleDescription() == "4.50 A, limit 6.00 A")
+    assert first.accessibleDescription() == "3.00 A"
+    assert first.accessibleName() == "Motor 1, current"
+    assert not page.has("auxCurrent")
+    page.device.disconnect_line()
+    page.wait(lambda: first.accessibleDescription() == "not connected")
+
+
+def test_focus_of_a_slider_is_seen_in_every_theme(qtbot: QtBot, qapp: QApplication) -> None:
+    theme().install(qapp)
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.resize(300, 80)
+    slider = SpeedSlider(-127, window)
+    slider.resize(300, 80)
+    window.show()
+    window.activateWindow()
+
+    def shown() -> list[QColor]:
+        picture = window.grab().toImage()
+        return [
+            picture.pixelColor(x, y)
+            for x in range(picture.width())
+            for y in range(picture.height())
+        ]
+
+    for scheme in SCHEMES[1:]:
+        theme().set_scheme(scheme)
+        QApplication.processEvents()
+        for value in (-127, 0, 90):
+            slider.setValue(value)
+            slider.clearFocus()
+            without = shown()
+            slider.setFocus(Qt.FocusReason.MouseFocusReason)
+            seen = [
+                now
+                for before, now in zip(without, shown(), strict=True)
+                if contrast(before, now) >= 3 and contrast(now, theme().color("window")) >= 3
+            ]
+            assert len(seen) > 30, (scheme, value)
