@@ -69,6 +69,34 @@ def test_port_without_a_board_is_reported(window: WindowDriver, simulator: Simul
     assert "power" in window.text("bannerText")
 
 
+def test_program_that_may_take_the_replies_is_named(
+    window: WindowDriver, simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    users: dict[str, str] = {}
+    monkeypatch.setattr("trex_gui.ui.devices.connection.other_user_of", users.get)
+    text = f"cat (process 7) has {simulator.url} open, too, and may take replies. Close it there."
+    window.connect(simulator.url)
+    simulator.do("line mute on")
+    window.wait(lambda: window.device.link is ConnectionState.NOT_RESPONDING)
+    window.wait_for_files()
+    assert not window.text("bannerText"), "nothing is known"
+
+    simulator.do("line mute off")
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    users[simulator.url] = "cat (process 7)"
+    simulator.do("line mute on")
+    window.wait_for_text("bannerText", text)
+    assert not window.has("bannerReconnect"), "the session goes on trying"
+    window.disconnect()
+
+    window.click("connectButton")
+    window.wait_for_text("bannerText", text)
+    simulator.do("line mute off")
+    window.click("bannerReconnect")
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    assert not window.text("bannerText")
+
+
 def test_wrong_baud_rate_is_named_in_the_message(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:

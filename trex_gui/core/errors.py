@@ -27,6 +27,10 @@ class PortUnavailable(StudioError):  # noqa: N818
         self.command = command
 
 
+class PortShared(PortUnavailable):
+    """Another program takes bytes from the port."""
+
+
 class NoReply(StudioError):  # noqa: N818
     """No complete reply arrived within the time that wire and board need."""
 

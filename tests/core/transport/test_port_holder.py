@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from trex_gui.core.transport.linux_ports import holder_of, is_locked_elsewhere
+from trex_gui.core.transport.linux_ports import holder_of, is_locked_elsewhere, other_user_of
 
 fcntl = pytest.importorskip("fcntl")
 
@@ -22,14 +22,37 @@ def test_program_without_lock_on_port_is_named(tmp_path: Path) -> None:
     ):
         opened.close()
         assert holder_of(str(port)) == f"cat (process {program.pid})"
+        assert other_user_of(str(port)) == holder_of(str(port))
         program.communicate(b"")
     assert holder_of(str(port)) is None
+    assert other_user_of(str(port)) is None
 
 
 def test_port_opened_by_own_program_has_no_holder(tmp_path: Path) -> None:
     port = tmp_path / "port"
     with port.open("wb"):
         assert holder_of(str(port)) is None
+        assert other_user_of(str(port)) is None
+    assert other_user_of(str(tmp_path / "missing")) is None
+
+
+@pytest.mark.parametrize("kind", ["guardian", "terminal"])
+def test_what_belongs_to_an_open_port_is_no_other_program(tmp_path: Path, kind: str) -> None:
+    """Such as the guardian, which inherits it, and the simulator behind a pseudo-terminal."""
+    port = tmp_path / "port"
+    master, slave = os.openpty()
+    name, inherited = (kind, ()) if kind == "guardian" else ("sleeper", (master,))
+    code, pipe = "import sys; sys.stdin.read()", subprocess.PIPE
+    command = [sys.executable, "-c", code, name]
+    with (
+        port.open("wb") as opened,
+        subprocess.Popen(command, stdin=pipe, stdout=opened, pass_fds=inherited) as program,
+    ):
+        assert holder_of(str(port)) is not None
+        assert other_user_of(str(port)) is None
+        program.communicate(b"")
+    os.close(master)
+    os.close(slave)
 
 
 _LOCK = """

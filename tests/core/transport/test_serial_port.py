@@ -4,6 +4,7 @@ import errno
 import itertools
 import os
 import pickle
+import select
 import signal
 import subprocess
 import sys
@@ -11,12 +12,13 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 import serial
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.core.errors import NoReply, PortUnavailable
+from trex_gui.core.errors import NoReply, PortShared, PortUnavailable
 from trex_gui.core.guardian.guardian import GuardianProcess
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import SerialTransport, why_not_open
@@ -80,6 +82,28 @@ def refusal(url: str, line: LineSettings = LINE) -> str:
     with pytest.raises(PortUnavailable) as caught:
         SerialTransport(ConnectionSettings(url, line))
     return str(caught.value)
+
+
+def test_bytes_taken_by_another_program_are_no_lost_line(
+    terminal: tuple[int, str], opened: Open, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    master, path = terminal
+    transport = opened(path)
+    thief = os.open(path, os.O_RDONLY | os.O_NOCTTY)
+    wait = select.select
+
+    def steal(*arguments: Any) -> object:
+        ready = wait(*arguments)
+        if ready[0]:
+            os.read(thief, 100)
+        return ready
+
+    with monkeypatch.context() as patch:
+        patch.setattr("serial.serialposix.select.select", steal)
+        os.write(master, b"reply")
+        with pytest.raises(PortShared, match=f"Another program reads {path}, too"):
+            transport.read(5, LONG_TIMEOUT)
+    os.close(thief)
 
 
 # --- Talking ----------------------------------------------------------------------------

@@ -26,9 +26,35 @@ def holder_of(url: str) -> str | None:
         if number == os.getpid():
             return "another line of this program"
         if number is not None:
-            name = (_PROCESSES / str(number) / "comm").read_text(encoding="utf-8").strip()
-            return f"{name} (process {number})"
+            return _name_of(number)
     return None
+
+
+def other_user_of(url: str) -> str | None:
+    """Return which other program has a port open that this one uses; `None`: none, or unknown.
+
+    A guardian is none, nor is what stands behind a pseudo-terminal. On a computer with many
+    processes this takes a tenth of a second.
+    """
+    path = Path(url)
+    with contextlib.suppress(OSError):
+        path.stat()
+        for number in _having_open(path.resolve()):
+            process = _PROCESSES / str(number)
+            is_guardian = b"guardian" in (process / "cmdline").read_bytes()
+            if number != os.getpid() and not is_guardian and not _has_terminals(process):
+                return _name_of(number)
+    return None
+
+
+def _has_terminals(process: Path) -> bool:
+    """Whether a process has the other end of some pseudo-terminal."""
+    return any(link.readlink().name == "ptmx" for link in (process / "fd").iterdir())
+
+
+def _name_of(number: int) -> str:
+    name = (_PROCESSES / str(number) / "comm").read_text(encoding="utf-8").strip()
+    return f"{name} (process {number})"
 
 
 def is_locked_elsewhere(url: str) -> bool:

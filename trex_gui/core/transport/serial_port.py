@@ -21,7 +21,7 @@ import serial
 from serial import rfc2217
 from serial.tools import list_ports
 
-from trex_gui.core.errors import BadReply, BadRequest, PortUnavailable
+from trex_gui.core.errors import BadReply, BadRequest, PortShared, PortUnavailable
 from trex_gui.core.guardian.guardian import Guardian, GuardianProcess, SharedPort
 from trex_gui.core.transport.linux_ports import (
     holder_of,
@@ -189,7 +189,7 @@ class SerialTransport:
                     received += self._port.read(there) if there > 0 else b""
                     break
         except PORT_ERRORS as error:
-            raise self._gone(error) from error
+            raise self._unreadable(error) from error
         return bytes(received)
 
     def discard(self) -> bytes:
@@ -203,7 +203,7 @@ class SerialTransport:
                 if reads > _MANY_READS and self.clock() > deadline:
                     raise BadReply(f"It sends without a request ({stale[:12].hex(' ').upper()} …).")
         except PORT_ERRORS as error:
-            raise self._gone(error) from error
+            raise self._unreadable(error) from error
         return bytes(stale)
 
     def wait(self, seconds: float) -> None:
@@ -227,6 +227,22 @@ class SerialTransport:
         if remote is not None:
             with contextlib.suppress(*PORT_ERRORS):
                 remote.close()
+
+    def _unreadable(self, error: Exception) -> PortUnavailable:
+        """Tell a port that is gone from one whose bytes another program has just taken.
+
+        Both are ready to be read, and then have nothing to read.
+        """
+        if isinstance(error, serial.SerialException) and _errno(error) is None:
+            with contextlib.suppress(*PORT_ERRORS, ImportError):
+                import termios  # noqa: PLC0415 - only on POSIX
+
+                termios.tcgetattr(self._port.fileno())  # fails on a terminal that is gone
+                return PortShared(
+                    f"Another program reads {self._name}, too, and has taken bytes from it. Close "
+                    "it there, then connect again."
+                )
+        return self._gone(error)
 
     def _gone(self, error: Exception) -> PortUnavailable:
         log.info("the line %s is gone: %s", self._url, error)

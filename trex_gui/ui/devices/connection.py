@@ -1,13 +1,18 @@
 """Connection to one device: one line session after another, and its state."""
 
 from enum import Enum, auto
+from functools import partial
 from typing import Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.errors import BadReply, NoReply, PortShared
 from trex_gui.core.session import Closed
+from trex_gui.core.transport.linux_ports import other_user_of
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoder, logged
+from trex_gui.ui.files import in_background
+from trex_gui.ui.notifier import Remedy
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.workers.session_thread import MakeSession, SessionThread
@@ -35,6 +40,8 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     # Nothing of the device is valid any more: the `Closed`; `None` at the end of the program, if
     # the session does not end in time.
     line_closed = Signal(object)
+    # Another program may take what the device sends: a sentence, and the `Remedies`.
+    interfered = Signal(str, object)
     failed = Signal(object)  # the `StudioError` that closed the line
 
     def __init__(self, decoder: Decoder, parent: QObject | None = None) -> None:
@@ -93,8 +100,26 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         raise NotImplementedError
 
     def _set_state(self, link: ConnectionState, status: str) -> None:
+        has_fallen_silent = link is ConnectionState.NOT_RESPONDING is not self.link
         self.link, self.status = link, status
         self.changed.emit()
+        if has_fallen_silent:
+            self._look_for_other_program()
+
+    def _look_for_other_program(self) -> None:
+        if self.settings is None:
+            return
+        link, url, name = self.link, self.settings.url, self.settings.label
+
+        def report(program: str | None) -> None:
+            if program is None or self.link is not link:
+                return
+            text = self.tr("{0} has {1} open, too, and may take replies. Close it there.")
+            is_closed = link is ConnectionState.DISCONNECTED
+            remedies = (Remedy.RECONNECT,) if is_closed else ()
+            self.interfered.emit(text.format(program, name), remedies)
+
+        in_background(self, partial(other_user_of, url), report, lambda _error: None)
 
     @Slot(object)
     def _on_closed(self, last: Closed) -> None:
@@ -106,3 +131,5 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self._set_state(ConnectionState.DISCONNECTED, self.tr("Not connected."))
         if last.error is not None:
             self.failed.emit(last.error)
+            if isinstance(last.error, NoReply | BadReply | PortShared):
+                self._look_for_other_program()

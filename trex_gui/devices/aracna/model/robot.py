@@ -90,6 +90,7 @@ class Robot(DeviceConnection[PortSettings]):
 
         self.line_closed.connect(self._on_line_closed)
         self.failed.connect(self._on_failed)
+        self.interfered.connect(self.notifier.report)
         self.limits.changed.connect(self._send_limits)
         self.rejected.connect(self.notifier.error)
 

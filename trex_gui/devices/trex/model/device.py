@@ -106,6 +106,7 @@ class Device(QObject):
         self.connection.sampled.connect(self.driving.follow_control)
         self.connection.sampled.connect(self.sampled)
         self.connection.failed.connect(self._on_connection_failed)
+        self.connection.interfered.connect(self.notifier.report)
         self.driving.confirmed.connect(self.link_changed)
         self.edit_backup.failed.connect(self.notifier.error)
         self._apply.written.connect(self._on_written)
