@@ -4,12 +4,14 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.held_drive import held_drive_blocker
+from trex_gui.devices.trex.model.motors import FIRST_CEILING
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.runtime import new_timer
 
 _HOLDER = "setup"  # the name by which the pulses acquire the motors
 
-WEAK, STRONGER = 25, 38
-"""Speeds of a pulse: 20 % and 30 % of full.
+WEAK, STRONGER = round(0.2 * FULL_SCALE), FIRST_CEILING
+"""Speeds of a pulse: 20 % of full, and the 30 % that a new board is limited to.
 
 Inferred: 20 % turns most geared motors whose wheels are free, and a robot that stands on the
 floor all the same moves a few centimetres. 30 % is for motors that it did not turn.

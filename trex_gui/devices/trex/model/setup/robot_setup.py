@@ -95,14 +95,31 @@ class RobotSetup(QObject):
     @property
     def edits(self) -> Mapping[str, int]:
         """The wire values by key that `next` would change in this step."""
-        parameters, device = self._device.parameters, self._device
-        if not device.is_writable or device.rejects_settings:
+        parameters = self._device.parameters
+        if self.blocker:
             return {}
         return {
             key: wire
             for key, wire in self._wanted().items()
             if parameters.can_edit(key) and parameters.value_of(key) != wire
         }
+
+    @property
+    def blocker(self) -> str:
+        """Why this step could change nothing, for the user; empty if it can, or has no changes."""
+        device = self._device
+        if self.step not in {SetupStep.MOTORS, SetupStep.LIMITS, SetupStep.TIMEOUT}:
+            return ""
+        if not device.is_connected or device.state is None:
+            return self.tr("No board is connected, so nothing can be changed.")
+        if device.applying:
+            return self.tr("Settings are being written.")
+        if device.rejects_settings:
+            text = self.tr(
+                "The board is in {0} mode and rejects settings: go back to the jumpers, or skip."
+            )
+            return text.format(device.state.mode.source.value)
+        return ""
 
     def _wanted(self) -> Mapping[str, int]:
         match self.step:

@@ -132,23 +132,18 @@ class SetupDialog(ReusedDialog):
         self._back.setEnabled(step is not SetupStep.DRIVER)
         self._skip.setVisible(step is not SetupStep.DRIVER and not is_last)
         self._next.setVisible(not is_last)
-        self._edits.show_note(self._edits_text(), alarming=self._device.rejects_settings)
+        self._next.setEnabled(not setup.blocker)
+        text = setup.blocker or self._edits_text()
+        self._edits.show_note(text, alarming=bool(setup.blocker))
 
     def _edits_text(self) -> str:
-        device, edits = self._device, self.setup.edits
-        is_first = self.setup.step in {SetupStep.DRIVER, SetupStep.JUMPERS}
-        if device.rejects_settings and device.state is not None and not is_first:
-            text = self.tr(
-                "The board is in {0} mode and rejects settings: go back to the jumpers, or skip."
-            )
-            return text.format(device.state.mode.source.value)
+        parameters, edits = self._device.parameters, self.setup.edits
         if not edits:
             return ""
         if len(edits) > _MOST_NAMED:
             return self.tr(
                 "Next adds %n change(s). Nothing is written before you apply them.", "", len(edits)
             )
-        parameters = device.parameters
         rows = []
         for key, wire in edits.items():
             spec, before = parameters.spec_of(key), parameters.value_of(key)

@@ -229,7 +229,8 @@ class SticksPage(QWidget):
             text=self.tr(
                 "The board has to know the middle and the ends of each stick. Learning measures "
                 "them in two minutes, in a window of its own, and ends with a review. The motors "
-                "stay off meanwhile."
+                "stay off meanwhile. It does not know how they are wired: do the next step after "
+                "it, not before."
             ),
             wrap=True,
         )
@@ -253,6 +254,7 @@ class SticksPage(QWidget):
         self._forward = ui.button(
             self,
             "setupForwardButton",
+            self.tr("The stick is fully &forward now"),
             default=False,
             on_click=lambda: self._note((2,) if self._is_one else (1, 2)),
         )
