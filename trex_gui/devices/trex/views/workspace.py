@@ -273,7 +273,7 @@ class TrexWorkspace(Workspace):
                 Entry("apply", tr("&Apply settings…"), self._review.review, "Ctrl+Return", "apply"),
                 Entry("power", tr("Make stored settings acti&ve…"), self._power.guide, "", "power"),
                 SEPARATOR,
-                Entry("setup", tr("Set &up my robot…"), self._set_up, "", "todo"),
+                Entry("setup", tr("Set &up my robot…"), self._set_up, "", "settings"),
                 Entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
                 Entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
                 Entry("bench", tr("&Bench test…"), self._bench.open_bench, "Ctrl+B", "plot"),

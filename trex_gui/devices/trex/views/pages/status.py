@@ -62,7 +62,7 @@ class StatusPage(QWidget):
             self._report,
             "setUpButton",
             self.tr("Set up my r&obot…"),
-            icon="todo",
+            icon="settings",
             on_click=self.setup_requested,
         )
         text = self.tr("Who drives, jumpers, sticks, motors and limits, step by step.")
