@@ -52,8 +52,13 @@ def test_currents_are_shown_and_exported(
     assert rows[0]["time (s)"] == "0.0000"
     assert float(rows[-1]["motor1_current (A)"]) == pytest.approx(6, abs=0.08)
     assert rows[-1]["motor1_setpoint"] == "0"
-    quick_simulator.do("current 1 auto")
-    quick_simulator.do("current 2 auto")
+
+    page.device.disconnect_line()
+    page.wait(lambda: page.device.state is None)
+    page.panel.export.save_picture(tmp_path / "currents.svg")
+    page.wait_for_files()
+    picture = (tmp_path / "currents.svg").read_text(encoding="utf-8")
+    assert ">Motor currents, TReX 1.2, device 7, 2" in picture
 
 
 def test_stop_apply_fault_and_timeout_become_events(

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QLabel,
     QListView,
+    QSplitter,
     QTableView,
     QWidget,
 )
@@ -266,18 +267,55 @@ def test_drag_selects_a_span_and_pause_button_goes_live(
     assert plot.span.length == 30, "the zoom from before"
 
 
-def test_export_proposes_a_name_with_the_date(
-    panel: TracePanelDriver, monkeypatch: pytest.MonkeyPatch
+def test_export_proposes_the_last_folder_and_a_name_with_the_date(
+    panel: TracePanelDriver, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    proposals: list[str] = []
+    proposals: list[Path] = []
 
     def choose(_window: QWidget, _title: str, proposal: str, _filters: str) -> tuple[str, str]:
-        proposals.append(proposal)
-        return "", ""
+        proposals.append(Path(proposal))
+        return str(tmp_path / "first.csv"), ""
 
     monkeypatch.setattr(QFileDialog, "getSaveFileName", choose)
-    panel.find(QAction, "exportAllAction").trigger()
-    assert re.search(r"currents_\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d\.csv$", proposals[0])
+    for _ in range(2):
+        panel.find(QAction, "exportAllAction").trigger()
+        panel.wait_for_files()
+    assert proposals[1].parent == tmp_path
+    assert re.fullmatch(r"currents_\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d\.csv", proposals[1].name)
+
+
+def test_choices_of_the_user_are_remembered(panel: TracePanelDriver, qtbot: QtBot) -> None:
+    model = panel.table.model()
+    for row, state in ((0, Qt.CheckState.Unchecked), (2, Qt.CheckState.Checked)):
+        model.setData(model.index(row, 0), state, Qt.ItemDataRole.CheckStateRole)
+    panel.combo("currentsWindow").activated.emit(1)
+    panel.combo("currentsTop").activated.emit(3)
+    for name in ("tracesSplitter", "figuresSplitter"):
+        panel.find(QSplitter, name).moveSplitter(260, 1)
+
+    again = TracePanel()
+    qtbot.addWidget(again)
+    again.resize(panel.root.size())
+    again.set_source(Source())
+    again.grab()
+    later = TracePanelDriver(again, qtbot)
+    assert again.plot.shown == {"motor2", "setpoint1"}
+    assert again.plot.span.length == 30
+    assert later.combo("currentsTop").currentText() == "0–5 A"
+    assert again.plot.top == 5
+    for name in ("tracesSplitter", "figuresSplitter"):
+        assert later.find(QSplitter, name).sizes() == panel.find(QSplitter, name).sizes()
+
+
+def test_fixed_range_does_not_follow_the_values(
+    panel: TracePanelDriver, plot: TracePlot, source: Source
+) -> None:
+    box, ends = panel.combo("currentsTop"), []
+    source.add(5, first=9)
+    for amps in (2, 0):
+        box.activated.emit(box.findData(amps))
+        ends.append(plot._left.ends)
+    assert ends == [(0, 2), (0, 10)]
 
 
 def test_shift_drag_pans_the_plot(plot: TracePlot) -> None:
@@ -434,6 +472,8 @@ def test_table_fits_beside_the_events_without_scrolling(
     last = max(column for column in TraceColumn if not view.isColumnHidden(column))
     assert view.columnViewportPosition(last) + view.columnWidth(last) <= view.viewport().width()
     assert panel.events.width() > 60
+    panel.root.resize(width - 100, 500)
+    assert panel.events.x() >= view.geometry().right(), "one lies over the other"
 
 
 def test_optional_columns_are_hidden_until_needed(
@@ -545,6 +585,7 @@ def test_picture_has_axes_legend_and_a_light_background(
     panel: TracePanelDriver, tmp_path: Path, scheme: str
 ) -> None:
     theme().set_scheme("dark" if scheme == "dark" else "light")
+    panel.export.heading = "Currents of a board"
     panel.export.save_picture(tmp_path / "picture.png")
     panel.wait_for_files()
     image = QImage(str(tmp_path / "picture.png"))
@@ -557,6 +598,7 @@ def test_picture_has_axes_legend_and_a_light_background(
         assert text in svg, text
     assert "<polyline" in svg
     assert "<image" not in svg
+    assert re.search(r">Currents of a board, \d{4}-\d\d-\d\d \d\d:\d\d<", svg)
 
 
 # --- Everybody --------------------------------------------------------------------------

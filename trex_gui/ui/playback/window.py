@@ -149,6 +149,7 @@ class RecordingWindow(QMainWindow):
     def update_state(self) -> None:
         player = self.player
         self._heading.setText(self._heading_text())
+        self._picture.heading = self._board_text()
         for button in (self._show_all, self._picture):
             button.setEnabled(player.is_loaded)
         self._export.setEnabled(player.is_loaded and not player.is_busy)
@@ -229,11 +230,14 @@ class RecordingWindow(QMainWindow):
         self.notifier.info.emit(self.tr("The span was saved in {0}.").format(path))
         self.update_state()
 
+    def _board_text(self) -> str:
+        begun = QDateTime.fromSecsSinceEpoch(int(self.player.header.started.timestamp()))
+        started = QLocale().toString(begun, QLocale.FormatType.ShortFormat)
+        return self.tr("{0}, recorded {1}").format(self.device_text(), started)
+
     def _heading_text(self) -> str:
         player = self.player
-        begun = QDateTime.fromSecsSinceEpoch(int(player.header.started.timestamp()))
-        started = QLocale().toString(begun, QLocale.FormatType.ShortFormat)
-        text = self.tr("{0}, recorded {1}").format(self.device_text(), started)
+        text = self._board_text()
         if player.is_loaded:
             length = time_text(player.end - player.start)
             text = self.tr("{0}, {1} long").format(text, length)

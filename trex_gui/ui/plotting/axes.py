@@ -77,13 +77,15 @@ class ValueAxis:
     of ten; those of plain counts are -127 and 127 while they fit.
     """
 
-    def __init__(self, unit: str) -> None:
+    def __init__(self, unit: str, top: float | None = None) -> None:
+        """Reach from 0 to `top`, or to where the values are."""
         self.unit = unit
-        self._low, self._high = 0.0, _SMALLEST_END
+        self._top = top
+        self._low, self._high = 0.0, top or _SMALLEST_END
 
     def fit(self, extremes: Sequence[tuple[float, float]]) -> None:
         """Fit these lowest and highest values; without any the axis stays as it is."""
-        if extremes:
+        if extremes and self._top is None:
             self._high = _fitted_end(self._high, max(high for _, high in extremes))
             self._low = -_fitted_end(-self._low, -min(low for low, _ in extremes))
             if self._high == self._low == 0:

@@ -40,6 +40,7 @@ _SCALE = 2  # pixels of a PNG for each unit of `SIZE`: sharp on paper and on fin
 _CHUNK = 2000  # rows of CSV from one progress report to the next
 _LEFT = 70
 _FONT_PIXELS = 15
+_HEADING_HEIGHT = 26
 _LINE_WIDTH = 1.3
 
 
@@ -57,7 +58,8 @@ class ExportButton(QToolButton):
     ) -> None:
         """Propose files called `name`; without `tables`, offer pictures only.
 
-        What has tables is live: the proposed name has date and time as well.
+        What has tables is live: the proposed name and the heading of a picture have date and time
+        as well.
         """
         super().__init__(parent)
         self.setObjectName("exportButton" if tables else "pictureButton")
@@ -69,6 +71,7 @@ class ExportButton(QToolButton):
         self.setMenu(QMenu(parent))
         set_icon(self, "save")
         self._name = name
+        self.heading = ""
         self._is_live = tables
         self._plot = plot
         self._notifier = notifier
@@ -143,7 +146,11 @@ class ExportButton(QToolButton):
             self._notifier.error.emit(self.tr("There is nothing to export yet."))
             return
         scheme = "light" if self._light.isChecked() else theme().scheme
-        picture = draw_picture(self._plot, scheme, as_svg=path.suffix.lower() == ".svg")
+        heading = self.heading
+        if self._is_live:
+            heading += f", {datetime.now().astimezone():%Y-%m-%d %H:%M}"
+        as_svg = path.suffix.lower() == ".svg"
+        picture = draw_picture(self._plot, scheme, heading, as_svg=as_svg)
         if isinstance(picture, QImage):
             work = partial(save_picture, path, picture)
         else:
@@ -197,36 +204,60 @@ def _rows(columns: Sequence[Floats], progress: ProgressCallback) -> Iterator[lis
         yield from np.column_stack([column[first : first + _CHUNK] for column in columns]).tolist()
 
 
-def draw_picture(plot: TracePlot, scheme: str, *, as_svg: bool = False) -> QImage | bytes:
+def with_heading(picture: QImage, heading: str) -> QImage:
+    """Return a picture in the colours of the window, with a heading above it."""
+    ratio = picture.devicePixelRatio()
+    size = picture.deviceIndependentSize().toSize()
+    image = QImage((QSize(size.width(), size.height() + _HEADING_HEIGHT) * ratio), picture.format())
+    image.setDevicePixelRatio(ratio)
+    image.fill(theme().color("window"))
+    with QPainter(image) as painter:
+        _paint_heading(painter, heading)
+        painter.drawImage(QPoint(0, _HEADING_HEIGHT), picture)
+    return image
+
+
+def _paint_heading(painter: QPainter, heading: str) -> None:
+    font = QFont(painter.font())
+    font.setPixelSize(_FONT_PIXELS)
+    font.setBold(True)
+    painter.setFont(font)
+    painter.setPen(theme().color("text"))
+    place = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+    painter.drawText(QRectF(_LEFT, 0, SIZE.width() - _LEFT, _HEADING_HEIGHT), place, heading)
+
+
+def draw_picture(
+    plot: TracePlot, scheme: str, heading: str, *, as_svg: bool = False
+) -> QImage | bytes:
     """Return what a plot shows as an image, or as the content of an SVG file."""
     with theme().painted_as(scheme):
         if not as_svg:
             image = QImage(SIZE * _SCALE, QImage.Format.Format_RGB32)
             image.setDevicePixelRatio(_SCALE)
             with QPainter(image) as painter:
-                _paint(painter, plot, _LINE_WIDTH * _SCALE)
+                _paint(painter, plot, heading, _LINE_WIDTH * _SCALE)
             return image
         buffer = QBuffer()
         generator = QSvgGenerator()
         generator.setOutputDevice(buffer)
         generator.setSize(SIZE)
         generator.setViewBox(QRectF(0, 0, SIZE.width(), SIZE.height()))
-        generator.setTitle(
-            QCoreApplication.translate("Picture", "Curves, time in minutes and seconds")
-        )
+        generator.setTitle(heading)
         with QPainter(generator) as painter:
-            _paint(painter, plot, _LINE_WIDTH)
+            _paint(painter, plot, heading, _LINE_WIDTH)
         return bytes(buffer.data().data())
 
 
-def _paint(painter: QPainter, plot: TracePlot, line_width: float) -> None:
+def _paint(painter: QPainter, plot: TracePlot, heading: str, line_width: float) -> None:
     source = plot.source
     if source is None:
         return
     font = QFont(painter.font())
     font.setPixelSize(_FONT_PIXELS)
-    painter.setFont(font)
     painter.fillRect(QRectF(0, 0, SIZE.width(), SIZE.height()), theme().color("base"))
+    _paint_heading(painter, heading)
+    painter.setFont(font)
     traces = [trace for trace in source.traces if trace.name in plot.shown]
     line = QFontMetricsF(font).height()
     top = SIZE.height() - (len(traces) + 0.5) * line
@@ -235,14 +266,15 @@ def _paint(painter: QPainter, plot: TracePlot, line_width: float) -> None:
     palette = copy.palette()
     palette.setColor(QPalette.ColorRole.Window, theme().color("base"))
     copy.setPalette(palette)
-    copy.resize(SIZE.width() - 20, int(top - 0.5 * line))
+    copy.resize(SIZE.width() - 20, int(top - 0.5 * line) - _HEADING_HEIGHT)
     copy.set_source(source)
+    copy.set_top(plot.top)
     copy.shown = set(plot.shown)
     copy.origin = plot.origin
     copy.peaks_since = plot.peaks_since
     copy.grab()  # lays it out
     copy.show_span(plot.span.start, plot.span.end)
-    copy.render(painter, QPoint(10, 0), QRegion(), QWidget.RenderFlag.DrawChildren)
+    copy.render(painter, QPoint(10, _HEADING_HEIGHT), QRegion(), QWidget.RenderFlag.DrawChildren)
     copy.deleteLater()
     for row, trace in enumerate(traces):
         y = top + row * line

@@ -304,6 +304,7 @@ class EventList(QListWidget):
             text = f"{self._plot.text_of_time(event.time)}  {event.text}"
             item = QListWidgetItem(QIcon(dot), text, self)
             item.setToolTip(event.text)
+            item.setSizeHint(QSize(1, self.fontMetrics().height() + 4))  # a long text is elided
 
     def set_placeholder(self, text: str) -> None:
         self._placeholder = text
@@ -333,8 +334,10 @@ class FiguresAndEvents(QSplitter):
 
     def __init__(self, figures: TraceTableView, events: EventList, parent: QWidget) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
+        self.setObjectName("figuresSplitter")
         self._figures = figures
         self._is_moved = False
+        self._is_resizing = False
         events.setMinimumWidth(events.fontMetrics().averageCharWidth() * _MIN_EVENT_WIDTH)
         self._min_events = events.minimumWidth()
         self.addWidget(figures)
@@ -343,10 +346,13 @@ class FiguresAndEvents(QSplitter):
         figures.horizontalHeader().geometriesChanged.connect(self._share)
         figures.horizontalHeader().sectionResized.connect(self._share)
         figures.verticalScrollBar().installEventFilter(self)
-        self.splitterMoved.connect(self._on_moved)
+        self.splitterMoved.connect(self.keep_sizes)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        # Sharing while Qt moves the parts would leave one over the other.
+        self._is_resizing = True
         super().resizeEvent(event)
+        self._is_resizing = False
         self._share()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -358,12 +364,12 @@ class FiguresAndEvents(QSplitter):
     @Slot()
     def _share(self) -> None:
         room = self.width() - self.handleWidth()
-        if self._is_moved or room <= 0:
+        if self._is_moved or self._is_resizing or room <= 0:
             return
         figures = min(self._figures.full_width(), room - self._min_events)
         if self.sizes()[0] != figures:
             self.setSizes([figures, room - figures])
 
     @Slot()
-    def _on_moved(self) -> None:
+    def keep_sizes(self) -> None:
         self._is_moved = True

@@ -48,6 +48,7 @@ class TracePlot(FocusFramed):
 
     view_changed = Signal()  # another span is shown, or it is live again or no longer
     cursor_changed = Signal()  # `cursor_time` or `mark_time`
+    shown_changed = Signal()
     event_chosen = Signal(object)  # the `Event` that was clicked
 
     def __init__(
@@ -65,6 +66,7 @@ class TracePlot(FocusFramed):
         self.cursor_time: float | None = None
         self.mark_time: float | None = None
         self.points_drawn = 0  # the points of all curves in the last frame
+        self.top: float | None = None  # where the left axis ends; `None`: where the values do
         self._left, self._right = ValueAxis(""), ValueAxis("")
         self._curves: dict[str, Curve] = {}
         self._limits: dict[str, Line] = {}
@@ -111,7 +113,8 @@ class TracePlot(FocusFramed):
         self.source = source
         self.origin = None
         self.shown = {trace.name for trace in source.traces if trace.shown}
-        self._left, self._right = ValueAxis(source.left_unit), ValueAxis(source.right_unit)
+        self._left = ValueAxis(source.left_unit, self.top)
+        self._right = ValueAxis(source.right_unit)
         self._drawn_axes = None
         canvas, pens = self._canvas, Qt.PenStyle
         for trace in source.traces:
@@ -130,6 +133,13 @@ class TracePlot(FocusFramed):
 
     def set_shown(self, name: str, shown: bool) -> None:
         (self.shown.add if shown else self.shown.discard)(name)
+        self.shown_changed.emit()
+        self.draw()
+
+    def set_top(self, top: float | None) -> None:
+        """Let the left axis reach from 0 to a value, or fit what is shown."""
+        self.top = top
+        self._left = ValueAxis(self._left.unit, top)
         self.draw()
 
     def set_cursor(self, time: float | None) -> None:

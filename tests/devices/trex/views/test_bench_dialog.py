@@ -295,7 +295,8 @@ def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchTestDialog, tmp_path
     dialog.wait_for_files()
     picture = QImage(str(tmp_path / "test.PNG"))
     plot = dialog.plot
-    assert picture.size() == plot.size() * plot.devicePixelRatio()
+    assert picture.width() == plot.width() * plot.devicePixelRatio()
+    assert picture.height() > plot.height() * plot.devicePixelRatio(), "no room for the heading"
     assert "Saved as test.PNG" in dialog.note
     dialog.files.save(dialog.bench.runs[0], tmp_path / "nowhere" / "test.png")
     dialog.wait_for_files()

@@ -180,7 +180,7 @@ def test_shown_span_is_exported_as_csv_and_pictures(
         assert f"minute.{kind.lower()}" in window.text("bannerText")
     assert proposed == ["minute.png", "minute.svg"]
     assert not QImage(str(tmp_path / "minute.png")).isNull()
-    assert "<svg" in (tmp_path / "minute.svg").read_text(encoding="utf-8")
+    assert ", recorded " in (tmp_path / "minute.svg").read_text(encoding="utf-8")
 
 
 def test_window_is_complete_once_the_recording_is_loaded(window: RecordingWindow) -> None:

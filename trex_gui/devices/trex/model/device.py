@@ -140,6 +140,15 @@ class Device(QObject):
         return self.connection.status
 
     @property
+    def board_name(self) -> str:
+        """Model, firmware and device number; empty while no board is connected."""
+        if self.state is None or not self.is_connected:
+            return ""
+        number = self.parameters.stored_of(ParameterKey.DEVICE_NUMBER)
+        name = str(self.state.signature)
+        return name if number is None else self.tr("{0}, device {1}").format(name, number)
+
+    @property
     def settings(self) -> ConnectionSettings | None:
         return self.connection.settings
 

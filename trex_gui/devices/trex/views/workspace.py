@@ -295,12 +295,7 @@ class TrexWorkspace(Workspace):
 
     @property
     def device_name(self) -> str:
-        device = self._device
-        if device.state is None or not device.is_connected:
-            return ""
-        number = device.parameters.stored_of(ParameterKey.DEVICE_NUMBER)
-        name = str(device.state.signature)
-        return name if number is None else self.tr("{0}, device {1}").format(name, number)
+        return self._device.board_name
 
     @property
     def has_edits(self) -> bool:

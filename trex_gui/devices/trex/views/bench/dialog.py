@@ -148,7 +148,14 @@ class BenchDialog(ReusedDialog):
         self._on_changed()
 
     def _picture(self) -> QImage:
-        return QImage() if self._plot is None else self._plot.grab().toImage()
+        if self._plot is None:
+            return QImage()
+        from trex_gui.ui.plotting.export import with_heading  # noqa: PLC0415 - as the plot
+
+        run = self.bench.runs[-1]
+        heading = self.tr("Bench test of motor {0}: {1}, {2:%Y-%m-%d %H:%M}")
+        picture = self._plot.grab().toImage()
+        return with_heading(picture, heading.format(run.motor, run.title, run.started))
 
     # --- State --------------------------------------------------------------------------
 

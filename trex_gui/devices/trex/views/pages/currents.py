@@ -71,6 +71,8 @@ class CurrentsPage(PlotPage):
             empty = self.tr("No current has been read yet.")
             step = state.signature.model.current_unit * 1000
             note = self.tr("One count of this board is {0:.0f} mA.").format(step)
+        if name := self._device.board_name:  # the curves remain when it is disconnected
+            self._panel.export.heading = self.tr("Motor currents, {0}").format(name)
         # The result of an export remains until the note changes.
         if note != self._note:
             self._note = note
