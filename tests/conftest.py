@@ -129,8 +129,9 @@ def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
 
 @pytest.fixture(autouse=True)
 def _usual_scheme() -> Iterator[None]:
-    """Leave no colour scheme of a test behind."""
+    """Leave no colour scheme or font size of a test behind."""
     yield
+    theme().set_font_size(100)
     if theme().choice != "system":
         theme().set_scheme("system")
         QCoreApplication.processEvents()

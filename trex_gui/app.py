@@ -127,6 +127,8 @@ def main(argv: list[str] | None = None) -> int:
         QTimer.singleShot(0, lambda: program.connect_to_demo(device))
     elif arguments.port:
         QTimer.singleShot(0, lambda: program.connect_to_port(arguments.port, arguments.device))
+    else:
+        QTimer.singleShot(0, program.connect_automatically)
     if arguments.settings is not None:
         is_connecting = bool(arguments.demo or arguments.port) or arguments.tour is not None
         QTimer.singleShot(

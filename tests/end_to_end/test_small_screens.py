@@ -14,6 +14,7 @@ from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.ui.runtime import runtime
+from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 FRAME = QSize(16, 48)
 
@@ -48,7 +49,11 @@ def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> N
         check_that_it_fits(window.window, screen, window.button(stop))
         page = tabs.widget(index)
         assert page is not None
-        assert page.width() >= page.minimumSizeHint().width(), page.objectName()
+        assert isinstance(page, ScrollBox)
+        content = page.widget()
+        assert content is not None
+        needed = content.minimumSizeHint().width()
+        assert page.viewport().width() >= needed, page.objectName()
 
 
 def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path) -> None:

@@ -244,16 +244,22 @@ def _window(folder: Path) -> Iterator[tuple[Program, Computer]]:
             assert program.close(), "a thread lives on"
             deliver()
             theme().set_scheme("system")
+            theme().set_font_size(100)
 
 
 VALID: dict[str, object] = {
     "window/geometry": QByteArray(b"\x01\xd9\xd0\xcb"),
     "window/state": QByteArray(b"\0\0\0\xff"),
     "window/scheme": "dark",
+    "window/font_size": 125,
+    "files/recent": "trex settings /tmp/a.txt",
+    "files/default_folder": "/tmp",
+    "connection/automatic": True,
     "trex/page": 2,
     "aracna/page": 1,
     "ports/typed": f"{URL}\nsocket://host:1",
     "ports/last": URL,
+    "ports/last_adapter": "4292 60000 0001",
     "ports/kinds": f"aracna {URL}",
     "line/settings": 5,
     "line/device_number": 7,

@@ -8,6 +8,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 
 from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.timing import Timeouts
+from trex_gui.ui.devices.auto_connect import AutoConnect
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import Controller, DeviceManager
 from trex_gui.ui.devices.ports import Ports
@@ -39,6 +40,12 @@ class Program:
         self.window = MainWindow(manager, self.ports, notifier, lambda: self.workspaces)
         self._workspaces: dict[str, Workspace] = {}
         self._add_workspace(manager.current)
+
+        self._auto_connect = AutoConnect(self.ports, manager, self.window.connect_to, manager)
+
+    def connect_automatically(self) -> None:
+        """Connect to the last board when its adapter is there, if the user prefers that."""
+        self._auto_connect.start()
 
     def _make_controller(self, plugin: DevicePlugin) -> Controller:
         make: Callable[..., Controller] = plugin.controller.load()

@@ -16,6 +16,7 @@ _MOST_TYPED = 8
 _MANY = 20  # ports remembered to lead to another kind than the first
 _REMEMBERED = "ports/typed"
 _LAST = "ports/last"
+_LAST_ADAPTER = "ports/last_adapter"
 _LEADS_TO = "ports/kinds"
 
 
@@ -29,13 +30,15 @@ class PortKind(Enum):
 class Port:
     """One entry of the list; `url` is what pyserial opens, empty for a simulated device.
 
-    `device` is the key of the kind of device that it leads to.
+    `device` is the key of the kind of device that it leads to. `adapter` tells adapters apart: its
+    maker, product and number as far as the system knows them.
     """
 
     kind: PortKind
     url: str
     label: str
     device: str
+    adapter: str = ""
 
 
 class Ports(QObject):
@@ -70,10 +73,22 @@ class Ports(QObject):
         last = self.find(self._store.text(_LAST))
         return last or (serial[0] if len(serial) == 1 else None)
 
+    @property
+    def last_used(self) -> Port | None:
+        """The port that was used last, while it is there with the same adapter."""
+        port = self.find(self._store.text(_LAST))
+        is_same = port is not None and port.adapter == self._store.text(_LAST_ADAPTER)
+        return port if is_same else None
+
     @Slot()
     def refresh(self) -> None:
         entries = [
-            self._entry(PortKind.SERIAL, port.device, _label(port.device, port.description))
+            self._entry(
+                PortKind.SERIAL,
+                port.device,
+                _label(port.device, port.description),
+                " ".join(str(part) for part in (port.vid, port.pid, port.serial_number) if part),
+            )
             for port in sorted(list_ports.comports())
         ]
         present = {port.url for port in entries}
@@ -114,12 +129,12 @@ class Ports(QObject):
         keys = {plugin.key for plugin in self.plugins}
         return {url: key for key, url in words if key in keys}
 
-    def _entry(self, kind: PortKind, url: str, label: str) -> Port:
+    def _entry(self, kind: PortKind, url: str, label: str, adapter: str = "") -> Port:
         device = self._known_kinds().get(url, self.plugins[0].key)
         if device != self.plugins[0].key:
             name = next(plugin.name for plugin in self.plugins if plugin.key == device)
             label = self.tr("{0}: {1}").format(name, label)
-        return Port(kind, url, label, device)
+        return Port(kind, url, label, device, adapter)
 
     def find(self, url: str) -> Port | None:
         return next((port for port in self.entries if port.url == url and url), None)
@@ -128,6 +143,7 @@ class Ports(QObject):
         """Remember the port of a connection that worked; a simulated device is none."""
         if port.url:
             self._store.set(_LAST, port.url)
+            self._store.set(_LAST_ADAPTER, port.adapter)
 
 
 def _label(device: str, description: str) -> str:

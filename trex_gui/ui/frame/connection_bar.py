@@ -11,11 +11,13 @@ from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.notifier import Remedy
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import set_text_color
+from trex_gui.ui.theme.theme import follow_theme, set_text_color
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import ElidedLabel
 
 _NOT_CONNECTED, _OTHER = "not connected", "other"
+
+_LEAST = 10  # characters of a port, where there is little room
 
 
 class ConnectionBar(QWidget):
@@ -59,6 +61,11 @@ class ConnectionBar(QWidget):
         self._combo.setMinimumContentsLength(20)
         self._combo.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        follow_theme(
+            self._combo,
+            "least",
+            lambda: self._combo.setMinimumWidth(_LEAST * self.fontMetrics().averageCharWidth()),
         )
         # A double click on Connect does not disconnect.
         self._connect = ui.named(ui.ConfirmButton(self.tr("&Connect"), self), "connectButton")

@@ -7,7 +7,6 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, QUrl, Signal, Slot
 from PySide6.QtGui import (
     QAction,
-    QActionGroup,
     QCloseEvent,
     QDesktopServices,
     QGuiApplication,
@@ -33,6 +32,7 @@ from trex_gui import __version__
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, Ports
+from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.connection_bar import ConnectionBar
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
@@ -47,9 +47,10 @@ from trex_gui.ui.frame.workspace import (
 )
 from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.recent_files import RecentFile, RecentFiles
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import application_icon
-from trex_gui.ui.theme.theme import SCHEMES, Scheme, theme
+from trex_gui.ui.theme.theme import restore_choices
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.file_drop import FileDrop
@@ -75,6 +76,7 @@ class MainWindow(QMainWindow):
     ) -> None:
         """`add_all_workspaces` adds those of the kinds of devices that were not used yet."""
         super().__init__()
+        restore_choices()  # before fonts are measured
         self.setObjectName("mainWindow")
         self.setWindowTitle(self.tr("TReX Studio"))
         self.setWindowIcon(application_icon())
@@ -95,6 +97,10 @@ class MainWindow(QMainWindow):
         self._workspaces: tuple[Workspace, ...] = ()
         self._actions: dict[str, QAction] = {}
         self._menus_shown: list[QMenu] = []
+        self.recent = RecentFiles(self)
+        self.recent.changed.connect(self._fill_recent)
+        self._recent_menu = QMenu(self.tr("Recent &files"), self)
+        self._recent_menu.setToolTipsVisible(True)
         self._was_connected = False
         self._help = HelpDialog(self)
         self._warning = UnconfirmedStopWarning(device_manager, self.question, self)
@@ -122,7 +128,6 @@ class MainWindow(QMainWindow):
             self.restoreState(self._store.data("window/state"))
         self._restore(workspace)
         self._show_current()
-        self._on_theme_changed()
 
     def _fill_menus(self) -> None:
         for old in (*self._actions.values(), *self._menus_shown):
@@ -132,11 +137,12 @@ class MainWindow(QMainWindow):
         self._actions = fill_menu_bar(self, self._menus([one.menus() for one in self._workspaces]))
         menus = (action.menu() for action in self.menuBar().actions())
         self._menus_shown = [menu for menu in menus if isinstance(menu, QMenu)]
+        preferences = self._actions["preferences"]
+        preferences.setMenuRole(QAction.MenuRole.PreferencesRole)
+        self._menus_shown[0].insertMenu(preferences, self._recent_menu)
+        self._fill_recent()
         # Whatever window is in front; the others have their own keys.
         self._actions["stop"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
-        schemes = QActionGroup(self)
-        for scheme in SCHEMES:
-            schemes.addAction(self._actions[scheme])
 
     def _connect(self) -> None:
         self._connection.connecting.connect(self._notifier.cleared)
@@ -149,7 +155,6 @@ class MainWindow(QMainWindow):
         self._manager.stop_reported.connect(self._notifier.delayed_error)
         self._notifier.info.connect(self._log_news)
         self._notifier.error.connect(self._log_problem)
-        theme().changed.connect(self._on_theme_changed)
         app = QApplication.instance()
         if isinstance(app, QApplication):
             self._escape = EscapeWatch(app, self._manager, self)
@@ -173,8 +178,18 @@ class MainWindow(QMainWindow):
         def shared(menu: Menu) -> Entries:
             return [entry for menus in workspaces for entry in (SEPARATOR, *menus.get(menu, ()))]
 
-        leave = Entry("quit", tr("E&xit"), self.close, QKeySequence.StandardKey.Quit)
-        yield tr("&File"), (*shared(Menu.FILE), SEPARATOR, leave)
+        yield (
+            tr("&File"),
+            (
+                *shared(Menu.FILE),
+                SEPARATOR,
+                Entry(
+                    "preferences", tr("&Preferences…"), self._show_preferences, "Ctrl+,", "settings"
+                ),
+                SEPARATOR,
+                Entry("quit", tr("E&xit"), self.close, QKeySequence.StandardKey.Quit),
+            ),
+        )
         yield tr("&Edit"), shared(Menu.EDIT)
         yield (
             tr("&Device"),
@@ -190,23 +205,7 @@ class MainWindow(QMainWindow):
         )
         for menus in workspaces:
             yield from ((own, menus[own]) for own in menus if isinstance(own, str))
-        colours = {
-            "system": tr("Colours of the s&ystem"),
-            "light": tr("L&ight colours"),
-            "dark": tr("Dar&k colours"),
-            "high_contrast": tr("&High contrast"),
-        }
-        yield (
-            tr("&Window"),
-            (
-                *shared(Menu.WINDOW),
-                SEPARATOR,
-                *(
-                    Entry(key, colours[key], partial(self._choose_scheme, key), checkable=True)
-                    for key in SCHEMES
-                ),
-            ),
-        )
+        yield tr("&Window"), shared(Menu.WINDOW)
         yield (
             tr("&Help"),
             (
@@ -237,17 +236,62 @@ class MainWindow(QMainWindow):
         kinds = self._file_kinds()
         for key, kind in kinds:
             if path.suffix.lower() in kind.suffixes:
-                if not self._manager.switch_to(key, partial(kind.open, path)):
-                    text = self.tr(
-                        "{0} is {1}. It was not opened, because this window is connected to {2}: "
-                        "disconnect, then drop the file again."
-                    )
-                    device = self._manager.current.plugin.name
-                    self._notifier.error.emit(text.format(path.name, kind.name, device))
+                self._open_in(key, partial(kind.open, path), path.name, kind.name)
                 return
         names = "; ".join(f"{kind.name} ({', '.join(sorted(kind.suffixes))})" for _, kind in kinds)
         text = self.tr("{0} was not opened: its type is not supported. Supported: {1}.")
         self._notifier.error.emit(text.format(path.name, names))
+
+    def _open_in(self, key: str, then: Callable[[], object], name: str, kind: str) -> None:
+        if not self._manager.switch_to(key, then):
+            text = self.tr(
+                "{0} is {1}. It was not opened, because this window is connected to {2}: "
+                "disconnect, then open it again."
+            )
+            device = self._manager.current.plugin.name
+            self._notifier.error.emit(text.format(name, kind, device))
+
+    def open_recent(self, file: RecentFile) -> None:
+        """Open a file again where it was opened; one that is gone is taken off the list."""
+
+        def then(is_there: bool) -> None:
+            if is_there:
+                self._open_again(file)
+                return
+            self.recent.remove(file)
+            text = self.tr("{0} is no longer there; it was removed from the recent files.")
+            self._notifier.error.emit(text.format(file.path))
+
+        in_background(self, file.path.is_file, then, lambda _: None)
+
+    def _open_again(self, file: RecentFile) -> None:
+        if all(file.device != workspace.key for workspace in self._workspaces):
+            self._add_all_workspaces()
+        for workspace in self._workspaces:
+            if workspace.key == file.device and file.kind in workspace.openers:
+                device = self._manager.controller(workspace.key).plugin.name
+                self._open_in(
+                    workspace.key,
+                    partial(workspace.openers[file.kind], file.path),
+                    file.path.name,
+                    self.tr("a file of the {0}").format(device),
+                )
+
+    @Slot()
+    def _fill_recent(self) -> None:
+        menu, files = self._recent_menu, self.recent.entries
+        menu.clear()
+        for number, file in enumerate(files, start=1):
+            action = menu.addAction(f"&{number} {file.title}")
+            action.setToolTip(str(file.path))
+            action.triggered.connect(partial(self._on_recent_chosen, file))
+        menu.addSeparator()
+        clear = menu.addAction(self.tr("&Clear list"))
+        clear.triggered.connect(self.recent.clear, Qt.ConnectionType.QueuedConnection)
+        menu.setEnabled(bool(files))
+
+    def _on_recent_chosen(self, file: RecentFile, _checked: bool = False) -> None:
+        self.open_recent(file)
 
     def _file_kinds(self) -> list[tuple[str, FileKind]]:
         return [(space.key, kind) for space in self._workspaces for kind in space.file_kinds]
@@ -339,13 +383,11 @@ class MainWindow(QMainWindow):
 
     # --- Appearance, beginning and end --------------------------------------------------
 
-    def _choose_scheme(self, scheme: Scheme) -> None:
-        theme().set_scheme(scheme)
-        self._store.set("window/scheme", scheme)
+    def _show_preferences(self) -> None:
+        from trex_gui.ui.frame.preferences_dialog import PreferencesDialog  # noqa: PLC0415
 
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        self._actions[theme().choice].setChecked(True)
+        dialog = self.findChild(PreferencesDialog) or PreferencesDialog(self)
+        dialog.open_preferences()
 
     def _show_help(self) -> None:
         workspace = self._workspace
@@ -370,10 +412,6 @@ class MainWindow(QMainWindow):
         added.pages.setCurrentIndex(page)
         for workspace in self._workspaces:
             workspace.take_actions(self._actions)
-        wanted = self._store.text("window/scheme", "system")
-        for scheme in SCHEMES:
-            if scheme == wanted and scheme != theme().choice:
-                theme().set_scheme(scheme)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

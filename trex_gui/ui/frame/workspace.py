@@ -87,6 +87,8 @@ class Workspace(QWidget):
         self.help_url = ""  # opens the documentation; without one, `help_text` is shown
         # Files that are opened here when they are dropped or named at the start.
         self.file_kinds: Sequence[FileKind] = ()
+        # What opens its recent files again, by the key of their kind.
+        self.openers: Mapping[str, Callable[[Path], object]] = {}
         # At the right of the window; the workspace shows and hides them.
         self.docks: Sequence[QDockWidget] = ()
         self.pages = QTabWidget(self)

@@ -15,12 +15,11 @@ from trex_gui.core.recording.store import SUFFIX, Recording
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.transport import size_text, time_text
-from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.file_drop import FileDrop
-from trex_gui.ui.widgets.file_questions import ask_to_save
+from trex_gui.ui.widgets.file_questions import ask_to_save, last_folder, remember_folder
 from trex_gui.ui.workers.record_thread import RecordThread
 
 if TYPE_CHECKING:  # the plotting library takes as long to load as all of Qt
@@ -45,7 +44,7 @@ class RecordIndicator(QWidget):
         self._recorder = recorder
 
         dot = QLabel(self)
-        set_sign(dot, "record", "led_red", self.fontMetrics().height())
+        set_sign(dot, "record", "led_red")
         self._text = builders.label(self, f"{prefix}recordText", bold=True)
         self._file = builders.label(self, f"{prefix}recordFile", plain=True)
         # A long name is cut rather than making the window wide; its tool tip has all of it.
@@ -107,6 +106,7 @@ class RecordingManager(QObject, Generic[WindowT]):
     """
 
     changed = Signal()  # `recorder.recording` or `recorder.can_record`
+    used = Signal(object)  # the `Path` of a recording that was opened or made
 
     def __init__(
         self,
@@ -123,7 +123,6 @@ class RecordingManager(QObject, Generic[WindowT]):
         self._texts = texts
         self._notifier = notifier
         self._window = window
-        self._store = Preferences()
         self._folder_key = f"{store}/folder"
         self._last: tuple[bool, bool] | None = None
         self.recorder = recorder
@@ -164,7 +163,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             self.recorder.stop()
             return
         stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
-        proposal = self._folder() / f"{self._texts.stem}_{stamp}{SUFFIX}"
+        proposal = last_folder(self._folder_key) / f"{self._texts.stem}_{stamp}{SUFFIX}"
         path = ask_to_save(
             self._window, self.tr("Record"), proposal, self._filter(), SUFFIX, required=True
         )
@@ -176,13 +175,16 @@ class RecordingManager(QObject, Generic[WindowT]):
             text = self.tr("{0} is open; close its window before recording over it.")
             self._notifier.error.emit(text.format(path.name))
         elif self.recorder.start(path):
-            self._remember_folder(path)
+            remember_folder(path, self._folder_key)
         else:
             self._notifier.error.emit(self._texts.unavailable)
 
     def choose_and_open(self) -> None:
         path, _ = QFileDialog.getOpenFileName(
-            self._window, self.tr("Open recording"), str(self._folder()), self._filter()
+            self._window,
+            self.tr("Open recording"),
+            str(last_folder(self._folder_key)),
+            self._filter(),
         )
         if path:
             self.open_file(Path(path))
@@ -206,7 +208,8 @@ class RecordingManager(QObject, Generic[WindowT]):
             recording.close()
             return
         window = self.make_window(recording)
-        self._remember_folder(recording.path)
+        remember_folder(recording.path, self._folder_key)
+        self.used.emit(recording.path)
         self.windows.append(window)
         window.closed.connect(partial(self._forget, window))
         window.show()
@@ -239,15 +242,10 @@ class RecordingManager(QObject, Generic[WindowT]):
     def _filter(self) -> str:
         return self.tr("Recordings (*{0})").format(SUFFIX)
 
-    def _folder(self) -> Path:
-        return self._store.path(self._folder_key, Path.home())
-
-    def _remember_folder(self, path: Path) -> None:
-        self._store.set(self._folder_key, str(path.parent))
-
     @Slot(object)
     def _on_ended(self, path: Path) -> None:
         self.changed.emit()
+        self.used.emit(path)
         size = size_text(self.recorder.size)
         text = self.tr("Recorded in {0} ({1}). {2} shows it.")
         self._notifier.info.emit(text.format(path, size, self._texts.open_command))

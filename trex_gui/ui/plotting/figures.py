@@ -29,7 +29,7 @@ from trex_gui.ui.plotting.history import Statistics
 from trex_gui.ui.plotting.marks import EVENT_COLORS, charge_text, mean_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import paint_placeholder
 from trex_gui.ui.widgets.builders import flat_table
@@ -39,6 +39,7 @@ Index = QModelIndex | QPersistentModelIndex
 _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 _PADDING = 8  # pixels around the text of a cell, as the style paints it
+_ROW_ROOM = 6  # pixels beyond the height of a line
 _MAX_EVENTS = 1000  # events listed: the newest
 _MIN_EVENT_WIDTH = 12  # characters of an event that are visible at least
 
@@ -226,17 +227,20 @@ class TraceTableView(QTableView):
         self._table = model
         flat_table(self, "traceTable", self.tr("Curves and their figures"))
         self.setModel(model)
-        self._row = self.fontMetrics().height() + 6
-        self.verticalHeader().setDefaultSectionSize(self._row)
-        self.verticalHeader().setMinimumSectionSize(self._row)
         header = self.horizontalHeader()
+        header.setSectionResizeMode(TraceColumn.CURVE, QHeaderView.ResizeMode.ResizeToContents)
+        follow_theme(self, "room", self._take_room)
+        self.show_needed_columns()
+
+    def _take_room(self) -> None:
+        self._row = self.fontMetrics().height() + _ROW_ROOM
+        self.verticalHeader().setMinimumSectionSize(self._row)
+        header, model = self.horizontalHeader(), self._table
         for column in TraceColumn:
             widest = "000.00 mAh" if column is TraceColumn.CHARGE else f"{MINUS}00.00 A"
             head = str(model.headerData(column, Qt.Orientation.Horizontal))
             width = max(self.fontMetrics().horizontalAdvance(text) for text in (widest, head))
             header.resizeSection(column, width + _PADDING)
-        header.setSectionResizeMode(TraceColumn.CURVE, QHeaderView.ResizeMode.ResizeToContents)
-        self.show_needed_columns()
 
     def show_needed_columns(self) -> None:
         for column in TraceColumn:

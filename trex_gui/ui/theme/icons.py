@@ -41,9 +41,17 @@ def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") 
     follow_theme(target, "icon", apply)
 
 
-def set_sign(label: QLabel, name: str, color: str, size: int) -> None:
-    """Show an icon in a label, which follows the theme; a later call replaces it."""
-    follow_theme(label, "sign", lambda: label.setPixmap(icon(name, color).pixmap(size, size)))
+def set_sign(label: QLabel, name: str, color: str, room: int = 0) -> None:
+    """Show an icon in a label, which follows the theme; a later call replaces it.
+
+    It is higher than a line of the label by `room` pixels.
+    """
+
+    def apply() -> None:
+        side = label.fontMetrics().height() + room
+        label.setPixmap(icon(name, color).pixmap(side, side))
+
+    follow_theme(label, "sign", apply)
 
 
 @cache

@@ -10,14 +10,20 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, Literal
 
-from PySide6.QtCore import QObject, Qt, Signal, Slot
-from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
+from PySide6.QtGui import QColor, QFont, QFontDatabase, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication, QPushButton, QToolButton, QToolTip, QWidget
 
 from trex_gui.core.resource_files import resource
+from trex_gui.ui.preferences import Preferences
 
 Scheme = Literal["system", "light", "dark", "high_contrast"]
 SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark", "high_contrast")
+
+FONT_SIZES = (90, 100, 110, 125, 150, 175)
+"""Percent of the system's font size."""
+
+_SCHEME, _FONT_SIZE = "window/scheme", "window/font_size"
 
 _FUSION_OUTLINE = 140
 """Percent by which Fusion darkens the window's colour for the outline of a control."""
@@ -76,14 +82,17 @@ def read_colours(scheme: str) -> Colours:
 
 
 class Theme(QObject):
-    """The scheme in use. There is one, and `theme()` returns it."""
+    """The scheme and the font size in use. There is one, and `theme()` returns it."""
 
-    changed = Signal()  # the colours are others now; the application's palette is set already
+    # Colours or font size are others now; the application's palette and font are set already.
+    changed = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.choice: Scheme = "system"
+        self.font_size = 100  # percent of the system's
         self._system_was_dark = False
+        self._system_font = QFont()
         self.scheme = "light"
         self._colours = read_colours("light")
         self._app: QApplication | None = None
@@ -108,6 +117,7 @@ class Theme(QObject):
         """Give the application the Fusion style and our palette, and follow the system."""
         if self._app is None:  # afterwards the palette is ours
             self._system_was_dark = _is_dark(app.palette().window().color())
+            self._system_font = app.font()
         self._app = app
         app.setStyle("Fusion")
         hints, once = app.styleHints(), Qt.ConnectionType.UniqueConnection
@@ -131,6 +141,14 @@ class Theme(QObject):
                 }[choice]
             )
         self._show()
+
+    def set_font_size(self, percent: int) -> None:
+        """Scale the system's font for every window; widgets inherit it."""
+        if percent != self.font_size and self._app is not None:
+            self.font_size = percent
+            self._app.setFont(scaled_font(self._system_font, percent / 100))
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.ApplicationFontChange)
+            self.changed.emit()
 
     def _resolve(self) -> str:
         if self.choice != "system":
@@ -180,6 +198,28 @@ def theme() -> Theme:
     return Theme()
 
 
+def choose_scheme(scheme: Scheme) -> None:
+    """Set the scheme from now on, also at the next start."""
+    theme().set_scheme(scheme)
+    Preferences().set(_SCHEME, scheme)
+
+
+def choose_font_size(percent: int) -> None:
+    """Set the font size from now on, also at the next start."""
+    theme().set_font_size(percent)
+    Preferences().set(_FONT_SIZE, percent)
+
+
+def restore_choices() -> None:
+    """Use the scheme and the font size that were chosen."""
+    store = Preferences()
+    wanted = store.text(_SCHEME, "system")
+    for scheme in SCHEMES:
+        if scheme == wanted and scheme != theme().choice:
+            theme().set_scheme(scheme)
+    theme().set_font_size(store.integer(_FONT_SIZE, 100, FONT_SIZES[0], FONT_SIZES[-1]))
+
+
 def _is_dark(background: QColor) -> bool:
     return background.lightnessF() < 0.5
 
@@ -215,6 +255,12 @@ def scaled_font(font: QFont, factor: float) -> QFont:
     else:
         scaled.setPixelSize(round(font.pixelSize() * factor))
     return scaled
+
+
+def fixed_font() -> QFont:
+    """Return the system's fixed font in the font size of the theme."""
+    font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
+    return scaled_font(font, theme().font_size / 100)
 
 
 def set_text_color(widget: QWidget, name: str) -> None:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from datetime import datetime
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
-from PySide6.QtGui import QFont, QFontDatabase, QFontMetrics, QPaintEvent
+from PySide6.QtGui import QFont, QFontMetrics, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
 
 from trex_gui.core.transport.traffic import Transaction
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import fixed_font, follow_theme, theme
 from trex_gui.ui.traffic.model import RowBuffer, TrafficModel
 from trex_gui.ui.widgets.behaviour import paint_placeholder
-from trex_gui.ui.widgets.builders import flat_table
+from trex_gui.ui.widgets.builders import flat_table, set_row_height
 
 TIME, SENT, RECEIVED, TOOK, WORDS = range(5)
 
@@ -53,8 +53,11 @@ class TrafficTable(QAbstractTableModel):
         self._paused_at: int | None = None
         heads = self.tr("Time"), self.tr("Sent"), self.tr("Received"), self.tr("Took (ms)")
         self._heads = (*heads, self.tr("Meaning"))
-        self.mono = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
+        follow_theme(self, "font", self._take_font)
         traffic.cleared.connect(self.rebuild)
+
+    def _take_font(self) -> None:
+        self._fixed = fixed_font()
 
     # --- Filter -------------------------------------------------------------------------
 
@@ -185,7 +188,7 @@ class TrafficTable(QAbstractTableModel):
 
     def _font(self, row: Transaction, column: int) -> QFont | None:
         if column in {SENT, RECEIVED}:
-            return self.mono
+            return self._fixed
         if column == WORDS and row.note:
             font = QFont()
             font.setItalic(True)
@@ -220,11 +223,14 @@ class TrafficView(QTableView):
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         rows = self.verticalHeader()
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        rows.setDefaultSectionSize(self.fontMetrics().height() + 6)
+        set_row_height(self, 6)
+        self.horizontalHeader().setStretchLastSection(True)
+        follow_theme(self, "room", self._take_room)
+
+    def _take_room(self) -> None:
         header = self.horizontalHeader()
-        header.setStretchLastSection(True)
         for column, sample in _SAMPLES.items():
-            font = table.mono if column in {SENT, RECEIVED} else self.font()
+            font = fixed_font() if column in {SENT, RECEIVED} else self.font()
             width = QFontMetrics(font).horizontalAdvance(sample)
             header.resizeSection(column, width + 3 * self.fontMetrics().averageCharWidth())
         header.setMinimumSectionSize(self.fontMetrics().averageCharWidth() * 6)
@@ -260,8 +266,11 @@ class RowDetails(QPlainTextEdit):
         self.setReadOnly(True)
         self.setTabChangesFocus(True)
         self.setFrameShape(QFrame.Shape.StyledPanel)
-        self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.setPlaceholderText(self.tr("Select a row to see all its bytes."))
+        follow_theme(self, "room", self._take_room)
+
+    def _take_room(self) -> None:
+        self.setFont(fixed_font())
         margins = 2 * (round(self.document().documentMargin()) + self.frameWidth())
         self.setFixedHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES + margins)
 

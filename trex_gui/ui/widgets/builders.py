@@ -31,7 +31,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import theme, tint
+from trex_gui.ui.theme.theme import follow_theme, theme, tint
 from trex_gui.ui.widgets.behaviour import name_headers
 
 
@@ -319,12 +319,21 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
     table.setShowGrid(False)
     table.setTabKeyNavigation(False)
     table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 12)
+    set_row_height(table, 12)
     header = table.horizontalHeader()
     header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     header.setHighlightSections(False)
     theme().changed.connect(table.viewport().update)
     return table
+
+
+def set_row_height(table: QTableView, room: int) -> None:
+    """Make rows higher than a line by `room` pixels, in any font; a later call replaces it."""
+
+    def apply() -> None:
+        table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + room)
+
+    follow_theme(table, "rows", apply)
 
 
 def splitter(

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from trex_gui.ui.preferences import Preferences
 
 _FOLDER = "settings/folder"
+_DEFAULT_FOLDER = "files/default_folder"
 
 
 class SaveAnswer(Enum):
@@ -81,13 +82,25 @@ def file_filter() -> str:
     return tr("Text files (*.txt);;All files (*)")
 
 
-def last_folder() -> Path:
+def default_folder() -> Path | None:
+    """Return the folder in which every file dialog begins, if the user has chosen one."""
+    chosen = Preferences().path(_DEFAULT_FOLDER, "")
+    return None if chosen == Path() else chosen
+
+
+def set_default_folder(folder: Path | None) -> None:
+    Preferences().set(_DEFAULT_FOLDER, str(folder or ""))
+
+
+def last_folder(key: str = _FOLDER) -> Path:
+    """Return where a file dialog begins; files of each `key` have a last folder of their own."""
     documents = QStandardPaths.StandardLocation.DocumentsLocation
-    return Preferences().path(_FOLDER, QStandardPaths.writableLocation(documents))
+    last = Preferences().path(key, QStandardPaths.writableLocation(documents))
+    return default_folder() or last
 
 
-def remember_folder(path: Path) -> None:
-    Preferences().set(_FOLDER, str(path.parent))
+def remember_folder(path: Path, key: str = _FOLDER) -> None:
+    Preferences().set(key, str(path.parent))
 
 
 def ask_to_open(window: QWidget, title: str) -> Path | None:

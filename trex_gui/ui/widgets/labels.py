@@ -7,6 +7,8 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.theme import follow_theme, set_text_color, theme
 
+_SIGN_ROOM = 2  # pixels beyond the height of a line
+
 
 class Note(QLabel):
     """Wrapped text that keeps the room of `lines` lines, so that nothing jumps below it.
@@ -24,7 +26,9 @@ class Note(QLabel):
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
-        self.setMinimumHeight(lines * self.fontMetrics().lineSpacing())
+        follow_theme(
+            self, "room", lambda: self.setMinimumHeight(lines * self.fontMetrics().lineSpacing())
+        )
 
     def show_note(self, text: str, *, alarming: bool = False) -> None:
         """Show a text; an alarming one is bold and in the warning colour."""
@@ -81,12 +85,15 @@ class Sign(QLabel):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        size = self.fontMetrics().height() + 2
-        self.setFixedSize(size, size)
+        follow_theme(self, "room", self._take_room)
+
+    def _take_room(self) -> None:
+        side = self.fontMetrics().height() + _SIGN_ROOM
+        self.setFixedSize(side, side)
 
     def show_sign(self, name: str, color: str = "icon") -> None:
         if name:
-            set_sign(self, name, color, self.width())
+            set_sign(self, name, color, _SIGN_ROOM)
         else:
             follow_theme(self, "sign", self.clear)
 

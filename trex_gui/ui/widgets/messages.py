@@ -57,7 +57,7 @@ class _MessageRow(QFrame):
             button.deleteLater()  # later: this may be called by its click
 
     def _show_sign(self, name: str) -> None:
-        set_sign(self._sign, name, name, self.fontMetrics().height() + 4)
+        set_sign(self._sign, name, name, 4)
 
 
 class Banner(_MessageRow):

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 _LINES = 4
 _CHARACTERS = 24  # of average width, where it scrolls sideways
+_WIDEST = 720  # pixels that it may need: what a screen of 1024 has beside the demo panel
 
 
 class ScrollBox(QScrollArea):
@@ -18,7 +19,10 @@ class ScrollBox(QScrollArea):
     def __init__(
         self, content: QWidget, parent: QWidget | None = None, *, sideways: bool = False
     ) -> None:
-        """`sideways`: it can be narrower than the content, and then scrolls that way, too."""
+        """`sideways`: it can be narrower than the content, and then scrolls that way, too.
+
+        Without it that happens only where large fonts make a page wider than a small screen.
+        """
         super().__init__(parent)
         self._content = content
         self._sideways = sideways
@@ -26,8 +30,6 @@ class ScrollBox(QScrollArea):
         self.setObjectName(f"{content.objectName()}Area")
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        if not sideways:
-            self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWidget(content)
         content.setAutoFillBackground(False)
         self.viewport().setAutoFillBackground(False)
@@ -43,10 +45,10 @@ class ScrollBox(QScrollArea):
         content = self._content.minimumSizeHint()
         lines = _LINES * self.fontMetrics().lineSpacing()
         bar = self.verticalScrollBar().sizeHint().width()
-        width = content.width()
+        widest = _WIDEST
         if self._sideways:
-            width = min(width, _CHARACTERS * self.fontMetrics().averageCharWidth())
-        return QSize(width + bar, min(content.height(), lines))
+            widest = _CHARACTERS * self.fontMetrics().averageCharWidth()
+        return QSize(min(content.width(), widest) + bar, min(content.height(), lines))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

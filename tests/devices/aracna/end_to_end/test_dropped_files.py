@@ -97,7 +97,7 @@ def test_dropped_file_of_other_device_is_rejected(window: RobotWindow, make: Mak
     window.choose_demo("trex")
     assert window.drop(make("other.ppr", OTHER_POSES))
     window.wait_for_text("bannerText", "other.ppr is a pose file of an Aracna.")
-    assert "connected to TReX: disconnect, then drop the file again" in banner(window)
+    assert "connected to TReX: disconnect, then open it again" in banner(window)
     assert window.device.link is ConnectionState.CONNECTED
     assert not shows_robot(window)
     assert poses(window) == ["low"]

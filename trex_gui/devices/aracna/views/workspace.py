@@ -1,6 +1,7 @@
 """The workspace of an Aracna: its pages, the bar below them, and its menu actions."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -112,6 +113,9 @@ class AracnaWorkspace(Workspace):
         pose_files.opened.connect(lambda: self.show_page("poses"))
         poses = FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), pose_files.open_file)
         self.file_kinds = (poses,)
+        self.openers = {"poses": pose_files.open_file, "recording": self.recordings.open_file}
+        pose_files.used.connect(partial(frame.recent.note, self.key, "poses"))
+        self.recordings.used.connect(partial(frame.recent.note, self.key, "recording"))
 
         controller.demo_robot.rejected.connect(self.notifier.error)
         self._demo.wanted_changed.connect(self._on_demo_wanted)

@@ -35,6 +35,7 @@ class SettingsFiles(QObject):
     """File dialogs, editors and messages for settings files."""
 
     staged = Signal()  # settings of a file are edits now
+    used = Signal(object)  # the `Path` of a settings file that was opened or saved
 
     def __init__(self, device: Device, window: QWidget) -> None:
         super().__init__(window)
@@ -172,8 +173,13 @@ class SettingsFiles(QObject):
         except SettingsError as error:
             self._on_not_opened(path, error)
             return
-        file_questions.remember_folder(path)
+        self._note_used(path)
         then(document)
+
+    @Slot(object)
+    def _note_used(self, path: Path) -> None:
+        file_questions.remember_folder(path)
+        self.used.emit(path)
 
     def _on_not_opened(self, path: Path, error: StudioError) -> None:
         text = self.tr("{0} was not opened: {1}.")
@@ -186,7 +192,7 @@ class SettingsFiles(QObject):
         editor.send_requested.connect(partial(self._send, editor))
         editor.new_requested.connect(self.ask_and_begin)
         editor.open_requested.connect(partial(self._ask_and, self.edit_file))
-        editor.saved.connect(file_questions.remember_folder)
+        editor.saved.connect(self._note_used)
         editor.closed.connect(partial(self._on_editor_closed, editor))
         _raise(editor)
 
@@ -341,7 +347,7 @@ class SettingsFiles(QObject):
 
     def _on_saved(self, path: Path, kept: str, then: Callable[[], object]) -> None:
         self._saving.discard(path)
-        file_questions.remember_folder(path)
+        self._note_used(path)
         saved = self.tr("The settings shown were saved in {0}.").format(path)
         self._notifier.info.emit(f"{saved} {kept}".rstrip())
         then()

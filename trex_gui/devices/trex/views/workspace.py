@@ -133,6 +133,9 @@ class TrexWorkspace(Workspace):
         frame.seen_changed.connect(device.set_seen)
         self.files.staged.connect(lambda: self.show_page("parameters"))
         self.recordings.accept_drops(frame, self)
+        self.openers = {"settings": files.open_file, "recording": self.recordings.open_file}
+        files.used.connect(partial(frame.recent.note, self.key, "settings"))
+        self.recordings.used.connect(partial(frame.recent.note, self.key, "recording"))
         self.recordings.settings_wanted.connect(self.files.open_editor)
         for reviewed in (
             bar.apply_requested,

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QStandardPaths, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.core.errors import StudioError
@@ -14,7 +14,6 @@ from trex_gui.devices.aracna.poses.ppr import SUFFIX, PoseFile, read_file
 from trex_gui.devices.aracna.poses.project import Project
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import take_typed
 from trex_gui.ui.widgets.document_saver import DocumentSaver
@@ -28,13 +27,13 @@ class PoseFiles(QObject):
     """Opens and saves the file of a library, and asks before data is lost."""
 
     opened = Signal()
+    used = Signal(object)  # the `Path` of a file that was opened or saved
 
     def __init__(self, library: Library, notifier: Notifier, window: QWidget) -> None:
         super().__init__(window)
         self._library = library
         self._notifier = notifier
         self._window = window
-        self._store = Preferences()
         self._saver = DocumentSaver(library, window)
         self._saver.saved.connect(self._on_saved)
         self._saver.failed.connect(partial(self._report_error, self.tr("Not saved. {0}.")))
@@ -67,7 +66,7 @@ class PoseFiles(QObject):
             if not self.may_close(take):
                 return
         self._library.take_file(path, file)
-        self._remember_folder(path)
+        self._note_used(path)
         findings = file.findings
         lines = [self.tr("{0} was opened.").format(path.name)]
         lines += [f"{str(finding).rstrip('. ')}." for finding in findings[:_MOST_FINDINGS]]
@@ -99,7 +98,7 @@ class PoseFiles(QObject):
 
     @Slot(object)
     def _on_saved(self, path: Path) -> None:
-        self._remember_folder(path)
+        self._note_used(path)
         self._notifier.info.emit(self.tr("Saved in {0}.").format(path))
 
     def may_close(self, leave: Callable[[], object]) -> bool:
@@ -108,14 +107,14 @@ class PoseFiles(QObject):
         return self._saver.may_leave(self._saver.answer(), self.save, leave)
 
     def folder(self) -> Path:
-        documents = QStandardPaths.StandardLocation.DocumentsLocation
-        return self._store.path(_FOLDER, QStandardPaths.writableLocation(documents))
+        return file_questions.last_folder(_FOLDER)
 
     def _report_error(self, text: str, error: StudioError) -> None:
         self._notifier.error.emit(text.format(str(error).rstrip(". ")))
 
-    def _remember_folder(self, path: Path) -> None:
-        self._store.set(_FOLDER, str(path.parent))
+    def _note_used(self, path: Path) -> None:
+        file_questions.remember_folder(path, _FOLDER)
+        self.used.emit(path)
 
     def _filter(self) -> str:
         return self.tr("Pose files (*{0});;All files (*)").format(SUFFIX)

@@ -24,6 +24,7 @@ from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.ui.files import in_background, save_picture
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 from trex_gui.ui.widgets.behaviour import name_headers
+from trex_gui.ui.widgets.builders import set_row_height
 from trex_gui.ui.widgets.file_questions import last_folder, remember_folder
 
 
@@ -84,7 +85,7 @@ class FiguresTable(QTableWidget):
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         for headers in (self.horizontalHeader(), self.verticalHeader()):
             headers.setHighlightSections(False)
-        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
+        set_row_height(self, 6)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def show_runs(self, run: Run | None, before: Run | None, band: float) -> None:

@@ -7,7 +7,6 @@ from itertools import takewhile
 
 from PySide6.QtCore import QRect, Qt, Signal, Slot
 from PySide6.QtGui import (
-    QFontDatabase,
     QPainter,
     QPaintEvent,
     QResizeEvent,
@@ -22,7 +21,7 @@ from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import fixed_font, follow_theme, theme
 from trex_gui.ui.widgets.builders import button, column, label, named, row, splitter
 
 _MARGIN = 6
@@ -163,15 +162,18 @@ class NumberedText(QPlainTextEdit):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._marked: dict[int, str] = {}
-        self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self.setTabChangesFocus(True)
         self._numbers = _Numbers(self)
 
         self.blockCountChanged.connect(self._fit)
         self.updateRequest.connect(self._on_update_request)
-        theme().changed.connect(self._numbers.update)
+        follow_theme(self, "font", self._take_font)
+
+    def _take_font(self) -> None:
+        self.setFont(fixed_font())
         self._fit()
+        self._numbers.update()
 
     @property
     def lines(self) -> list[str]:

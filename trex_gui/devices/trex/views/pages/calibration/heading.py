@@ -10,7 +10,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import ElidedLabel, LegendKey, Note
 
@@ -28,22 +28,25 @@ class ChannelList(QListWidget):
         named(self, "calibrationChannels", accessible=self.tr("Channels"))
         self.setUniformItemSizes(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        metrics = self.fontMetrics()
         self.setIconSize(QSize(16, 16))
-        self.setFixedWidth(metrics.horizontalAdvance("5  Auxiliary, edited") + 38)
         nothing = QPixmap(self.iconSize())
         nothing.fill(Qt.GlobalColor.transparent)
         self._no_icon = QIcon(nothing)  # keeps the names in one column
         self._inputs = dict.fromkeys(CHANNELS, "")
         self._marks = dict.fromkeys(CHANNELS, (False, ""))
         for channel in CHANNELS:
-            item = QListWidgetItem(self)
-            item.setSizeHint(QSize(0, 2 * metrics.lineSpacing() + 14))
+            QListWidgetItem(self)
             self._show_text(channel)
-        self._show_icons()
         self.setCurrentRow(0)
         self.currentRowChanged.connect(self._on_row_changed)
-        theme().changed.connect(self._show_icons)
+        follow_theme(self, "room", self._take_room)
+
+    def _take_room(self) -> None:
+        metrics = self.fontMetrics()
+        self.setFixedWidth(metrics.horizontalAdvance("5  Auxiliary, edited") + 38)
+        for index in range(self.count()):
+            self.item(index).setSizeHint(QSize(0, 2 * metrics.lineSpacing() + 14))
+        self._show_icons()
 
     @property
     def channel(self) -> int:

@@ -1,0 +1,50 @@
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.recent_files import RecentFiles
+
+pytestmark = pytest.mark.usefixtures("qapp")
+FOLDER = Path("/some where").absolute()
+
+
+def names(recent: RecentFiles) -> list[str]:
+    return [file.path.name for file in recent.entries]
+
+
+def test_newest_is_first_and_each_is_listed_once(qtbot: QtBot) -> None:
+    recent = RecentFiles()
+    for name in ("a.txt", "b.trexrec", "a.txt"):
+        with qtbot.waitSignal(recent.changed):
+            recent.note("trex", "settings", FOLDER / name)
+    assert names(recent) == ["a.txt", "b.trexrec"]
+    first = RecentFiles().entries[0]
+    assert (first.device, first.kind, first.path) == ("trex", "settings", FOLDER / "a.txt")
+
+
+def test_list_is_short() -> None:
+    recent = RecentFiles()
+    for number in range(20):
+        recent.note("trex", "settings", FOLDER / f"{number}.txt")
+    assert names(recent) == [f"{number}.txt" for number in range(19, 11, -1)]
+
+
+def test_files_are_removed_one_by_one_or_all() -> None:
+    recent = RecentFiles()
+    for name in ("a & b.txt", "c.txt"):
+        recent.note("aracna", "poses", FOLDER / name)
+    assert recent.entries[1].title == "a && b.txt  (some where)"
+    recent.remove(recent.entries[0])
+    assert names(recent) == ["a & b.txt"]
+    recent.clear()
+    assert recent.entries == ()
+
+
+@pytest.mark.parametrize("stored", ["", "trex", "trex settings", "\n\n", "@Invalid()"])
+def test_unusable_lines_are_left_out(stored: str) -> None:
+    Preferences().set("files/recent", f"{stored}\ntrex settings /a b.txt")
+    assert names(RecentFiles()) == ["a b.txt"]
+    RecentFiles().note("trex", "settings", FOLDER / "two\nlines.txt")
+    assert names(RecentFiles()) == ["a b.txt"]

@@ -1,0 +1,154 @@
+"""What the user prefers in the whole program; each choice takes effect at once."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QSignalBlocker, Slot
+from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QFormLayout, QWidget
+
+from trex_gui.ui.devices.auto_connect import connects_automatically, set_automatic
+from trex_gui.ui.theme.theme import (
+    FONT_SIZES,
+    SCHEMES,
+    Scheme,
+    choose_font_size,
+    choose_scheme,
+    theme,
+)
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.behaviour import ReusedDialog
+from trex_gui.ui.widgets.labels import ElidedLabel, Muted
+
+_WIDTH = 440
+_LEAST_PATH = "/home/someone/robots"
+
+
+class PreferencesDialog(ReusedDialog):
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("preferencesDialog")
+        self.setWindowTitle(self.tr("Preferences"))
+        names: dict[Scheme, str] = {
+            "system": self.tr("As the system"),
+            "light": self.tr("Light"),
+            "dark": self.tr("Dark"),
+            "high_contrast": self.tr("High contrast"),
+        }
+        self._scheme = ui.combo_box(
+            self,
+            "schemeBox",
+            self.tr("Theme"),
+            items=[(names[scheme], scheme) for scheme in SCHEMES],
+            on_activate=self._on_scheme_chosen,
+        )
+        self._font_size = ui.combo_box(
+            self,
+            "fontSizeBox",
+            self.tr("Font size"),
+            items=[(self.tr("{0} %").format(percent), percent) for percent in FONT_SIZES],
+            on_activate=self._on_font_size_chosen,
+        )
+        self._own_folder = ui.check_box(
+            self,
+            "defaultFolderBox",
+            self.tr("&Begin file dialogs in one folder"),
+            tip=self.tr("Otherwise each begins in the folder that was used last"),
+            on_click=self._on_own_folder_clicked,
+        )
+        self._folder = ui.named(ElidedLabel(_LEAST_PATH, self), "defaultFolder")
+        self._choose = ui.button(
+            self,
+            "chooseFolderButton",
+            self.tr("C&hoose…"),
+            icon="folder",
+            default=False,
+            on_click=self._choose_folder,
+        )
+        self._automatic = ui.check_box(
+            self,
+            "automaticBox",
+            self.tr("Connect to the last board by &itself"),
+            on_click=set_automatic,
+        )
+        explanation = Muted(
+            self.tr(
+                "When the program starts and when the adapter is plugged in: only with the same "
+                "adapter on the same port, and not while another program uses it. No motor moves."
+            ),
+            self,
+        )
+
+        form = QFormLayout()
+        form.addRow(self.tr("&Theme:"), self._scheme)
+        form.addRow(self.tr("&Font size:"), self._font_size)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
+        close = buttons.button(QDialogButtonBox.StandardButton.Close)
+        close.setObjectName("preferencesClose")
+        close.setDefault(True)
+        reset = ui.button(
+            self,
+            "preferencesReset",
+            self.tr("&Reset to defaults"),
+            icon="default",
+            default=False,
+            on_click=self._reset,
+        )
+        ui.column(
+            form,
+            self._own_folder,
+            ui.row((self._folder, 1), self._choose, margins=(22, 0, 0, 0)),
+            self._automatic,
+            ui.row((explanation, 1), margins=(22, 0, 0, 0)),
+            1,
+            ui.row(reset, 1, buttons),
+            into=self,
+        )
+        self.resize(_WIDTH, self.sizeHint().height())
+        buttons.rejected.connect(self.close)
+        theme().changed.connect(self._show_choices)
+
+    def open_preferences(self) -> None:
+        self._show_choices()
+        self.show()
+        self.activateWindow()
+
+    @Slot()
+    def _show_choices(self) -> None:
+        with QSignalBlocker(self._scheme), QSignalBlocker(self._font_size):
+            self._scheme.setCurrentIndex(self._scheme.findData(theme().choice))
+            self._font_size.setCurrentIndex(self._font_size.findData(theme().font_size))
+        folder = file_questions.default_folder()
+        self._own_folder.setChecked(folder is not None)
+        self._folder.setEnabled(folder is not None)
+        self._folder.show_text(str(folder or file_questions.last_folder()))
+        self._automatic.setChecked(connects_automatically())
+
+    @Slot(int)
+    def _on_scheme_chosen(self, index: int) -> None:
+        choose_scheme(SCHEMES[index])
+
+    @Slot(int)
+    def _on_font_size_chosen(self, index: int) -> None:
+        choose_font_size(FONT_SIZES[index])
+
+    @Slot(bool)
+    def _on_own_folder_clicked(self, wanted: bool) -> None:
+        file_questions.set_default_folder(file_questions.last_folder() if wanted else None)
+        self._show_choices()
+
+    @Slot()
+    def _choose_folder(self) -> None:
+        chosen = QFileDialog.getExistingDirectory(
+            self, self.tr("Folder of file dialogs"), str(file_questions.last_folder())
+        )
+        if chosen:
+            file_questions.set_default_folder(Path(chosen))
+            self._show_choices()
+
+    @Slot()
+    def _reset(self) -> None:
+        choose_scheme("system")
+        choose_font_size(100)
+        file_questions.set_default_folder(None)
+        set_automatic(False)
+        self._show_choices()
