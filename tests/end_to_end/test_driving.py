@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QMenu,
     QSlider,
     QSpinBox,
-    QTreeView,
+    QTableView,
     QWidget,
 )
 
@@ -555,7 +555,7 @@ def test_keys_with_another_function_do_not_drive(keys: MotorsPage) -> None:
     assert not keys.motors.holder, "a number field"
 
     keys.open_page("parametersPage")
-    keys.find(QTreeView, "parametersView").setFocus()
+    keys.find(QTableView, "parametersView").setFocus()
     keys.click_key(Qt.Key.Key_Down)
     assert not keys.motors.holder, "another page"
     keys.let_nothing_happen(0.05)
@@ -710,7 +710,7 @@ def test_fault_is_shown_and_stored_value_links_to_parameter(armed: MotorsPage) -
     facts = armed.find(QLabel, "motorsStored")
     assert "no ramp" in facts.text()
     facts.linkActivated.emit("motor2_current_limit")
-    view = armed.find(QTreeView, "parametersView")
+    view = armed.find(QTableView, "parametersView")
     assert view.isVisible()
     assert "Current Limit" in str(view.currentIndex().siblingAtColumn(0).data())
 

@@ -5,7 +5,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSpinBox
 
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
@@ -15,14 +14,13 @@ class ParametersPage(WidgetDriver):
 
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.open_page("parametersPage").root, window.qtbot)
-        self._model = window.device.parameters
         self.view = self.find(ParameterView, "parametersView")
 
     def index_of(self, key: str) -> QModelIndex:
         """Return where the value of a parameter is in the view."""
         rows = self.view.model()
         assert isinstance(rows, ParameterFilter)
-        return rows.mapFromSource(self._model.index_of(key, ParameterColumn.VALUE))
+        return rows.index_of(key)
 
     def type_value(self, key: str, text: str) -> QSpinBox:
         """Open the editor of a parameter with the mouse, type and press Enter."""

@@ -56,11 +56,12 @@ class ParametersDriver(WidgetDriver):
 
     @property
     def headings(self) -> list[QModelIndex]:
-        return [self.rows.index(row, 0) for row in range(self.rows.rowCount())]
+        cells = (self.rows.index(row, 0) for row in range(self.rows.rowCount()))
+        return [cell for cell in cells if cell.data(Role.GROUP) is not None]
 
     @property
-    def open_groups(self) -> list[str]:
-        return [row.data(Role.GROUP) for row in self.headings if self.view.isExpanded(row)]
+    def titles(self) -> list[str]:
+        return [str(heading.data()) for heading in self.headings]
 
     @property
     def current(self) -> str:
@@ -77,12 +78,24 @@ class ParametersDriver(WidgetDriver):
         self.view.scrollTo(index)
         return self.view.visualRect(index).center()
 
-    def click_cell(self, key: str, column: ParameterColumn) -> None:
-        place = self.place_of(self.rows.index_of(key, column))
+    def cell(self, key: str, column: ParameterColumn | None = None) -> QModelIndex:
+        """Return the value of a parameter, or another cell of its row."""
+        value = self.rows.index_of(key)
+        return value if column is None else value.siblingAtColumn(column)
+
+    def click_cell(self, key: str, column: ParameterColumn | None = None) -> None:
+        place = self.place_of(self.cell(key, column))
         QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
 
-    def go_to(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> None:
-        self.view.setCurrentIndex(self.rows.index_of(key, column))
+    def click_reset(self, key: str) -> None:
+        """Click on the icon at the right of a value."""
+        self.place_of(self.cell(key))
+        cell = self.view.visualRect(self.cell(key))
+        place = QPoint(cell.right() - 16, cell.center().y())
+        QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
+
+    def go_to(self, key: str) -> None:
+        self.view.setCurrentIndex(self.cell(key))
 
     def press(self, key: Qt.Key, modifier: Qt.KeyboardModifier | None = None) -> None:
         QTest.keyClick(self.view, key, modifier or Qt.KeyboardModifier.NoModifier)
@@ -94,9 +107,9 @@ class ParametersDriver(WidgetDriver):
 
     # --- Editors ------------------------------------------------------------------------
 
-    def open_with_mouse(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> QWidget:
+    def open_with_mouse(self, key: str, column: ParameterColumn | None = None) -> QWidget:
         """Double-click a cell; return the editor that opens."""
-        place = self.place_of(self.rows.index_of(key, column))
+        place = self.place_of(self.cell(key, column))
         QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
         QTest.mouseDClick(self.view.viewport(), LEFT, pos=place)
         return self.editor(key)

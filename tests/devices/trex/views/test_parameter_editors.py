@@ -32,13 +32,20 @@ def new_in(model_key: str, firmware: str) -> list[ParameterSpec]:
     """The parameters that are not the same as in an older firmware, where they were tried."""
     older = [version for key, version in BOARDS if key == model_key and version < firmware]
     tried = [spec for version in older for spec in parameters_of(model_key, version).readable]
-    return [spec for spec in parameters_of(model_key, firmware).readable if spec not in tried]
+    present = parameters_of(model_key, firmware).readable
+    return [spec for spec in present if spec not in tried and not is_of_frequency(spec)]
+
+
+def is_of_frequency(spec: ParameterSpec) -> bool:
+    """Whether a parameter has no editor of its own: prescaler and maximum of a PWM."""
+    return spec.key.startswith(("motor1_pwm", "motor2_pwm"))
 
 
 def test_each_parameter_of_each_board_is_tested() -> None:
     tried = {(key, spec.key) for key, version in BOARDS for spec in new_in(key, version)}
     boards = ((key, parameters_of(key, version)) for key, version in BOARDS)
-    assert tried == {(key, spec.key) for key, specs in boards for spec in specs.readable}
+    each = ((key, spec) for key, specs in boards for spec in specs.readable)
+    assert tried == {(key, spec.key) for key, spec in each if not is_of_frequency(spec)}
 
 
 def values_to_try(spec: ParameterSpec) -> list[int]:
@@ -212,15 +219,62 @@ def test_acceleration_has_one_spelling(parameters: ParametersDriver) -> None:
     parameters.model.edit(key, 25)
     editor = parameters.open_with_keys(key)
     assert isinstance(editor, AccelerationEditor)
-    cells = [
-        str(parameters.model.index_of(key, column).data())
-        for column in (ParameterColumn.VALUE, ParameterColumn.RANGE)
-    ]
-    assert [editor.text(), *cells] == [
-        "0.5 s to full speed",
-        "0.5 s to full speed",
-        "0.1 to 12.7 s to full speed, or no ramp",
-    ]
+    assert editor.text() == parameters.model.index_of(key).data() == "0.5 s to full speed"
+    assert "Range: 0.1 to 12.7 s to full speed, or no ramp" in parameters.text("parameterHelp")
+
+
+def test_frequency_takes_what_is_nearest(parameters: ParametersDriver) -> None:
+    key = "motor1_pwm_maximum"
+    for typed, shown in (
+        ("9766", "9766 Hz"),
+        ("5 kHz", "5040 Hz"),
+        ("0,3khz", "296 Hz"),
+        ("76", "76 Hz"),
+        ("10000 hz", "10000 Hz"),
+        ("2441 Hz", "2441 Hz"),
+    ):
+        type_number(parameters.open_with_mouse(key), typed)
+        parameters.wait_for_no_editor(key)
+        assert parameters.cell(key).data() == shown, typed
+
+    for typed in ("70", "20 kHz", "fast"):
+        editor = parameters.open_with_mouse(key)
+        type_number(editor, typed)
+        assert isinstance(editor, UnitSpinBox)
+        assert "76 Hz to 10000 Hz" in editor.problem, typed
+        parameters.close_editor(key)
+    assert parameters.cell(key).data() == "2441 Hz"
+
+
+def test_arrow_keys_step_through_frequencies(parameters: ParametersDriver) -> None:
+    for prescaler, maximum, steps, shown in (
+        (1, 63, 1, "2480 Hz"),
+        (1, 63, -1, "2404 Hz"),
+        (3, 3, 1, "2480 Hz"),
+        (3, 3, -1, "2404 Hz"),
+        (0, 127, -1, "9191 Hz"),
+        (0, 0, -1, "10000 Hz"),
+        (0, 0, 1, "10000 Hz"),
+        (9, 9, 1, "76 Hz"),
+        (3, 127, -1, "76 Hz"),
+    ):
+        values = {"motor2_pwm_prescaler": prescaler, "motor2_pwm_maximum": maximum}
+        parameters.load(SPECS, **values)
+        editor = parameters.open_with_keys("motor2_pwm_maximum")
+        QTest.keyClick(editor, Qt.Key.Key_Up if steps > 0 else Qt.Key.Key_Down)
+        QTest.keyClick(editor, Qt.Key.Key_Return)
+        parameters.wait_for_no_editor("motor2_pwm_maximum")
+        assert parameters.cell("motor2_pwm_maximum").data() == shown
+        parameters.model.discard_edits()
+
+
+def test_return_keeps_a_frequency_that_is_no_choice(parameters: ParametersDriver) -> None:
+    for prescaler, maximum in ((3, 3), (0, 0), (9, 9)):
+        values = {"motor2_pwm_prescaler": prescaler, "motor2_pwm_maximum": maximum}
+        parameters.load(SPECS, **values)
+        QTest.keyClick(parameters.open_with_keys("motor2_pwm_maximum"), Qt.Key.Key_Return)
+        parameters.wait_for_no_editor("motor2_pwm_maximum")
+        assert not parameters.model.pending
 
 
 def test_return_keeps_the_acceleration(parameters: ParametersDriver) -> None:

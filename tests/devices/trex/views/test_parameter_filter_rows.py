@@ -4,8 +4,7 @@ import pytest
 from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
-from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
-from trex_gui.devices.trex.model.parameters.text import ParameterColumn
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 
@@ -26,16 +25,13 @@ def rows(model: ParameterModel) -> ParameterFilter:
 
 
 def shown(rows: ParameterFilter) -> list[str]:
-    headings = [rows.index(group, 0) for group in range(rows.rowCount())]
-    return [
-        rows.index(row, ParameterColumn.VALUE, heading).data(Role.SPEC).key
-        for heading in headings
-        for row in range(rows.rowCount(heading))
-    ]
+    return [key for row in range(rows.rowCount()) for key in rows.keys_at(row)]
 
 
-def in_groups(*groups: str) -> list[str]:
-    return [spec.key for group in groups for spec in SPECS.readable if spec.group == group]
+def of_tasks(*tasks: str) -> set[str]:
+    """The keys of tasks; that of the maximum of a PWM is in the table for the prescaler as well."""
+    specs = (spec for spec in SPECS.readable if spec.task in tasks)
+    return {spec.key for spec in specs if not spec.key.endswith("prescaler")}
 
 
 def test_filter_passes_qt_model_tester(rows: ParameterFilter, qtmodeltester: ModelTester) -> None:
@@ -44,7 +40,8 @@ def test_filter_passes_qt_model_tester(rows: ParameterFilter, qtmodeltester: Mod
 
 
 def test_unfiltered_rows_are_all_shown_in_order(rows: ParameterFilter) -> None:
-    assert shown(rows) == in_groups("motors", "channels", "serial", "system")
+    assert set(shown(rows)) == of_tasks("ramp", "braking", "current", "pwm", "channels", "serial")
+    assert shown(rows)[:2] == ["motor1_acceleration", "motor2_acceleration"]
 
 
 @pytest.mark.parametrize("words", ["serial timeout", "TIMEOUT serial", "serial_timeout"])
@@ -63,13 +60,14 @@ def test_unmatched_words_leave_no_rows(rows: ParameterFilter) -> None:
     rows.narrow(words="flux capacitor")
     assert shown(rows) == []
     rows.narrow()
-    assert len(shown(rows)) == len(SPECS.readable)
+    assert len(shown(rows)) == len(SPECS.readable) - 2
 
 
-@pytest.mark.parametrize("group", ["motors", "channels", "serial"])
-def test_selected_group_is_shown_alone(rows: ParameterFilter, group: str) -> None:
-    rows.narrow(group=group)
-    assert shown(rows) == in_groups(group)
+@pytest.mark.parametrize("task", ["ramp", "pwm", "channels"])
+def test_selected_task_is_shown_alone(rows: ParameterFilter, task: str) -> None:
+    rows.parameters.pin(["acceleration", "serial_timeout"])
+    rows.narrow(task=task)
+    assert set(shown(rows)) == of_tasks(task)
 
 
 def test_modified_only_filter_follows_the_edits(
@@ -96,26 +94,26 @@ def test_not_default_filter_shows_changed_values(
 def test_filters_are_combined(rows: ParameterFilter, model: ParameterModel) -> None:
     model.edit("motor1_acceleration", 4)
     model.edit("device_number", 9)
-    rows.narrow(words="acceleration", group="motors", modified_only=True)
-    assert shown(rows) == ["motor1_acceleration"]
+    rows.narrow(words="acceleration", task="ramp", modified_only=True)
+    assert shown(rows) == ["motor1_acceleration", "motor2_acceleration"]
 
 
 # --- Headings ---------------------------------------------------------------------------
 
 
 def headings(rows: ParameterFilter) -> list[str]:
-    return [rows.index(row, 0).data() for row in range(rows.rowCount())]
+    return [rows.index(row, 0).data() for row in range(rows.rowCount()) if not rows.keys_at(row)]
 
 
-def test_group_without_rows_has_no_heading(rows: ParameterFilter, model: ParameterModel) -> None:
+def test_task_without_rows_has_no_heading(rows: ParameterFilter, model: ParameterModel) -> None:
     rows.narrow(words="timeout")
-    assert headings(rows) == ["Serial (6)"]
+    assert headings(rows) == ["Serial"]
     rows.narrow(modified_only=True)
     assert headings(rows) == []
     model.edit("motor_mode", 1)
-    assert headings(rows) == ["Motors (17, 1 modified)"]
+    assert headings(rows) == ["Motors and speed ramp (1 modified)"]
     model.edit("ignored_channels", 3)
-    assert headings(rows) == ["Motors (17, 1 modified)", "Channels (5, 1 modified)"]
+    assert headings(rows) == ["Motors and speed ramp (1 modified)", "Inputs (1 modified)"]
     model.discard_edits()
     assert headings(rows) == []
 
@@ -133,9 +131,7 @@ def test_filter_passes_qt_model_tester_through_changes(
     qtmodeltester.check(rows, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
 
 
-def test_is_narrowed_reports_an_active_filter(rows: ParameterFilter) -> None:
-    before = rows.is_narrowed
-    rows.narrow(group="serial")
-    assert (before, rows.is_narrowed) == (False, True)
+def test_value_that_is_not_shown_has_no_index(rows: ParameterFilter) -> None:
+    rows.narrow(task="serial")
     assert not rows.index_of("motor_mode").isValid()
     assert rows.index_of("serial_timeout").data() == "0.5 s"

@@ -1,10 +1,12 @@
-"""The parameter table: groups, search, reset to defaults, both motors, with mouse and keys."""
+"""The parameter table: tasks, search, reset to defaults, both motors, with mouse and keys."""
+
+from collections.abc import Callable
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QModelIndex, Qt
 from PySide6.QtGui import QAction, QContextMenuEvent, QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
@@ -14,9 +16,8 @@ from trex_gui.devices.trex.protocol.parameters import parameters_of
 
 SPECS = parameters_of("trexjr", "1.2")
 OLDER = parameters_of("trexjr", "1.0")
-GROUPS = ["motors", "channels", "serial"]
-MOTORS, CHANNELS, SERIAL = range(3)
-FIRST = "motor1_deadband_brake_pwm"
+TASKS = ["ramp", "braking", "current", "pwm", "channels", "serial"]
+FIRST = "motor1_acceleration"
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
 with_menu = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -30,20 +31,14 @@ def parameters(qtbot: QtBot) -> ParametersDriver:
     return parameters
 
 
-def headings_span(parameters: ParametersDriver) -> bool:
-    """Return whether each heading spans all columns."""
-    rows = range(len(parameters.headings))
-    return all(parameters.view.isFirstColumnSpanned(row, QModelIndex()) for row in rows)
-
-
 def help_text(parameters: ParametersDriver) -> str:
     return parameters.text("parameterHelp")
 
 
-# --- Groups and search ------------------------------------------------------------------
+# --- Tasks and search -------------------------------------------------------------------
 
 
-def test_groups_are_open_once_a_board_is_read(qtbot: QtBot) -> None:
+def test_first_value_is_selected_once_a_board_is_read(qtbot: QtBot) -> None:
     parameters = ParametersDriver(qtbot)
     assert not parameters.has("noParameterMatches")
     assert not parameters.is_enabled("parameterSearch")
@@ -53,69 +48,46 @@ def test_groups_are_open_once_a_board_is_read(qtbot: QtBot) -> None:
     assert parameters.current == ""
 
     parameters.load(SPECS)
-    assert parameters.open_groups == GROUPS
-    assert headings_span(parameters)
+    assert [heading.data(Role.GROUP) for heading in parameters.headings] == TASKS
     assert parameters.current == FIRST
     assert parameters.view.verticalScrollBar().value() == 0, "the first heading is in sight"
 
 
-def test_closed_group_stays_closed(parameters: ParametersDriver) -> None:
+def test_all_rows_are_visible_on_a_large_screen(parameters: ParametersDriver) -> None:
+    parameters.table.resize(1400, 830)  # what a page has of 1920×1080
     view = parameters.view
-    view.collapse(parameters.headings[CHANNELS])
-    parameters.go_to("serial_timeout")
-    parameters.load(SPECS)
-    assert parameters.open_groups == ["motors", "serial"]
-    assert parameters.current == "serial_timeout"
-    assert view.currentIndex().column() == ParameterColumn.VALUE
-    view.expand(parameters.headings[CHANNELS])
-
-    view.collapse(parameters.headings[SERIAL])
-    assert view.currentIndex() == parameters.headings[SERIAL]
-    parameters.model.edit("device_number", 9)
-    assert parameters.open_groups == ["motors", "channels"]
-    assert "Serial (6, 1 modified)" in help_text(parameters)
-    parameters.load(SPECS)
-    assert view.currentIndex() == parameters.headings[SERIAL]
-    view.expand(parameters.headings[SERIAL])
-
-    parameters.go_to("uart_response_delay")
-    view.collapse(parameters.headings[MOTORS])
-    parameters.load(OLDER)
-    assert view.currentIndex() == parameters.headings[MOTORS], "not opened for its first row"
-    assert parameters.open_groups == ["channels", "serial"]
+    last = parameters.rows.index(parameters.rows.rowCount() - 1, 0)
+    assert view.viewport().rect().contains(view.visualRect(last))
+    assert view.horizontalScrollBar().maximum() == 0
 
 
-def test_search_opens_groups_until_it_ends(parameters: ParametersDriver) -> None:
+def test_motors_are_side_by_side_and_other_values_span_both(parameters: ParametersDriver) -> None:
     view = parameters.view
-    parameters.search("timeout")
-    parameters.search("")
-    assert parameters.open_groups == GROUPS
-    assert headings_span(parameters)
+    first, second = (view.visualRect(parameters.cell(f"motor{n}_current_limit")) for n in (1, 2))
+    assert (first.y(), first.right() < second.left()) == (second.y(), True)
+    whole = view.visualRect(parameters.cell("serial_timeout"))
+    assert whole.width() >= first.width() + second.width()
+    for heading in parameters.headings:
+        assert view.visualRect(heading).width() >= view.viewport().width() - 1
 
+
+def test_search_keeps_what_was_selected(parameters: ParametersDriver) -> None:
     parameters.go_to("required_channels")
     parameters.search("timeout")
     assert parameters.current == "serial_timeout"
+    assert parameters.titles == ["Serial"]
     parameters.search("flux")
     assert parameters.current == ""
     assert help_text(parameters) == ""
     parameters.search("")
     assert parameters.current == "required_channels"
 
-    view.collapse(parameters.headings[MOTORS])
-    view.collapse(parameters.headings[SERIAL])
-    parameters.search("motor")
-    assert parameters.open_groups == [row.data(Role.GROUP) for row in parameters.headings]
-    parameters.search("")
-    assert parameters.open_groups == ["channels"]
-    assert headings_span(parameters)
-
     parameters.search("timeout")
     parameters.click_cell("serial_timeout", ParameterColumn.NAME)
     parameters.search("")
-    assert parameters.current == "serial_timeout", "the row that was found stays in sight"
-    assert parameters.open_groups == ["channels", "serial"]
+    assert parameters.current == "serial_timeout"
     parameters.load(SPECS)
-    assert parameters.open_groups == ["channels", "serial"]
+    assert parameters.current == "serial_timeout"
 
 
 def test_hidden_parameters_can_be_shown(parameters: ParametersDriver) -> None:
@@ -125,13 +97,11 @@ def test_hidden_parameters_can_be_shown(parameters: ParametersDriver) -> None:
     assert parameters.has("noParameterMatches")
     parameters.click("showAllParameters")
     assert not parameters.has("noParameterMatches")
-    assert parameters.rows.shown == len(SPECS.readable)
+    assert parameters.rows.shown == parameters.model.count
 
-    parameters.view.collapse(parameters.headings[SERIAL])
     parameters.search("motor")
     parameters.table.show_parameter("serial_timeout")
     assert parameters.current == "serial_timeout"
-    assert parameters.view.isExpanded(parameters.headings[SERIAL])
     assert "Serial Timeout" in help_text(parameters)
 
 
@@ -142,7 +112,7 @@ def test_board_of_older_firmware_lacks_parameters(parameters: ParametersDriver) 
 
     group = parameters.find(QComboBox, "parameterGroup")
     parameters.load(SPECS)
-    assert [group.itemData(i) for i in range(group.count())] == ["", *GROUPS]
+    assert [group.itemData(i) for i in range(group.count())] == ["", *TASKS]
     group.setCurrentIndex(group.findData("serial"))
     parameters.load(OLDER)
     assert group.currentData() == "serial"
@@ -153,82 +123,95 @@ def test_board_of_older_firmware_lacks_parameters(parameters: ParametersDriver) 
 
 
 def test_click_on_reset_restores_the_default(parameters: ParametersDriver) -> None:
-    parameters.click_cell("serial_timeout", ParameterColumn.RESET)
-    parameters.click_cell("serial_timeout", ParameterColumn.DEFAULT)
+    parameters.click_reset("serial_timeout")
     assert not parameters.draft.undo.canUndo(), "nothing differs from the default"
+    assert not parameters.is_enabled("resetParameterButton")
 
     parameters.load(SPECS, serial_timeout=15)
-    parameters.click_cell("serial_timeout", ParameterColumn.RESET)
-    assert dict(parameters.model.pending) == {"serial_timeout": 0}
-    assert parameters.draft.undo.undoText() == "Serial Timeout"
-    parameters.draft.undo.undo()
-    assert not parameters.model.pending
+    resets: tuple[Callable[[], None], ...] = (
+        lambda: parameters.click_reset("serial_timeout"),
+        lambda: parameters.click("resetParameterButton"),
+        lambda: parameters.press(Qt.Key.Key_Backspace, CONTROL),
+    )
+    for reset in resets:
+        parameters.go_to("serial_timeout")
+        parameters.focus_view()
+        reset()
+        assert dict(parameters.model.pending) == {"serial_timeout": 0}
+        assert parameters.draft.undo.undoText() == "Serial Timeout"
+        parameters.draft.undo.undo()
+    assert not parameters.is_editing("serial_timeout")
 
     parameters.table.set_rows_enabled(False)
-    parameters.click_cell("serial_timeout", ParameterColumn.RESET)
+    parameters.click_reset("serial_timeout")
     parameters.press(Qt.Key.Key_Backspace, CONTROL)
+    assert not parameters.is_enabled("resetParameterButton")
     assert not parameters.model.pending, "disabled rows cannot be reset"
-
-
-def test_keys_reset_to_the_default(parameters: ParametersDriver) -> None:
-    parameters.load(SPECS, serial_timeout=15)
-    for key in (Qt.Key.Key_Return, Qt.Key.Key_Space):
-        parameters.go_to("serial_timeout")
-        parameters.press(Qt.Key.Key_Right)
-        assert parameters.view.currentIndex().column() == ParameterColumn.RESET
-        parameters.press(key)
-        assert dict(parameters.model.pending) == {"serial_timeout": 0}, key
-        parameters.press(Qt.Key.Key_Left)
-        assert parameters.view.currentIndex().column() == ParameterColumn.VALUE
-        parameters.draft.undo.undo()
-
-    assert not parameters.model.pending
-    parameters.go_to("serial_timeout")
-    parameters.focus_view()
-    parameters.press(Qt.Key.Key_Backspace, CONTROL)
-    assert dict(parameters.model.pending) == {"serial_timeout": 0}
 
 
 # --- Keys and mouse ---------------------------------------------------------------------
 
 
-def test_keys_navigate_collapse_expand_and_edit(parameters: ParametersDriver) -> None:
-    parameters.view.setCurrentIndex(parameters.headings[SERIAL])
-    parameters.press(Qt.Key.Key_Space)
-    assert parameters.open_groups == ["motors", "channels"]
-    parameters.press(Qt.Key.Key_Return)
-    parameters.press(Qt.Key.Key_Down)
-    assert parameters.current == "device_number"
+def test_arrow_keys_go_from_value_to_value(parameters: ParametersDriver) -> None:
+    keys = Qt.Key
+    visited = []
+    for key in (
+        *(keys.Key_Left, keys.Key_Up, keys.Key_Right, keys.Key_Down, keys.Key_Down),
+        *(keys.Key_Right, keys.Key_Down, keys.Key_Left, keys.Key_Left),
+    ):
+        parameters.press(key)
+        visited.append(parameters.current)
+    assert visited == [
+        *(FIRST, FIRST, "motor2_acceleration", "aux_acceleration", "motor_mode"),
+        *("motor_mode", "motor2_deadband_brake_pwm"),
+        *("motor1_deadband_brake_pwm", "motor1_deadband_brake_pwm"),
+    ]
+
+
+def test_keys_edit_and_search(parameters: ParametersDriver) -> None:
+    parameters.go_to("device_number")
     parameters.press(Qt.Key.Key_Down)
     parameters.press(Qt.Key.Key_Return)
     editor = parameters.editor("serial_timeout")
     QTest.keyClicks(editor, "2 s")
     QTest.keyClick(editor, Qt.Key.Key_Return)
     parameters.wait_for_value("serial_timeout", 20)
-    parameters.press(Qt.Key.Key_Up)
-    parameters.press(Qt.Key.Key_Up)
-    assert parameters.view.currentIndex().data(Role.GROUP) == "serial"
 
     parameters.focus_view()
     parameters.press(Qt.Key.Key_F, CONTROL)
     assert parameters.find(QLineEdit, "parameterSearch").hasFocus()
 
 
-def test_value_is_edited_from_any_column(parameters: ParametersDriver) -> None:
-    for column in (
-        ParameterColumn.NAME,
-        ParameterColumn.WIRE,
-        ParameterColumn.RESET,
-        ParameterColumn.EFFECT,
-    ):
-        parameters.go_to("serial_timeout", column)
-        parameters.press(Qt.Key.Key_F2)
-        assert parameters.is_editing("serial_timeout"), column
-        parameters.close_editor("serial_timeout")
-    for column in (ParameterColumn.NAME, ParameterColumn.DEFAULT, ParameterColumn.SOURCE):
-        parameters.open_with_mouse("serial_timeout", column)
-        assert parameters.view.currentIndex().column() == ParameterColumn.VALUE, column
-        parameters.close_editor("serial_timeout")
+def test_name_leads_to_the_value(parameters: ParametersDriver) -> None:
+    for key in ("serial_timeout", "motor1_current_limit"):
+        parameters.open_with_mouse(key, ParameterColumn.NAME)
+        assert parameters.current == key
+        parameters.close_editor(key)
+
+
+# --- Pinned rows ------------------------------------------------------------------------
+
+
+@with_menu
+def test_pinned_rows_are_remembered(parameters: ParametersDriver, qtbot: QtBot) -> None:
+    parameters.go_to("serial_timeout")
+    parameters.click("pinParameterButton")
+    menu_of(parameters, "motor2_current_limit")["pinParameter"].trigger()
+    assert parameters.current == "motor2_current_limit"
+
+    other = ParametersDriver(qtbot)
+    other.load(SPECS, serial_timeout=5)
+    assert other.titles[0] == "Pinned"
+    assert [other.rows.keys_at(row) for row in (1, 2)] == [
+        ("serial_timeout",),
+        ("motor1_current_limit", "motor2_current_limit"),
+    ]
+    assert other.model.count == parameters.model.count, "none is shown twice"
+    other.go_to("serial_timeout")
+    other.click("pinParameterButton")
+    other.go_to("motor1_current_limit")
+    other.click("pinParameterButton")
+    assert "Pinned" not in other.titles
 
 
 # --- Context menu -----------------------------------------------------------------------
@@ -254,7 +237,7 @@ def menu_of(parameters: ParametersDriver, key: str) -> dict[str, QAction]:
 
 @with_menu
 def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> None:
-    parameters.go_to("serial_timeout", ParameterColumn.WIRE)
+    parameters.go_to("serial_timeout")
     corner = parameters.view.pos()
     keyboard = QContextMenuEvent.Reason.Keyboard
     event = QContextMenuEvent(keyboard, corner, parameters.view.mapToGlobal(corner))
@@ -325,7 +308,7 @@ def test_both_motors_are_edited_as_one(parameters: ParametersDriver, qtbot: QtBo
     QTest.keyClick(editor, Qt.Key.Key_Return)
     parameters.wait_for_value("motor2_current_limit", 25)
     assert parameters.draft.undo.count() == 1
-    parameters.click_cell("motor2_current_limit", ParameterColumn.RESET)
+    parameters.click_reset("motor2_current_limit")
     assert not parameters.model.pending
 
     other = ParametersDriver(qtbot)
@@ -345,6 +328,7 @@ def test_help_follows_the_parameter_and_its_edits(parameters: ParametersDriver) 
     for text in ("0x13", "off to 10.16 A", "Default: 0 (off)", "The board rejects any value"):
         assert text in help_text(parameters)
     assert "Motor 2" not in help_text(parameters)
+    assert "Wire value: 0." in help_text(parameters)
     parameters.model.edit("motor2_current_limit", 25)
     assert "Motor 2 differs: 2 A." in help_text(parameters)
 
@@ -357,10 +341,20 @@ def test_help_follows_the_parameter_and_its_edits(parameters: ParametersDriver) 
 def test_rows_of_every_kind_are_painted(parameters: ParametersDriver) -> None:
     """Rows are marked, inferred, disabled and current; a fault in painting is a warning."""
     parameters.model.edit("motor1_acceleration", 4)
-    parameters.go_to("motor1_acceleration", ParameterColumn.RESET)
+    parameters.go_to("motor1_acceleration")
     parameters.focus_view()
     assert not parameters.table.grab().isNull()
     parameters.table.set_rows_enabled(False)
     assert not parameters.table.grab().isNull()
     parameters.open_file(SPECS, serial_timeout=5)
     assert not parameters.table.grab().isNull()
+
+
+def test_current_value_has_a_frame_while_the_table_has_the_focus(
+    parameters: ParametersDriver,
+) -> None:
+    cell = parameters.view.visualRect(parameters.cell(FIRST))
+    parameters.focus_view()
+    focused = parameters.view.viewport().grab(cell).toImage()
+    parameters.find(QWidget, "parameterSearch").setFocus()
+    assert parameters.view.viewport().grab(cell).toImage() != focused

@@ -17,7 +17,6 @@ from trex_gui.devices.trex.model.drive_controller import DriveController, why_th
 from trex_gui.devices.trex.model.errors import BoardEvents, ErrorLog
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
-from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.apply import Apply
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
@@ -175,8 +174,8 @@ class Device(QObject):
             return CALIBRATION_KEYS[key].label
         if key == ParameterKey.FACTORY_RESET:
             return self.tr("Reset to factory defaults")
-        index = self.parameters.index_of(key, ParameterColumn.NAME)
-        return str(index.data()) if index.isValid() else key
+        parameters = self.parameters
+        return parameters.spec_of(key).name if parameters.index_of(key).isValid() else key
 
     @property
     def is_joint(self) -> bool:

@@ -12,6 +12,8 @@ from typing import Any
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.resource_files import resource
 
+_HIGHEST_WIRE = 127
+
 
 @dataclass(frozen=True, slots=True)
 class Model:
@@ -43,6 +45,24 @@ class PwmClock:
         if not 0 <= prescaler < len(self.divisors):
             raise BadRequest(f"PWM prescaler is 0 to {len(self.divisors) - 1}, not {prescaler}")
         return self.clock / (self.divisors[prescaler] * (self.maximum(maximum_wire) + 1))
+
+    def choices(self, highest: float) -> tuple[tuple[int, int], ...]:
+        """Return prescaler and maximum of each frequency up to `highest` Hz, the slowest first.
+
+        Of several pairs for a frequency it is the one with the greatest maximum, which has the
+        finest steps of speed.
+        """
+        pairs = [
+            (prescaler, top)
+            for prescaler in range(len(self.divisors))
+            for top in range(_HIGHEST_WIRE + 1)
+            if self.frequency(prescaler, top) <= highest
+            and (
+                prescaler == 0
+                or self.frequency(prescaler, top) < self.frequency(prescaler - 1, _HIGHEST_WIRE)
+            )
+        ]
+        return tuple(sorted(pairs, key=lambda pair: self.frequency(*pair)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -99,6 +99,7 @@ class ParameterSpec:
     kind: ParameterKind
     description: str
     group: str
+    task: str
     subject: str
     minimum: int
     maximum: int
@@ -367,6 +368,7 @@ def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
         kind=kind,
         description=row["description"],
         group=row["group"],
+        task=row.get("task", row["group"]),
         subject=row.get("subject", row["group"]),
         minimum=row["min"],
         maximum=row["max"],

@@ -1,6 +1,6 @@
 """Headings, both motors as one, what a file leaves out, and what rows say in words."""
 
-from dataclasses import replace
+from itertools import pairwise
 
 import pytest
 from PySide6.QtCore import QModelIndex, Qt
@@ -11,8 +11,14 @@ from pytestqt.qtbot import QtBot
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
-from trex_gui.devices.trex.model.parameters.text import ParameterColumn
+from trex_gui.devices.trex.model.parameters.text import (
+    ParameterColumn,
+    frequency_code,
+    frequency_codes,
+    frequency_wires,
+)
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import motor_name, other_motor_key, parameters_of
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.settings.document import Settings
@@ -43,46 +49,61 @@ def file(undo: QUndoStack) -> ParameterModel:
     return model
 
 
-def said(model: ParameterModel, key: str, column: ParameterColumn, role: int = 0) -> str:
-    return str(model.index_of(key, column).data(role))
+def said(model: ParameterModel, key: str, role: int = Qt.ItemDataRole.DisplayRole) -> str:
+    return str(model.index_of(key).data(role))
+
+
+def heading(model: ParameterModel, task: str) -> QModelIndex:
+    rows = (model.index(row, 0) for row in range(model.rowCount()))
+    return next(row for row in rows if row.data(Role.GROUP) == task)
 
 
 # --- Headings ---------------------------------------------------------------------------
 
 
-def test_groups_are_listed_in_order_with_counts(model: ParameterModel) -> None:
-    texts = [model.index(row, 0).data() for row in range(model.rowCount())]
-    assert texts == ["Motors (17)", "Channels (5)", "Serial (6)"]
-    assert list(model.groups) == ["motors", "channels", "serial"]
+def test_tasks_are_listed_in_order(model: ParameterModel) -> None:
+    rows = (model.index(row, 0) for row in range(model.rowCount()))
+    titles = [row.data() for row in rows if row.data(Role.GROUP) is not None]
+    assert titles == ["Motors and speed ramp", "Braking", "Current", "PWM", "Inputs", "Serial"]
+    assert list(model.tasks.values()) == titles
 
 
 def test_heading_counts_modified_parameters(model: ParameterModel, qtbot: QtBot) -> None:
-    heading = model.index_of_group("motors")
+    current = heading(model, "current")
     reports: list[QModelIndex] = []
     model.dataChanged.connect(lambda first, _last: reports.append(first))
     model.edit("motor1_current_limit", 9)
-    model.edit("motor_mode", 1)
-    assert heading.data() == "Motors (17, 2 modified)"
-    assert heading in reports
+    model.edit("motor2_current_limit", 1)
+    assert current.data() == "Current (2 modified)"
+    assert current in reports
     model.discard_edits()
-    assert heading.data() == "Motors (17)"
+    assert current.data() == "Current"
 
 
-def test_heading_has_no_parameter_data_and_is_read_only(model: ParameterModel) -> None:
-    heading = model.index_of_group("serial")
-    assert heading.data(Role.GROUP) == "serial"
+def test_heading_has_no_parameter_data_and_is_passed_by(model: ParameterModel) -> None:
+    serial = heading(model, "serial")
     for role in Role:
         if role is not Role.GROUP:
-            assert heading.data(role) is None
-    assert heading.siblingAtColumn(ParameterColumn.VALUE).data() is None
-    assert not heading.flags() & Qt.ItemFlag.ItemIsEditable
-    assert not model.setData(heading.siblingAtColumn(ParameterColumn.VALUE), 3)
-    assert not model.index_of_group("nonsense").isValid()
+            assert serial.data(role) is None
+    value = serial.siblingAtColumn(ParameterColumn.MOTOR1)
+    assert value.data() is None
+    assert not serial.flags()
+    assert not model.setData(value, 3)
 
 
-def test_rows_have_their_group_as_parent(model: ParameterModel) -> None:
-    for spec in SPECS.readable:
-        assert model.index_of(spec.key).parent() == model.index_of_group(spec.group)
+def test_pinned_rows_come_first_in_their_own_order(model: ParameterModel) -> None:
+    model.pin(["serial_timeout", "current_limit", "not_a_key"])
+    keys = [model.keys_at(row) for row in range(4)]
+    limits = ("motor1_current_limit", "motor2_current_limit")
+    assert keys[:3] == [(), ("serial_timeout",), limits]
+    assert heading(model, "pinned").row() == 0
+    model.edit("serial_timeout", 5)
+    assert heading(model, "pinned").data() == "Pinned (1 modified)"
+    assert heading(model, "serial").data() == "Serial"
+    model.toggle_pin("motor2_current_limit")
+    assert model.pinned == ("serial_timeout", "not_a_key")
+    assert not model.is_pinned("motor1_current_limit")
+    assert model.is_pinned("serial_timeout")
 
 
 def test_grouped_model_passes_qt_model_tester(
@@ -102,10 +123,7 @@ def test_grouped_model_passes_qt_model_tester(
 
 def test_reset_to_default_is_an_edit(model: ParameterModel, undo: QUndoStack) -> None:
     model.load(SPECS, FACTORY | {"serial_timeout": 15}, {}, power_cycled=True)
-    assert (
-        said(model, "serial_timeout", ParameterColumn.RESET, Role.RESET)
-        == "Reset to default: 0 (off)"
-    )
+    assert said(model, "serial_timeout", Role.RESET) == "Reset to default: 0 (off)"
     model.reset("serial_timeout")
     assert dict(model.pending) == {"serial_timeout": 0}
     assert model.index_of("serial_timeout").data(Role.RESET) is None
@@ -117,7 +135,7 @@ def test_restoring_the_stored_value_is_one_undo_step(
     model: ParameterModel, undo: QUndoStack
 ) -> None:
     model.edit("device_number", 9)
-    assert "Stored: 7." in said(model, "device_number", ParameterColumn.VALUE, TIP)
+    assert "Stored: 7." in said(model, "device_number", TIP)
     model.restore("device_number")
     assert not model.pending
     undo.undo()
@@ -190,11 +208,9 @@ def test_invalid_value_changes_neither_motor(model: ParameterModel) -> None:
 
 
 def test_differing_motor_value_is_shown_and_can_be_copied(model: ParameterModel) -> None:
-    assert "differs" not in said(model, "motor1_current_limit", ParameterColumn.VALUE, TIP)
+    assert "differs" not in said(model, "motor1_current_limit", TIP)
     model.edit("motor2_current_limit", 25)
-    assert "Motor 2 differs: 2 A." in said(
-        model, "motor1_current_limit", ParameterColumn.VALUE, TIP
-    )
+    assert "Motor 2 differs: 2 A." in said(model, "motor1_current_limit", TIP)
     model.copy_to_other_motor("motor2_current_limit")
     assert model.value_of("motor1_current_limit") == 25
 
@@ -233,14 +249,13 @@ def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
 
 
 def test_adding_a_parameter_to_a_file_can_be_undone(file: ParameterModel, undo: QUndoStack) -> None:
-    assert said(file, "motor_mode", ParameterColumn.VALUE) == "not given"
-    assert said(file, "motor_mode", ParameterColumn.WIRE) == ""
+    assert said(file, "motor_mode") == "not given"
     assert file.index_of("motor_mode").data(Role.RESET) is None
     file.edit("motor_mode", 0)
     assert dict(file.pending) == {"motor_mode": 0}
     assert file.all_shown["motor_mode"] == 0
     undo.undo()
-    assert said(file, "motor_mode", ParameterColumn.VALUE) == "not given"
+    assert said(file, "motor_mode") == "not given"
     assert not file.modified
     assert "motor_mode" not in file.all_shown
 
@@ -308,8 +323,7 @@ def test_values_are_shown_in_physical_units(model: ParameterModel) -> None:
         ("motor1_acceleration", 4, "3.2 s to full speed"),
         ("motor1_acceleration", 127, "0.1 s to full speed"),
         ("motor1_acceleration", 0, "no ramp"),
-        ("motor1_pwm_maximum", 63, "127 (2441 Hz)"),
-        ("motor1_pwm_prescaler", 1, "clock / 64 (2441 Hz)"),
+        ("aux_pwm_maximum", 63, "127"),
         ("motor1_brake_duration", 12, "120 ms"),
         ("motor1_deadband_brake_pwm", 127, "100 %"),
         ("serial_timeout", 15, "1.5 s"),
@@ -318,54 +332,96 @@ def test_values_are_shown_in_physical_units(model: ParameterModel) -> None:
         ("required_channels", 5, "channels 1, 3"),
     ):
         model.edit(key, wire)
-        assert said(model, key, ParameterColumn.VALUE) == text
-        assert said(model, key, ParameterColumn.WIRE) == str(wire)
+        assert said(model, key) == text
 
 
-def test_prescaler_edit_updates_the_pwm_maximum_row(model: ParameterModel) -> None:
-    reports: list[str] = []
-    model.dataChanged.connect(
-        lambda first, _last: reports.append(first.siblingAtColumn(ParameterColumn.NAME).data())
-    )
-    model.edit("motor1_pwm_prescaler", 0)
-    assert "Motor 1 PWM Maximum" in reports
-
-
-def test_unknown_prescaler_shows_no_frequency(model: ParameterModel) -> None:
-    model.load(SPECS, FACTORY | {"motor1_pwm_prescaler": 9}, {}, power_cycled=True)
-    assert said(model, "motor1_pwm_maximum", ParameterColumn.VALUE) == "127"
-    assert said(model, "motor1_pwm_prescaler", ParameterColumn.VALUE) == "wire 9"
-
-
-def test_source_column_names_what_is_inferred(model: ParameterModel) -> None:
-    for key, text, reports in (
-        ("device_number", "range inferred", "default is confirmed"),
-        ("serial_timeout", "default inferred", "range is confirmed"),
-        ("motor1_current_limit", "inferred", "The board rejects any value"),
-        ("uart_settings", "inferred", "The meaning of the wire values is inferred"),
+def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel) -> None:
+    about = model.text.about
+    for key, reports in (
+        ("device_number", "The default is confirmed by the vendor; the range is inferred."),
+        ("serial_timeout", "The range is confirmed by the vendor; the default is inferred."),
+        ("motor1_current_limit", "The board rejects any value"),
+        ("uart_settings", "The meaning of the wire values is inferred"),
+        ("uart_settings", "Wire value: 5. "),
+        ("uart_settings", "Default: 5 (19200 baud"),
+        ("motor1_acceleration", "0.1 to 12.7 s to full speed, or no ramp (wire value 0 to 127)"),
+        ("motor_mode", "Takes effect when the board is switched off and on."),
+        ("motor1_pwm_maximum", "Wire value: prescaler 1, maximum 63. Range: 76 Hz to 10000 Hz. "),
     ):
-        assert said(model, key, ParameterColumn.SOURCE) == text
-        assert reports in said(model, key, ParameterColumn.SOURCE, TIP)
+        assert reports in " ".join(about(key)), key
+    assert "off and on" not in " ".join(about("serial_timeout"))
 
 
-def test_fully_confirmed_parameter_has_vendor_as_source(model: ParameterModel) -> None:
-    spec = replace(SPECS["serial_timeout"], inferred=frozenset())
-    assert model.text.source(spec) == "vendor"
-    assert "confirm" in model.text.origin(spec)
-    assert "last word" not in model.text.origin(spec)
-
-
-def test_tool_tips_give_details_of_each_column(model: ParameterModel) -> None:
-    assert "wire value 0 to 127" in said(model, "motor1_acceleration", ParameterColumn.RANGE, TIP)
-    assert "0.1 to 12.7 s" in said(model, "motor1_acceleration", ParameterColumn.RANGE, TIP)
-    assert "5 (19200 baud" in said(model, "uart_settings", ParameterColumn.DEFAULT, TIP)
-    assert "off and on" in said(model, "motor_mode", ParameterColumn.EFFECT, TIP)
-    assert "as soon as" in said(model, "serial_timeout", ParameterColumn.EFFECT, TIP)
-    assert "Motor 1 Current Limit" in said(model, "motor1_current_limit", ParameterColumn.NAME, TIP)
-    assert model.index_of("serial_timeout", ParameterColumn.RESET).data(TIP) is None
+def test_tool_tips_name_the_value_and_the_problem(model: ParameterModel) -> None:
+    assert "Motor 1 Current Limit" in said(model, "motor1_current_limit", TIP)
     model.edit("serial_timeout", 15)
-    assert said(model, "serial_timeout", ParameterColumn.RESET, TIP) == "Reset to default: 0 (off)"
-    spoken = Qt.ItemDataRole.AccessibleTextRole
-    assert (
-        said(model, "serial_timeout", ParameterColumn.RESET, spoken) == "Reset to default: 0 (off)"
+    assert "Stored: 0 (off)." in said(model, "serial_timeout", TIP)
+    assert said(model, "serial_timeout", Role.RESET) == "Reset to default: 0 (off)"
+
+
+# --- PWM frequency ----------------------------------------------------------------------
+
+
+def test_prescaler_and_maximum_are_one_value(
+    model: ParameterModel, undo: QUndoStack, qtbot: QtBot
+) -> None:
+    cell = model.index_of("motor1_pwm_prescaler")
+    assert cell == model.index_of("motor1_pwm_maximum")
+    assert cell.siblingAtColumn(ParameterColumn.NAME).data() == "PWM Frequency"
+    assert cell.data() == "2441 Hz"
+    assert model.setData(cell, frequency_code(0, 127))
+    assert dict(model.pending) == {"motor1_pwm_prescaler": 0, "motor1_pwm_maximum": 127}
+    assert (cell.data(), undo.count(), undo.undoText()) == ("9766 Hz", 1, "Motor 1 PWM Frequency")
+    assert "Stored: prescaler 1, maximum 63 (2441 Hz)." in said(model, "motor1_pwm_maximum", TIP)
+    with qtbot.waitSignal(model.rejected):
+        assert not model.setData(cell, frequency_code(9, 63))
+    model.copy_to_other_motor("motor1_pwm_maximum")
+    assert said(model, "motor2_pwm_maximum") == "9766 Hz"
+    model.both_motors = True
+    model.reset("motor2_pwm_prescaler")
+    assert not model.pending
+    assert undo.undoText() == "Motors 1 and 2 PWM Frequency"
+    undo.undo()
+    assert len(model.pending) == 4
+    model.restore("motor1_pwm_maximum")
+    assert not model.pending
+
+
+def test_edit_of_the_prescaler_alone_is_shown(model: ParameterModel) -> None:
+    """As where a settings file or a finding changes it."""
+    cell = model.index_of("motor1_pwm_maximum")
+    reports: list[int] = []
+    model.dataChanged.connect(lambda first, _last: reports.append(first.row()))
+    model.edit("motor1_pwm_prescaler", 0)
+    assert cell.data() == "19531 Hz"
+    assert cell.row() in reports
+    assert cell.data(Role.DIRTY) is True
+
+
+def test_frequency_that_no_choice_gives_is_shown_as_it_is(model: ParameterModel) -> None:
+    for prescaler, maximum, shown in (
+        (9, 63, "prescaler 9, maximum 63"),
+        (0, 0, "1250000 Hz"),
+        (3, 3, "2441 Hz"),
+    ):
+        values = {"motor1_pwm_prescaler": prescaler, "motor1_pwm_maximum": maximum}
+        model.load(SPECS, FACTORY | values, {}, power_cycled=True)
+        cell = model.index_of("motor1_pwm_maximum")
+        assert cell.data() == shown
+        assert frequency_wires(cell.data(Qt.ItemDataRole.EditRole)) == (prescaler, maximum)
+    unread = {key: wire for key, wire in FACTORY.items() if key != "motor1_pwm_prescaler"}
+    model.load(SPECS, unread, {"motor1_pwm_prescaler": "No reply."}, power_cycled=True)
+    cell = model.index_of("motor1_pwm_maximum")
+    assert (cell.data(), cell.data(Role.PROBLEM)) == ("not read", "No reply.")
+    assert not cell.flags() & Qt.ItemFlag.ItemIsEditable
+
+
+def test_choices_are_the_frequencies_that_suit_the_driver() -> None:
+    junior, large = (
+        [device_table().pwm.frequency(*frequency_wires(code)) for code in frequency_codes(model)]
+        for model in device_table().models[::-1]
     )
+    for hertz, highest in ((junior, 10_000), (large, 20_000)):
+        assert hertz == sorted(set(hertz))
+        assert max(hertz) <= highest
+        assert max(after / before for before, after in pairwise(hertz)) < 1.07

@@ -1,7 +1,6 @@
 """The parameter table as Qt sees it."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QModelIndex, Qt
@@ -17,7 +16,7 @@ from trex_gui.devices.trex.model.parameters.text import (
     acceleration_wire,
 )
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec, parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
 
 SPECS = parameters_of("trex", "1.2")
 JUNIOR = parameters_of("trexjr", "1.2")
@@ -46,8 +45,8 @@ def model(qtbot: QtBot) -> ParameterModel:
     return model
 
 
-def text(model: ParameterModel, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> str:
-    return str(model.index_of(key, column).data())
+def text(model: ParameterModel, key: str) -> str:
+    return str(model.index_of(key).data())
 
 
 def edit(model: ParameterModel, key: str, wire: object) -> bool:
@@ -79,27 +78,20 @@ def test_model_passes_qt_model_tester_through_changes(
     qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
 
 
-def test_each_parameter_has_a_row_and_each_column_a_name(
-    model: ParameterModel,
-) -> None:
-    assert model.count == len(SPECS.readable)
-    assert sum(model.rowCount(model.index(row, 0)) for row in range(3)) == model.count
+def test_each_parameter_has_a_cell_and_each_column_a_name(model: ParameterModel) -> None:
+    cells = {model.index_of(spec.key) for spec in SPECS.readable}
+    assert len(cells) == len(SPECS.readable) - 2, "prescaler and maximum of a motor are one"
+    rows = {(cell.row(), cell.column()) for cell in cells}
+    assert {column for _, column in rows} == {ParameterColumn.MOTOR1, ParameterColumn.MOTOR2}
+    assert len({row for row, _ in rows}) == model.count
     assert model.columnCount() == len(ParameterColumn)
     horizontal = Qt.Orientation.Horizontal
-    named = [column for column in ParameterColumn if column is not ParameterColumn.RESET]
-    assert all(model.headerData(column, horizontal) for column in named)
-    spoken = Qt.ItemDataRole.AccessibleTextRole
-    assert model.headerData(ParameterColumn.RESET, horizontal, spoken) == "Reset to default"
+    assert all(model.headerData(column, horizontal) for column in ParameterColumn)
     assert model.headerData(0, Qt.Orientation.Vertical) is None
 
 
 def test_model_is_empty_before_a_board_is_read(qtbot: QtBot) -> None:
     assert ParameterModel().rowCount() == 0
-
-
-def test_parameters_have_no_children(model: ParameterModel) -> None:
-    for spec in SPECS.readable:
-        assert model.rowCount(model.index_of(spec.key, ParameterColumn.NAME)) == 0
 
 
 def test_unknown_key_has_no_index(model: ParameterModel) -> None:
@@ -110,33 +102,27 @@ def test_unknown_key_has_no_index(model: ParameterModel) -> None:
 # --- What is shown ----------------------------------------------------------------------
 
 
-def test_row_shows_value_wire_default_and_effect(model: ParameterModel) -> None:
+def test_row_shows_name_and_value(model: ParameterModel) -> None:
     load(model, factory() | {"serial_timeout": 15})
-    assert text(model, "serial_timeout", ParameterColumn.NAME) == "Serial Timeout"
-    assert text(model, "serial_timeout") == "1.5 s"
-    assert text(model, "serial_timeout", ParameterColumn.WIRE) == "15"
-    assert text(model, "serial_timeout", ParameterColumn.EFFECT) == "at once"
-    assert text(model, "motor_mode", ParameterColumn.EFFECT) == "power cycle"
-    default = SPECS["serial_timeout"]
-    assert text(model, "serial_timeout", ParameterColumn.DEFAULT) == default.text(default.default)
-    assert text(model, "serial_timeout", ParameterColumn.RANGE) == default.short_range()
+    cell = model.index_of("serial_timeout")
+    assert cell.siblingAtColumn(ParameterColumn.NAME).data() == "Serial Timeout"
+    assert cell.data() == "1.5 s"
+    assert cell.data(Qt.ItemDataRole.AccessibleTextRole) == "Serial Timeout: 1.5 s."
+    limit = model.index_of("motor2_current_limit")
+    assert limit.siblingAtColumn(ParameterColumn.NAME).data() == "Current Limit"
+    edit(model, "motor2_current_limit", 10)
+    spoken = limit.data(Qt.ItemDataRole.AccessibleTextRole)
+    assert spoken == "Motor 2 Current Limit: 3 A. Stored: 0 (off). Motor 1 differs: off."
 
 
-def test_each_cell_except_reset_has_a_text(qtbot: QtBot) -> None:
+def test_each_cell_has_a_text(qtbot: QtBot) -> None:
     for specs in (SPECS, JUNIOR, parameters_of("trex", "1.0")):
         model = ParameterModel()
         load(model, factory(specs), specs)
         for spec in specs.readable:
-            for column in ParameterColumn:
-                empty = model.index_of(spec.key, column).data() in {None, ""}
-                assert empty == (column is ParameterColumn.RESET)
-
-
-def test_pwm_maximum_shows_the_resulting_frequency(model: ParameterModel) -> None:
-    before = text(model, "motor1_pwm_maximum")
-    assert "Hz" in before
-    edit(model, "motor1_pwm_prescaler", (SPECS["motor1_pwm_prescaler"].default + 1) % 4)
-    assert text(model, "motor1_pwm_maximum") != before
+            cell = model.index_of(spec.key)
+            assert cell.data()
+            assert cell.siblingAtColumn(ParameterColumn.NAME).data()
 
 
 def test_acceleration_shows_the_time_to_full_speed(model: ParameterModel) -> None:
@@ -155,7 +141,6 @@ def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
     del stored["serial_timeout"]
     load(model, stored, unread={"serial_timeout": "No reply to 9F 07."})
     assert text(model, "serial_timeout") == "not read"
-    assert text(model, "serial_timeout", ParameterColumn.WIRE) == ""
     assert of(model, "serial_timeout", Role.PROBLEM) == "No reply to 9F 07."
     assert "No reply to 9F 07." in str(
         model.index_of("serial_timeout").data(Qt.ItemDataRole.ToolTipRole)
@@ -191,7 +176,11 @@ def test_edit_to_stored_value_is_not_pending(model: ParameterModel) -> None:
     assert of(model, "serial_timeout", Role.DIRTY) is False
 
 
-@pytest.mark.parametrize("spec", SPECS.readable, ids=lambda spec: spec.key)
+@pytest.mark.parametrize(
+    "spec",
+    [spec for spec in SPECS.readable if not spec.key.startswith(("motor1_pwm", "motor2_pwm"))],
+    ids=lambda spec: spec.key,
+)
 def test_invalid_wire_value_is_rejected_with_a_reason(
     model: ParameterModel, qtbot: QtBot, spec: object
 ) -> None:
@@ -212,11 +201,8 @@ def test_non_numeric_value_is_rejected(
     assert model.pending == ()
 
 
-@pytest.mark.parametrize(
-    "column", [column for column in ParameterColumn if column is not ParameterColumn.VALUE]
-)
-def test_only_the_value_column_is_editable(model: ParameterModel, column: ParameterColumn) -> None:
-    index = model.index_of("serial_timeout", column)
+def test_name_is_not_editable(model: ParameterModel) -> None:
+    index = model.index_of("serial_timeout").siblingAtColumn(ParameterColumn.NAME)
     assert not index.flags() & Qt.ItemFlag.ItemIsEditable
     assert not model.setData(index, 9)
 
@@ -324,8 +310,7 @@ def test_edit_missing_in_older_firmware_is_dropped(model: ParameterModel) -> Non
     assert not model.index_of("uart_response_delay").isValid()
 
 
-def test_row_carries_its_specification(model: ParameterModel) -> None:
-    spec = of(model, "serial_timeout", Role.SPEC)
-    assert isinstance(spec, ParameterSpec)
-    assert spec == replace(SPECS["serial_timeout"])
-    assert model.index_of("serial_timeout").data(Qt.ItemDataRole.EditRole) == spec.default
+def test_cell_carries_its_key_and_number(model: ParameterModel) -> None:
+    assert of(model, "serial_timeout", Role.KEY) == "serial_timeout"
+    cell = model.index_of("serial_timeout")
+    assert cell.data(Qt.ItemDataRole.EditRole) == SPECS["serial_timeout"].default

@@ -1,11 +1,12 @@
 """The parameters of a board or a file with their edits, as a Qt model."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
 
 from PySide6.QtCore import (
-    QAbstractItemModel,
+    QAbstractTableModel,
     QModelIndex,
     QObject,
     QPersistentModelIndex,
@@ -17,7 +18,12 @@ from PySide6.QtGui import QUndoStack
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.parameters.draft import Draft
-from trex_gui.devices.trex.model.parameters.text import ParameterColumn, ParameterText, pwm_partner
+from trex_gui.devices.trex.model.parameters.text import (
+    ParameterColumn,
+    ParameterText,
+    frequency_code,
+    frequency_wires,
+)
 from trex_gui.devices.trex.protocol.parameters import (
     ParameterSet,
     ParameterSpec,
@@ -29,12 +35,13 @@ from trex_gui.ui.translations import error_sentence
 
 Index = QModelIndex | QPersistentModelIndex
 
-_COLUMN = tuple(ParameterColumn)
-_COLUMNS = len(_COLUMN)
+_COLUMNS = len(ParameterColumn)
+_GROUPS = ("motors", "channels", "serial", "system")  # in the order of settings files
+_PINNED = "pinned"  # the group of the rows that the user keeps at the top
 
 # Made once, and looked at first: Qt asks a thousand times whenever the table is painted.
-_HEADING = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled
-_FIXED = _HEADING | Qt.ItemFlag.ItemNeverHasChildren
+_HEADING = Qt.ItemFlag.NoItemFlags  # keys pass it by
+_FIXED = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemNeverHasChildren
 _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
 _LEFT_TO_THE_STYLE = frozenset(
     {
@@ -51,11 +58,11 @@ _LEFT_TO_THE_STYLE = frozenset(
 class Role(IntEnum):
     """Data of a cell besides its text; a heading has GROUP only.
 
-    WAITING is the wire value that stays active until the next power cycle, RESET the effect of
-    a reset to the default; both are `None` where nothing differs.
+    RESET is the effect of a reset to the default, `None` where nothing differs. The name of a row
+    has the data of its first value.
     """
 
-    SPEC = Qt.ItemDataRole.UserRole
+    KEY = Qt.ItemDataRole.UserRole
     DIRTY = Qt.ItemDataRole.UserRole + 1
     WAITING = Qt.ItemDataRole.UserRole + 2
     PROBLEM = Qt.ItemDataRole.UserRole + 3
@@ -63,8 +70,30 @@ class Role(IntEnum):
     RESET = Qt.ItemDataRole.UserRole + 5
 
 
-class ParameterModel(QAbstractItemModel):
-    """Groups with a heading each, below it one row per parameter; edits go over an undo stack."""
+@dataclass(frozen=True, slots=True)
+class _Row:
+    """A heading, or one setting: of motors 1 and 2, or of the board in `keys[0]` alone."""
+
+    group: str
+    name: str = ""
+    keys: tuple[str, ...] = ()
+
+
+def _pin(keys: Sequence[str]) -> str:
+    """Return what a pinned row is remembered by: its key, without the motor."""
+    return keys[0].removeprefix("motor1_")
+
+
+def _number(wires: Sequence[int]) -> int:
+    return wires[0] if len(wires) == 1 else frequency_code(*wires)
+
+
+class ParameterModel(QAbstractTableModel):
+    """Headings and rows of settings, one column for each motor; edits go over an undo stack.
+
+    Prescaler and maximum of a PWM are one value in the table, its frequency: that of the key of
+    either, and a number (`frequency_code`) in the edit role.
+    """
 
     pending_changed = Signal(int)  # the number of edits
     rejected = Signal(str)  # why an edit was rejected, for the user
@@ -73,26 +102,33 @@ class ParameterModel(QAbstractItemModel):
         super().__init__(parent)
         self._undo = undo or QUndoStack(self)
         self._specs: dict[str, ParameterSpec] = {}
-        self._groups: tuple[tuple[str, tuple[ParameterSpec, ...]], ...] = ()
-        self._places: dict[str, tuple[int, int]] = {}
+        self._rows: list[_Row] = []
+        self._places: dict[str, tuple[int, int]] = {}  # row and column
+        self._pinned: tuple[str, ...] = ()
         self._draft = Draft()
         self._problems: dict[str, str] = {}
         self.text = ParameterText(self._specs, self._draft, self._problems, self)
         self.model_key = ""  # the kind of board that the rows belong to; empty before the first
         self.both_motors = False  # whether an edit for one motor is made for the other, too
-        self._headers = (
-            self.tr("Parameter"),
-            self.tr("Value"),
-            self.tr("Wire"),
-            "",
-            self.tr("Default"),
-            self.tr("Range"),
-            self.tr("Source"),
-            self.tr("Takes effect"),
-        )
+        self._headers = (self.tr("Parameter"), self.tr("Motor 1"), self.tr("Motor 2"))
+        self._sources: dict[int, Callable[[str], Any]] = {  # of the data of a value, by role
+            Qt.ItemDataRole.DisplayRole: self.text.value,
+            Qt.ItemDataRole.EditRole: self._number,
+            Qt.ItemDataRole.ToolTipRole: self.text.tool_tip,
+            Qt.ItemDataRole.AccessibleTextRole: self.text.spoken,
+            Role.KEY: str,
+            Role.DIRTY: self._is_dirty,
+            Role.WAITING: self._waiting,
+            Role.PROBLEM: self._problem,
+            Role.RESET: self._reset_text,
+        }
         self._titles = {
-            "motors": self.tr("Motors"),
-            "channels": self.tr("Channels"),
+            _PINNED: self.tr("Pinned"),
+            "ramp": self.tr("Motors and speed ramp"),
+            "braking": self.tr("Braking"),
+            "current": self.tr("Current"),
+            "pwm": self.tr("PWM"),
+            "channels": self.tr("Inputs"),
             "serial": self.tr("Serial"),
             "system": self.tr("System"),
         }
@@ -116,7 +152,11 @@ class ParameterModel(QAbstractItemModel):
         """
         pending = self.modified
         self.beginResetModel()
-        self._arrange(specs.readable)
+        self._specs.clear()
+        for spec in sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group)):
+            self._specs[spec.key] = spec
+        self.text.set_board(specs.model)
+        self._arrange()
         self._draft.load(
             stored,
             keep_edits=specs.model.key == self.model_key,
@@ -133,16 +173,47 @@ class ParameterModel(QAbstractItemModel):
         if pending != self.modified:
             self._announce_pending()
 
-    def _arrange(self, specs: Sequence[ParameterSpec]) -> None:
-        """Put parameters into their groups; empty groups are left out."""
-        groups = ((group, tuple(s for s in specs if s.group == group)) for group in self._titles)
-        self._groups = tuple((group, members) for group, members in groups if members)
-        self._specs.clear()
-        self._places.clear()
-        for number, (_, members) in enumerate(self._groups):
-            for row, spec in enumerate(members):
-                self._specs[spec.key] = spec
-                self._places[spec.key] = number, row
+    def _arrange(self) -> None:
+        """Make the rows of the parameters: those pinned first, the others by task."""
+        groups: dict[str, list[_Row]] = {group: [] for group in self._titles}
+        for key, spec in self._specs.items():
+            is_named_by_another = key != self.text.together(key)[-1] or key.startswith("motor2_")
+            if not is_named_by_another:
+                other = other_motor_key(key)
+                name = self.text.title(key).removeprefix(motor_name(key)).strip()
+                keys = (key,) if other is None else (key, other)
+                group = _PINNED if _pin(keys) in self._pinned else spec.task
+                groups[group].append(_Row(group, name, keys))
+        groups[_PINNED].sort(key=lambda row: self._pinned.index(_pin(row.keys)))
+        self._rows = []
+        for group, rows in groups.items():
+            if rows:
+                self._rows += [_Row(group, self._titles[group]), *rows]
+        self._places = {
+            each: (place, column)
+            for place, row in enumerate(self._rows)
+            for column, key in enumerate(row.keys, ParameterColumn.MOTOR1)
+            for each in self.text.together(key)
+        }
+
+    @property
+    def pinned(self) -> tuple[str, ...]:
+        """Keys of the rows that are kept at the top, without the motor."""
+        return self._pinned
+
+    def pin(self, keys: Iterable[str]) -> None:
+        self.beginResetModel()
+        self._pinned = tuple(keys)
+        self._arrange()
+        self.endResetModel()
+
+    def is_pinned(self, key: str) -> bool:
+        return self._rows[self._places[key][0]].group == _PINNED
+
+    def toggle_pin(self, key: str) -> None:
+        pin = _pin(self._rows[self._places[key][0]].keys)
+        others = [each for each in self._pinned if each != pin]
+        self.pin(others if self.is_pinned(key) else [*others, pin])
 
     def note_stored(self, stored: Mapping[str, int]) -> None:
         """Take the stored values after a verified write."""
@@ -165,12 +236,14 @@ class ParameterModel(QAbstractItemModel):
 
     @property
     def count(self) -> int:
-        return len(self._specs)
+        """The number of settings, one for both motors."""
+        return sum(bool(row.keys) for row in self._rows)
 
     @property
-    def groups(self) -> dict[str, str]:
-        """The titles of the groups that have parameters, by group."""
-        return {group: self._titles[group] for group, _ in self._groups}
+    def tasks(self) -> dict[str, str]:
+        """The titles of the tasks that have parameters, by task."""
+        tasks = {spec.task for spec in self._specs.values()}
+        return {task: title for task, title in self._titles.items() if task in tasks}
 
     @property
     def pending(self) -> tuple[tuple[str, int], ...]:
@@ -219,6 +292,10 @@ class ParameterModel(QAbstractItemModel):
         """Whether a parameter can be edited: it was read, or is optional."""
         return key in self._specs and self._draft.accepts(key)
 
+    def is_editable(self, key: str) -> bool:
+        """Whether a value of the table can be edited."""
+        return all(self.can_edit(each) for each in self.text.together(key))
+
     def can_leave_out(self, key: str) -> bool:
         return key in self._draft.optional and self.value_of(key) is not None
 
@@ -242,44 +319,60 @@ class ParameterModel(QAbstractItemModel):
         """
         if not self.can_edit(key):
             raise KeyError(key)
-        if wire == self.value_of(key):
+        self._edit({key: wire}, (key,) if alone else self._with_other_motor((key,)))
+
+    def edit_frequency(self, key: str, code: int) -> None:
+        """Edit prescaler and maximum of a PWM in one step; see `edit`."""
+        keys = self.text.together(key)
+        self._edit(dict(zip(keys, frequency_wires(code), strict=True)), self._all_with(key))
+
+    def _edit(self, values: Mapping[str, int], keys: Sequence[str]) -> None:
+        """Edit values; the other motor's keys get the values of their counterparts."""
+        if all(wire == self.value_of(key) for key, wire in values.items()):
             return  # an editor that was opened and left does not edit the other motor either
-        keys = (key,) if alone else self._with_other_motor(key)
-        for each in keys:
-            if wire != self.stored_of(each):
-                self._specs[each].check(wire)
-        self._change(dict.fromkeys(keys, wire))
+        wanted = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
+        for key, wire in wanted.items():
+            if wire != self.stored_of(key):
+                self._specs[key].check(wire)
+        self._change(wanted)
 
     def reset(self, key: str) -> None:
-        if self.can_edit(key):
-            self.edit(key, self._specs[key].default)
+        if self.is_editable(key):
+            self._change({each: self._specs[each].default for each in self._all_with(key)})
 
     def restore(self, key: str) -> None:
         """Go back to the stored value; with `both_motors`, each to its own."""
-        if self.can_edit(key):
-            self._change({each: self.stored_of(each) for each in self._with_other_motor(key)})
+        if self.is_editable(key):
+            self._change({each: self.stored_of(each) for each in self._all_with(key)})
 
     def leave_out(self, key: str) -> None:
         if self.can_leave_out(key):
-            keys = filter(self.can_leave_out, self._with_other_motor(key))
-            self._change(dict.fromkeys(keys))
+            self._change(dict.fromkeys(filter(self.can_leave_out, self._all_with(key))))
 
     def copy_to_other_motor(self, key: str) -> None:
-        other_motor, wire = self.other_motor_of(key), self.value_of(key)
-        if other_motor is not None and wire is not None:
-            self._change({other_motor: wire})
+        self._change(
+            {
+                other: self.value_of(each)
+                for each in self.text.together(key)
+                if (other := self.other_motor_of(each)) and self.value_of(each) is not None
+            }
+        )
 
     def discard_edits(self) -> None:
         """Go back to the stored values, one undo step for each."""
         for key in self.modified:
             self._change({key: self.stored_of(key)})
 
-    def _with_other_motor(self, key: str) -> tuple[str, ...]:
-        other_motor = self.other_motor_of(key) if self.both_motors else None
-        return (key,) if other_motor is None else (key, other_motor)
+    def _with_other_motor(self, keys: Sequence[str]) -> tuple[str, ...]:
+        others = map(self.other_motor_of, keys if self.both_motors else ())
+        return (*keys, *filter(None, others))
+
+    def _all_with(self, key: str) -> tuple[str, ...]:
+        """Return the keys of a value of the table, with `both_motors` those of both."""
+        return self._with_other_motor(self.text.together(key))
 
     def _change(self, wanted: Mapping[str, int | None]) -> None:
-        """Push edits of the values that differ; two motors' edits are one undo step."""
+        """Push edits of the values that differ, as one undo step."""
         edits = [
             Edit(self._specs[key].name, self._put, key, before, wire)
             for key, wire in wanted.items()
@@ -287,8 +380,10 @@ class ParameterModel(QAbstractItemModel):
         ]
         if len(edits) > 1:
             key = next(iter(wanted))
-            name = self._specs[key].name.removeprefix(motor_name(key))
-            self._undo.beginMacro(self.tr("Motors 1 and 2{0}").format(name))
+            title, motor = self.text.title(key), motor_name(key)
+            if any(motor_name(other) != motor for other in wanted):
+                title = self.tr("Motors 1 and 2{0}").format(title.removeprefix(motor))
+            self._undo.beginMacro(title)
         for each in edits:
             self._undo.push(each)
         if len(edits) > 1:
@@ -306,125 +401,97 @@ class ParameterModel(QAbstractItemModel):
 
     # --- Qt -----------------------------------------------------------------------------
 
-    def index_of(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> QModelIndex:
-        """Return the cell of a parameter, invalid when there is none."""
+    def index_of(self, key: str) -> QModelIndex:
+        """Return the cell with the value of a parameter, invalid when there is none."""
         place = self._places.get(key)
-        return QModelIndex() if place is None else self._cell(*place, column)
-
-    def index_of_group(self, group: str) -> QModelIndex:
-        """Return the heading of a group, invalid when there is none."""
-        groups = list(self.groups)
-        return self.index(groups.index(group), 0) if group in groups else QModelIndex()
-
-    def _cell(self, group: int, row: int, column: int) -> QModelIndex:
-        return self.createIndex(row, column, group + 1)  # a heading has 0
-
-    def _spec_at(self, index: Index) -> ParameterSpec | None:
-        """Return the parameter of a cell; `None` for a heading or an invalid index."""
-        group = index.internalId() if index.isValid() else 0
-        return self._groups[group - 1][1][index.row()] if group else None
-
-    def index(self, row: int, column: int, parent: Index | None = None) -> QModelIndex:
-        if not (0 <= row < self.rowCount(parent) and 0 <= column < _COLUMNS):
-            return QModelIndex()
-        return self._cell(-1 if parent is None else parent.row(), row, column)
-
-    def parent(self, index: Index | None = None) -> Any:
-        if index is None:
-            return super().parent()
-        group = index.internalId() if index.isValid() else 0
-        return self.createIndex(group - 1, 0, 0) if group else QModelIndex()
+        return QModelIndex() if place is None else self.index(*place)
 
     def rowCount(self, parent: Index | None = None) -> int:
-        if parent is None or not parent.isValid():
-            return len(self._groups)
-        if parent.internalId() or parent.column() > 0:
-            return 0
-        return len(self._groups[parent.row()][1])
+        return 0 if parent is not None and parent.isValid() else len(self._rows)
 
-    def columnCount(self, _parent: Index | None = None) -> int:
-        return _COLUMNS
+    def columnCount(self, parent: Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else _COLUMNS
+
+    def keys_at(self, row: int) -> tuple[str, ...]:
+        """Return a key for each value of a row: of motors 1 and 2, of the board, or none."""
+        return self._rows[row].keys
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        if orientation is not Qt.Orientation.Horizontal or section >= _COLUMNS:
-            return None
-        match role:
-            case Qt.ItemDataRole.DisplayRole:
-                return self._headers[section]
-            case Qt.ItemDataRole.TextAlignmentRole if section == ParameterColumn.WIRE:
-                return int(Qt.AlignmentFlag.AlignCenter)
-            case Qt.ItemDataRole.AccessibleTextRole if section == ParameterColumn.RESET:
-                return self.tr("Reset to default")
-        return None
+        is_shown = orientation is Qt.Orientation.Horizontal and section < _COLUMNS
+        return self._headers[section] if is_shown and role == Qt.ItemDataRole.DisplayRole else None
+
+    def _key_at(self, index: Index) -> str:
+        """Return the key of a cell; empty in a heading."""
+        keys = self._rows[index.row()].keys if index.isValid() else ()
+        return keys[min(max(index.column() - 1, 0), len(keys) - 1)] if keys else ""
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        if not index.isValid():
-            return Qt.ItemFlag.NoItemFlags
-        spec = self._spec_at(index)
-        if spec is None:
+        key = self._key_at(index)
+        if not key:
             return _HEADING
-        is_editable = index.column() == ParameterColumn.VALUE and self.can_edit(spec.key)
-        return _EDITABLE if is_editable else _FIXED
+        is_value = index.column() != ParameterColumn.NAME
+        return _EDITABLE if is_value and self.is_editable(key) else _FIXED
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         if role in _LEFT_TO_THE_STYLE or not index.isValid():
             return None
-        spec = self._spec_at(index)
-        if spec is None:
-            return self._heading_data(index.row(), index.column(), role)
-        column = _COLUMN[index.column()]
-        match role:
-            case Qt.ItemDataRole.DisplayRole:
-                return self.text.cell(spec, column)
-            case Qt.ItemDataRole.EditRole:
-                return self.value_of(spec.key)
-            case Qt.ItemDataRole.ToolTipRole if column is not ParameterColumn.RESET:
-                return self.text.tool_tip(spec, column)
-            case Qt.ItemDataRole.TextAlignmentRole if column is ParameterColumn.WIRE:
-                return int(Qt.AlignmentFlag.AlignCenter)
-            case Role.SPEC:
-                return spec
-            case Role.DIRTY:
-                return self.is_modified(spec.key)
-            case Role.WAITING:
-                return self._draft.active.get(spec.key)
-            case Role.PROBLEM:
-                return self._problems.get(spec.key)
-            case Role.RESET:
-                differs = self.value_of(spec.key) not in {None, spec.default}
-                return self.text.reset(spec) if differs else None
-            case Qt.ItemDataRole.ToolTipRole | Qt.ItemDataRole.AccessibleTextRole if (
-                column is ParameterColumn.RESET
-            ):
-                return self.data(index, Role.RESET)
-        return None
+        key = self._key_at(index)
+        if not key:
+            return self._heading_data(index, role)
+        if role == Qt.ItemDataRole.DisplayRole and index.column() == ParameterColumn.NAME:
+            return self._rows[index.row()].name
+        source = self._sources.get(role)
+        return None if source is None else source(key)
 
-    def _heading_data(self, row: int, column: int, role: int) -> Any:
-        group, members = self._groups[row]
+    def _number(self, key: str) -> int | None:
+        """Return what an editor shows: a wire value, or the code of a frequency."""
+        wires = [self.value_of(each) for each in self.text.together(key)]
+        known = [wire for wire in wires if wire is not None]
+        return _number(known) if len(known) == len(wires) else None
+
+    def default_number(self, key: str) -> int:
+        return _number([self._specs[each].default for each in self.text.together(key)])
+
+    def _is_dirty(self, key: str) -> bool:
+        return any(map(self.is_modified, self.text.together(key)))
+
+    def _waiting(self, key: str) -> int | None:
+        return self._draft.active.get(key)
+
+    def _problem(self, key: str) -> str | None:
+        return next(filter(None, map(self._problems.get, self.text.together(key))), None)
+
+    def _reset_text(self, key: str) -> str | None:
+        keys = self.text.together(key)
+        differs = any(self.value_of(each) not in {None, self._specs[each].default} for each in keys)
+        return self.text.reset(key) if differs else None
+
+    def _heading_data(self, index: Index, role: int) -> Any:
+        heading = self._rows[index.row()]
         if role == Role.GROUP:
-            return group
-        if role != Qt.ItemDataRole.DisplayRole or column > 0:
+            return heading.group
+        if role != Qt.ItemDataRole.DisplayRole or index.column() > 0:
             return None
-        title, modified = self._titles[group], sum(self.is_modified(spec.key) for spec in members)
-        if modified:
-            return self.tr("{0} ({1}, {2} modified)").format(title, len(members), modified)
-        return self.tr("{0} ({1})").format(title, len(members))
+        members = (row for row in self._rows if row.group == heading.group)
+        keys = (each for row in members for key in row.keys for each in self.text.together(key))
+        modified = sum(map(self.is_modified, keys))
+        text = self.tr("{0} ({1} modified)") if modified else "{0}"
+        return text.format(heading.name, modified)
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
-        spec = self._spec_at(index)
-        if spec is None or role != Qt.ItemDataRole.EditRole:
+        if role != Qt.ItemDataRole.EditRole or not self.flags(index) & Qt.ItemFlag.ItemIsEditable:
             return False
-        if not self.flags(index) & Qt.ItemFlag.ItemIsEditable:
-            return False
+        key = self._key_at(index)
+        change = self.edit if len(self.text.together(key)) == 1 else self.edit_frequency
         try:
-            self.edit(spec.key, int(value))
+            change(key, int(value))
         except BadRequest as error:
             self.rejected.emit(error_sentence(error))
             return False
         except (TypeError, ValueError, OverflowError):
-            self.rejected.emit(f"{spec.name} is {spec.range_text()}, not {value}.")
+            self.rejected.emit(f"{self.text.title(key)} is not {value}.")
             return False
         return True
 
@@ -434,13 +501,8 @@ class ParameterModel(QAbstractItemModel):
         self.pending_changed.emit(len(self.modified))
 
     def _announce(self, key: str) -> None:
-        """Announce a row, the rows whose text refers to it, and its group's heading."""
-        other_motor = other_motor_key(key)
-        for each in (key, other_motor, pwm_partner(key), pwm_partner(other_motor or "")):
-            if each in self._places:
-                group, row = self._places[each]
-                self.dataChanged.emit(
-                    self._cell(group, row, 0), self._cell(group, row, _COLUMNS - 1)
-                )
-        heading = self.index(self._places[key][0], 0)
-        self.dataChanged.emit(heading, heading)
+        """Announce the row of a parameter, and the heading above it."""
+        row = self._places[key][0]
+        heading = next(each for each in range(row, -1, -1) if not self._rows[each].keys)
+        for place in (row, heading):
+            self.dataChanged.emit(self.index(place, 0), self.index(place, _COLUMNS - 1))

@@ -1,7 +1,8 @@
 """The texts of the parameter table: values in physical units, states and explanations."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from enum import IntEnum
+from functools import cache
 from html import escape
 
 from PySide6.QtCore import QCoreApplication, QObject
@@ -9,8 +10,9 @@ from PySide6.QtCore import QCoreApplication, QObject
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.draft import Draft
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.protocol.parameters import (
+    MotorParameter,
     ParameterKind,
     ParameterSpec,
     motor_name,
@@ -18,18 +20,17 @@ from trex_gui.devices.trex.protocol.parameters import (
 )
 
 FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step in 100 ms
-_PWM = {"pwm_maximum": "pwm_prescaler", "pwm_prescaler": "pwm_maximum"}
+_PRESCALER, _MAXIMUM = MotorParameter.PWM_PRESCALER, MotorParameter.PWM_MAXIMUM
+_MAXIMA = FULL_SCALE + 1
+_HIGHEST_PWM = 20_000.0  # Hz; of the drivers of boards without a rated one; inferred
 
 
 class ParameterColumn(IntEnum):
+    """A parameter of the whole board is in MOTOR1, and spans both."""
+
     NAME = 0
-    VALUE = 1
-    WIRE = 2
-    RESET = 3
-    DEFAULT = 4
-    RANGE = 5
-    SOURCE = 6
-    EFFECT = 7
+    MOTOR1 = 1
+    MOTOR2 = 2
 
 
 class ParameterText(QObject):
@@ -46,168 +47,201 @@ class ParameterText(QObject):
         parent: QObject,
     ) -> None:
         super().__init__(parent)
+        self.frequencies: tuple[int, ...] = ()  # codes of those that the board can have
         self._specs = specs
+        self._pairs: dict[str, tuple[str, ...]] = {}
         self._draft = draft
         self._problems = problems
         self._sources = {
-            (True, True): (
-                self.tr("vendor"),
-                self.tr("The vendor's documents or staff confirm range and default."),
+            (True, True): self.tr("The vendor's documents or staff confirm range and default."),
+            (True, False): self.tr(
+                "The range is confirmed by the vendor; the default is inferred."
             ),
-            (True, False): (
-                self.tr("default inferred"),
-                self.tr("The range is confirmed by the vendor; the default is inferred."),
+            (False, True): self.tr(
+                "The default is confirmed by the vendor; the range is inferred."
             ),
-            (False, True): (
-                self.tr("range inferred"),
-                self.tr("The default is confirmed by the vendor; the range is inferred."),
-            ),
-            (False, False): (self.tr("inferred"), self.tr("Range and default are inferred.")),
+            (False, False): self.tr("Range and default are inferred."),
         }
 
-    # --- Cells --------------------------------------------------------------------------
+    def set_board(self, board: Model) -> None:
+        """Follow new specifications, those of a board of this model."""
+        self.frequencies = frequency_codes(board)
+        pairs = ((key, _frequency_keys(key)) for key in self._specs)
+        self._pairs = {key: pair for key, pair in pairs if self._specs.keys() >= set(pair)}
 
-    def cell(self, spec: ParameterSpec, column: ParameterColumn) -> str:
-        match column:
-            case ParameterColumn.NAME:
-                return spec.name
-            case ParameterColumn.VALUE:
-                return self.value(spec)
-            case ParameterColumn.WIRE:
-                wire = self._draft.value(spec.key)
-                return "" if wire is None else str(wire)
-            case ParameterColumn.DEFAULT:
-                return spec.text(spec.default)
-            case ParameterColumn.RANGE:
-                return self._range(spec)
-            case ParameterColumn.SOURCE:
-                return self.source(spec)
-            case ParameterColumn.EFFECT:
-                return self.tr("power cycle") if spec.needs_power_cycle else self.tr("at once")
-            case ParameterColumn.RESET:
-                return ""
+    def together(self, key: str) -> tuple[str, ...]:
+        """Return the keys that are one value of the table: prescaler and maximum of a PWM."""
+        return self._pairs.get(key, (key,))
 
-    def value(self, spec: ParameterSpec) -> str:
+    # --- Values -------------------------------------------------------------------------
+
+    def title(self, key: str) -> str:
+        """Return the name of a value, such as `Motor 1 Current Limit`."""
+        keys = self.together(key)
+        return self._specs[key].name if len(keys) == 1 else f"{motor_name(key)} PWM Frequency"
+
+    def value(self, key: str) -> str:
         """Return the value after Apply or Save."""
-        wire = self._draft.value(spec.key)
-        if wire is None:
-            return self.tr("not given") if self._draft.accepts(spec.key) else self.tr("not read")
-        return self.physical(spec, wire)
+        keys = self.together(key)
+        if any(self._draft.value(each) is None for each in keys):
+            given = all(self._draft.accepts(each) for each in keys)
+            return self.tr("not given") if given else self.tr("not read")
+        return self._physical(key, [self._draft.value(each) or 0 for each in keys])
 
-    def physical(self, spec: ParameterSpec, wire: int) -> str:
-        """Return a wire value in its unit, with the frequency or time that it results in."""
-        text = value_text(spec, wire)
-        hertz = self._frequency(spec, wire)
-        return text if hertz is None else self.tr("{0} ({1:.0f} Hz)").format(text, hertz)
+    def _physical(self, key: str, wires: Sequence[int]) -> str:
+        if len(wires) > 1:
+            return frequency_text(frequency_code(*wires))
+        return value_text(self._specs[key], wires[0])
 
-    def with_wire(self, spec: ParameterSpec, wire: int) -> str:
+    def with_wire(self, key: str, wires: Sequence[int]) -> str:
         """Return wire and physical value, `15 (1.5 s)`, or one number where both are the same."""
-        text = value_text(spec, wire)
-        return text if text == str(wire) else f"{wire} ({text})"
-
-    def source(self, spec: ParameterSpec) -> str:
-        """Return how far the vendor's documents confirm limits and default, in a word or two."""
-        return self._sources[spec.limits_confirmed, spec.default_confirmed][0]
+        text, numbers = self._physical(key, wires), _numbers(wires)
+        return text if text == numbers else f"{numbers} ({text})"
 
     # --- Sentences ----------------------------------------------------------------------
 
-    def limits(self, spec: ParameterSpec) -> str:
-        """Return range and default, wire values included."""
-        shown = spec.range_text()
+    def about(self, key: str) -> tuple[str, ...]:
+        """Return wire value, range, default and where they come from, a sentence each."""
+        keys = self.together(key)
+        wires = [wire for each in keys if (wire := self._draft.value(each)) is not None]
+        sentences = (
+            self.tr("Wire value: {0}.").format(_numbers(wires)) if wires else "",
+            self.tr("Range: {0}.").format(self._range(key)),
+            self.tr("Default: {0}.").format(self.with_wire(key, self._defaults(key))),
+            self.tr("Takes effect when the board is switched off and on.")
+            if self._specs[key].needs_power_cycle
+            else "",
+            self._origin([self._specs[each] for each in keys]),
+        )
+        return tuple(filter(None, sentences))
+
+    def _range(self, key: str) -> str:
+        spec = self._specs[key]
+        if len(self.together(key)) > 1:
+            return frequency_range(self.frequencies)
         if spec.kind is ParameterKind.ACCELERATION:
-            shown = self.tr("{0} (wire value {1} to {2})").format(
+            return self.tr("{0} (wire value {1} to {2})").format(
                 acceleration_range(spec), spec.minimum, spec.maximum
             )
-        return self.tr("Range: {0}.").format(shown) + " " + self._default(spec)
+        return spec.range_text()
 
-    def origin(self, spec: ParameterSpec) -> str:
+    def _defaults(self, key: str) -> list[int]:
+        return [self._specs[each].default for each in self.together(key)]
+
+    def _origin(self, specs: Sequence[ParameterSpec]) -> str:
         """Return where limits and default come from, and what that means."""
-        text = self._sources[spec.limits_confirmed, spec.default_confirmed][1]
-        if {"scale", "bits"} & spec.inferred:
+        has_limits = all(spec.limits_confirmed for spec in specs)
+        has_default = all(spec.default_confirmed for spec in specs)
+        text = self._sources[has_limits, has_default]
+        if any({"scale", "bits"} & spec.inferred for spec in specs):
             text += " " + self.tr("The meaning of the wire values is inferred, too.")
-        if not (spec.limits_confirmed and spec.default_confirmed):
+        if not (has_limits and has_default):
             text += " " + self.tr(
                 "The vendor's parameter document was not available. The board rejects any value "
                 "that it does not support."
             )
         return text
 
-    def other_motor(self, spec: ParameterSpec) -> str:
+    def notes(self, key: str) -> tuple[str, ...]:
+        """Return what is special about the present value, a sentence each."""
+        keys = self.together(key)
+        active = [self._draft.active.get(each) for each in keys]
+        sentences = [
+            self._stored(key),
+            self._other_motor(key),
+            *(self._problems.get(each, "") for each in keys),
+        ]
+        if (wire := active[0]) is not None:
+            shown = value_text(self._specs[key], wire)
+            sentences.append(self.tr("Still active: {0}.").format(shown))
+        return tuple(filter(None, sentences))
+
+    def _other_motor(self, key: str) -> str:
         """Return the other motor's value if it differs, as a sentence."""
-        other = self._specs.get(other_motor_key(spec.key) or "")
-        if other is None or self._draft.value(other.key) == self._draft.value(spec.key):
+        other = other_motor_key(key)
+        if other is None or other not in self._specs or self.value(other) == self.value(key):
             return ""
-        return self.tr("{0} differs: {1}.").format(motor_name(other.key), self.value(other))
+        return self.tr("{0} differs: {1}.").format(motor_name(other), self.value(other))
 
-    def reset(self, spec: ParameterSpec) -> str:
+    def reset(self, key: str) -> str:
         """Return the effect of a reset to the default."""
-        return self.tr("Reset to default: {0}").format(self.with_wire(spec, spec.default))
+        return self.tr("Reset to default: {0}").format(self.with_wire(key, self._defaults(key)))
 
-    def stored(self, spec: ParameterSpec) -> str:
+    def stored(self, key: str) -> str:
+        """Return the stored value; empty if it was not read."""
+        wires = [self._draft.stored.get(each) for each in self.together(key)]
+        known = [wire for wire in wires if wire is not None]
+        return self.with_wire(key, known) if len(known) == len(wires) else ""
+
+    def _stored(self, key: str) -> str:
         """Return the stored value if it was edited, as a sentence."""
-        if not self._draft.is_modified(spec.key):
+        if not any(self._draft.is_modified(each) for each in self.together(key)):
             return ""
-        wire = self._draft.stored.get(spec.key)
-        shown = self.tr("nothing") if wire is None else self.with_wire(spec, wire)
-        return self.tr("Stored: {0}.").format(shown)
+        return self.tr("Stored: {0}.").format(self.stored(key) or self.tr("nothing"))
 
-    def tool_tip(self, spec: ParameterSpec, column: ParameterColumn) -> str:
-        """Return the details of a cell as rich text, which tool tips wrap."""
-        match column:
-            case ParameterColumn.NAME:
-                lines = self._about(spec, spec.description)
-            case ParameterColumn.DEFAULT:
-                lines = [self._default(spec)]
-            case ParameterColumn.RANGE:
-                lines = [self.limits(spec)]
-            case ParameterColumn.SOURCE:
-                lines = [self.origin(spec)]
-            case ParameterColumn.EFFECT if spec.needs_power_cycle:
-                lines = [self.tr("Stored by Apply, active after the board is switched off and on.")]
-            case ParameterColumn.EFFECT:
-                lines = [self.tr("Active as soon as it is applied.")]
-            case _:
-                value = self.value(spec)
-                lines = self._about(spec, value, self.stored(spec), spec.description)
-        return "".join(f"<p>{line}</p>" for line in lines)
+    def spoken(self, key: str) -> str:
+        """Return the value with its name and its edit, as a screen reader says it."""
+        return " ".join((f"{self.title(key)}: {self.value(key)}.", *self.notes(key)))
 
-    def _about(self, spec: ParameterSpec, *texts: str) -> list[str]:
-        texts = (*texts, self.other_motor(spec), self._problems.get(spec.key, ""))
-        return [f"<b>{escape(spec.name)}</b>", *(escape(text) for text in texts if text)]
-
-    def _default(self, spec: ParameterSpec) -> str:
-        return self.tr("Default: {0}.").format(self.with_wire(spec, spec.default))
-
-    def _range(self, spec: ParameterSpec) -> str:
-        if spec.kind is ParameterKind.ACCELERATION:
-            return acceleration_range(spec)
-        return spec.short_range()
-
-    def _frequency(self, spec: ParameterSpec, wire: int) -> float | None:
-        """Return the PWM frequency in Hz that a value results in together with its partner."""
-        partner = pwm_partner(spec.key)
-        other = None if partner is None else self._draft.value(partner)
-        if other is None:
-            return None
-        prescaler, top = (other, wire) if spec.kind is ParameterKind.PWM_MAXIMUM else (wire, other)
-        try:
-            return device_table().pwm.frequency(prescaler, top)
-        except BadRequest:
-            return None
-
-
-def pwm_partner(key: str) -> str | None:
-    """Return the key that sets the PWM frequency together with this one."""
-    for own, other in _PWM.items():
-        if key.endswith(own):
-            return key.removesuffix(own) + other
-    return None
+    def tool_tip(self, key: str) -> str:
+        """Return the value with what is special about it as rich text, which tool tips wrap."""
+        lines = [self.value(key), *self.notes(key), self._specs[key].description]
+        title = f"<p><b>{escape(self.title(key))}</b></p>"
+        return title + "".join(f"<p>{escape(line)}</p>" for line in lines)
 
 
 def value_text(spec: ParameterSpec, wire: int) -> str:
     """Return a wire value in the unit that the window shows."""
     is_ramp = spec.kind is ParameterKind.ACCELERATION and wire
     return acceleration_text(wire) if is_ramp else spec.text(wire)
+
+
+# --- PWM frequency ----------------------------------------------------------------------
+
+
+def _frequency_keys(key: str) -> tuple[str, ...]:
+    """Return the keys of prescaler and maximum that a key belongs to; else the key alone."""
+    for part in (_PRESCALER, _MAXIMUM):
+        if key.endswith(part):
+            motor = key.removesuffix(part)
+            return motor + _PRESCALER, motor + _MAXIMUM
+    return (key,)
+
+
+def frequency_code(prescaler: int, maximum: int) -> int:
+    """Return the wire values of prescaler and maximum as one number."""
+    return prescaler * _MAXIMA + maximum
+
+
+def frequency_wires(code: int) -> tuple[int, int]:
+    """Return the wire values of prescaler and maximum; the inverse of `frequency_code`."""
+    return divmod(code, _MAXIMA)
+
+
+@cache
+def frequency_codes(board: Model) -> tuple[int, ...]:
+    """Return one code of each PWM frequency that suits the drivers of a board, slowest first."""
+    choices = device_table().pwm.choices(board.highest_pwm or _HIGHEST_PWM)
+    return tuple(frequency_code(*pair) for pair in choices)
+
+
+def frequency_text(code: int) -> str:
+    wires = frequency_wires(code)
+    try:
+        return _tr("{0:.0f} Hz").format(device_table().pwm.frequency(*wires))
+    except BadRequest:
+        return _numbers(wires)
+
+
+def frequency_range(codes: Sequence[int]) -> str:
+    return _tr("{0} to {1}").format(frequency_text(codes[0]), frequency_text(codes[-1]))
+
+
+def _numbers(wires: Sequence[int]) -> str:
+    """Return the wire values of a cell as text."""
+    if len(wires) > 1:
+        return _tr("prescaler {0}, maximum {1}").format(*wires)
+    return str(wires[0])
 
 
 # --- Acceleration -----------------------------------------------------------------------

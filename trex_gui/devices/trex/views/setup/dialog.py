@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.learning.dialog import StepStrip
@@ -147,7 +148,7 @@ class SetupDialog(ReusedDialog):
         rows = []
         for key, wire in edits.items():
             spec, before = parameters.spec_of(key), parameters.value_of(key)
-            old = "" if before is None else parameters.text.physical(spec, before)
-            rows.append(f"{spec.name}: {old} → {parameters.text.physical(spec, wire)}")
+            old = "" if before is None else value_text(spec, before)
+            rows.append(f"{spec.name}: {old} → {value_text(spec, wire)}")
         text = self.tr("Next changes {0}. Nothing is written before you apply it.")
         return text.format("; ".join(rows))

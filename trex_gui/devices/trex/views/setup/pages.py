@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QButtonGroup, QLabel, QRadioButton, QVBoxLayout, Q
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Driver
@@ -398,9 +399,7 @@ class LimitsPage(QWidget):
         parameters = self._device.parameters
         values = preset.values(parameters.model_key)
         keys = [p.of(1) for p in (MotorParameter.ACCELERATION, MotorParameter.BRAKE_DURATION)]
-        ramp, brake = (
-            parameters.text.physical(parameters.spec_of(key), values[key]) for key in keys
-        )
+        ramp, brake = (value_text(parameters.spec_of(key), values[key]) for key in keys)
         text = self.tr("Acceleration: {0}; brake before a reversal: {1}.").format(ramp, brake)
         limit = values.get(LIMITS[0])
         if limit is None:

@@ -12,6 +12,7 @@ from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_input
 from trex_gui.devices.trex.model.drive_texts import channel_text, report_text, setpoint_text
 from trex_gui.devices.trex.model.motors import MomentaryDrive
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
+from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.action_bar import RunButton
@@ -335,7 +336,7 @@ def _stored_text(parameters: ParameterModel, *, joint: bool) -> str:
         wire = parameters.stored_of(key)
         if wire is None:
             return ""
-        value = escape(parameters.text.physical(parameters.spec_of(key), wire))
+        value = escape(value_text(parameters.spec_of(key), wire))
         return f'<a href="{key}" style="color:{theme().color("link").name()}">{value}</a>'
 
     names = {

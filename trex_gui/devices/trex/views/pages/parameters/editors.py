@@ -1,17 +1,25 @@
 """The editor that fits each kind of parameter; all of them take and return wire values."""
 
 import re
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
 
 from PySide6.QtCore import Signal, Slot
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QAbstractSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.text import (
     FULL_SPEED_S,
     acceleration_range,
     acceleration_wire,
+    frequency_code,
+    frequency_range,
+    frequency_text,
+    frequency_wires,
     value_text,
 )
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
@@ -19,6 +27,7 @@ from trex_gui.devices.trex.views.count_editor import UnitSpinBox
 from trex_gui.ui.widgets.builders import NoWheelComboBox, check_box, combo_box, row
 
 _TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(?:(ms|s)\b.*)?", re.IGNORECASE)
+_FREQUENCY = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(k?)(?:hz)?", re.IGNORECASE)
 _TOLERANCE = 1.01
 
 
@@ -66,6 +75,48 @@ class AccelerationEditor(NumberEditor):
                 )
             )
         return acceleration_wire(seconds)
+
+
+class FrequencyEditor(UnitSpinBox):
+    """Steps through the PWM frequencies that exist; what is typed goes to the nearest of them.
+
+    Its value is a `frequency_code`; one that is no choice is shown until another is chosen.
+    """
+
+    def __init__(self, codes: Sequence[int], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._codes = codes
+        self._hertz = [device_table().pwm.frequency(*frequency_wires(code)) for code in codes]
+        self.setRange(0, frequency_code(FULL_SCALE, FULL_SCALE))
+        self.setToolTip(frequency_range(codes))
+
+    def textFromValue(self, val: int) -> str:
+        return frequency_text(val)
+
+    def parse(self, text: str) -> int:
+        if text.strip() == frequency_text(self.value()):
+            return self.value()
+        found = _FREQUENCY.fullmatch(text.strip())
+        wanted = float(found[1].replace(",", ".")) * (1000 if found[2] else 1) if found else 0
+        if not self._hertz[0] / _TOLERANCE <= wanted <= self._hertz[-1] * _TOLERANCE:
+            message = self.tr("The PWM frequency is {0}, not {1}.")
+            raise BadRequest(message.format(frequency_range(self._codes), text.strip()))
+        nearest = min(range(len(self._codes)), key=lambda at: abs(self._hertz[at] - wanted))
+        return self._codes[nearest]
+
+    def stepBy(self, steps: int) -> None:
+        try:
+            now = device_table().pwm.frequency(*frequency_wires(self.value()))
+        except BadRequest:
+            now = 0
+        faster, slower = bisect_right(self._hertz, now) - 1, bisect_left(self._hertz, now)
+        place = (faster if steps > 0 else slower) + steps
+        self.setValue(self._codes[min(max(place, 0), len(self._codes) - 1)])
+        self.selectAll()
+
+    def stepEnabled(self) -> QAbstractSpinBox.StepEnabledFlag:  # noqa: N802 # of Qt
+        flags = QAbstractSpinBox.StepEnabledFlag
+        return flags.StepUpEnabled | flags.StepDownEnabled
 
 
 class ChoiceEditor(NoWheelComboBox):
@@ -194,7 +245,7 @@ class LineSettingsEditor(QWidget):
             field.setCurrentIndex(field.findData(data))
 
 
-Editor = NumberEditor | ChoiceEditor | ChannelsEditor | LineSettingsEditor
+Editor = NumberEditor | FrequencyEditor | ChoiceEditor | ChannelsEditor | LineSettingsEditor
 
 
 def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:

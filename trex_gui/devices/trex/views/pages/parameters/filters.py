@@ -1,6 +1,6 @@
 """Which rows of the parameter table are shown, and the fields above it that choose them."""
 
-from typing import cast
+from itertools import takewhile
 
 from PySide6.QtCore import (
     QModelIndex,
@@ -14,8 +14,6 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
-from trex_gui.devices.trex.model.parameters.text import ParameterColumn
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.widgets.builders import check_box, combo_box, label, named, row
 
@@ -23,41 +21,41 @@ _BOTH_MOTORS = "parameters/both_motors"
 
 
 class ParameterFilter(QSortFilterProxyModel):
-    """The rows that match every filter; a group without rows has no heading."""
+    """The rows that match every filter; a task without rows has no heading."""
 
     def __init__(self, parameters: ParameterModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.parameters = parameters
         self._words: tuple[str, ...] = ()
-        self._group = ""
+        self._task = ""
         self._modified_only = False
         self._not_default_only = False
-        self.setRecursiveFilteringEnabled(True)
         self.setSourceModel(parameters)
 
     @property
     def shown(self) -> int:
-        return sum(self.rowCount(self.index(row, 0)) for row in range(self.rowCount()))
+        """The number of settings, headings left out."""
+        return sum(bool(self.keys_at(row)) for row in range(self.rowCount()))
 
-    @property
-    def is_narrowed(self) -> bool:
-        return bool(self._words or self._group or self._modified_only or self._not_default_only)
+    def index_of(self, key: str) -> QModelIndex:
+        """Return the value of a parameter, invalid when it is not shown."""
+        return self.mapFromSource(self.parameters.index_of(key))
 
-    def index_of(self, key: str, column: ParameterColumn = ParameterColumn.VALUE) -> QModelIndex:
-        """Return the cell of a parameter, invalid when it is not shown."""
-        return self.mapFromSource(self.parameters.index_of(key, column))
+    def keys_at(self, row: int) -> tuple[str, ...]:
+        """Return a key for each value of a row; none of a heading."""
+        return self.parameters.keys_at(self.mapToSource(self.index(row, 0)).row())
 
     def narrow(
         self,
         *,
         words: str = "",
-        group: str = "",
+        task: str = "",
         modified_only: bool = False,
         not_default_only: bool = False,
     ) -> None:
         """Show rows with all words in name, key or description, in any case; empty: all rows."""
         self._words = tuple(words.casefold().split())
-        self._group = group
+        self._task = task
         self._modified_only = modified_only
         self._not_default_only = not_default_only
         self.invalidate()
@@ -65,17 +63,26 @@ class ParameterFilter(QSortFilterProxyModel):
     def filterAcceptsRow(
         self, source_row: int, source_parent: QModelIndex | QPersistentModelIndex
     ) -> bool:
-        index = self.sourceModel().index(source_row, ParameterColumn.VALUE, source_parent)
-        spec = cast("ParameterSpec | None", index.data(Role.SPEC))
-        if spec is None:
-            return False  # a heading is shown for the rows below it
-        if self._group and spec.group != self._group:
+        del source_parent
+        if self.parameters.keys_at(source_row):
+            return self._accepts(source_row)
+        below = range(source_row + 1, self.parameters.rowCount())
+        members = takewhile(self.parameters.keys_at, below)
+        return any(map(self._accepts, members))
+
+    def _accepts(self, row: int) -> bool:
+        model = self.parameters
+        values = [model.index_of(key) for key in model.keys_at(row)]
+        members = [each for key in model.keys_at(row) for each in model.text.together(key)]
+        specs = [model.spec_of(key) for key in members]
+        if self._task and specs[0].task != self._task:
             return False
-        if self._modified_only and not index.data(Role.DIRTY):
+        if self._modified_only and not any(value.data(Role.DIRTY) for value in values):
             return False
-        if self._not_default_only and index.data(Role.RESET) is None:
+        if self._not_default_only and all(value.data(Role.RESET) is None for value in values):
             return False
-        searched = f"{spec.name} {spec.key} {spec.description}".casefold()
+        texts = [each for spec in specs for each in (spec.name, spec.key, spec.description)]
+        searched = " ".join((*texts, *map(model.text.title, model.keys_at(row)))).casefold()
         return all(word in searched for word in self._words)
 
 
@@ -156,13 +163,13 @@ class ParameterFilters(QWidget):
 
     @Slot()
     def _on_reset(self) -> None:
-        """Offer the groups that have parameters."""
+        """Offer the tasks that have parameters."""
         wanted = self._group.currentData()
         with QSignalBlocker(self._group):
             self._group.clear()
             self._group.addItem(self.tr("All groups"), "")
-            for group, title in self._rows.parameters.groups.items():
-                self._group.addItem(title, group)
+            for task, title in self._rows.parameters.tasks.items():
+                self._group.addItem(title, task)
             self._group.setCurrentIndex(max(0, self._group.findData(wanted)))
         self.setEnabled(self._rows.parameters.count > 0)
         if wanted and self._group.currentData() != wanted:
@@ -172,7 +179,7 @@ class ParameterFilters(QWidget):
     def _on_changed(self) -> None:
         self._rows.narrow(
             words=self._words.text(),
-            group=self._group.currentData() or "",
+            task=self._group.currentData() or "",
             modified_only=self._modified.isChecked(),
             not_default_only=self._not_default.isChecked(),
         )

@@ -4,23 +4,22 @@ from functools import partial
 from html import escape
 
 from PySide6.QtCore import QModelIndex, Qt, Slot
-from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.linter import SettingsLinter
-from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
-from trex_gui.devices.trex.model.parameters.text import ParameterColumn, value_text
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter, ParameterFilters
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
-from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.builders import button, column, label, row
+from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Sign
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
-_LEAST_ROWS = 5
-"""Rows that stay visible; on a low screen the texts below them scroll."""
+_PANEL = 34
+"""Least width of the texts beside the table, in average characters."""
 
 
 class ParameterTable(QWidget):
@@ -32,24 +31,24 @@ class ParameterTable(QWidget):
         super().__init__(parent)
         self._model = draft.parameters
         self._rows = ParameterFilter(self._model, self)
-        self._place = ""  # key or group of the row that the user has selected
-        self._column = ParameterColumn.VALUE
+        self._place = ""  # key of the cell that the user has selected
         self._is_elsewhere = False
 
         self._filters = ParameterFilters(self._rows, self)
         self._view = ParameterView(self._rows, self)
-        self._view.setMinimumHeight(_LEAST_ROWS * (self.fontMetrics().height() + 8))
         self._no_match = self._no_match_note()
-        below = QWidget(self)
-        below.setObjectName("aboutParameters")
-        self._help = ParameterHelp(self._model, below)
-        box = ScrollBox(below, self)
-        box.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        beside = QWidget(self)
+        beside.setObjectName("aboutParameters")
+        beside.setMinimumWidth(_PANEL * self.fontMetrics().averageCharWidth())
+        self._help = ParameterHelp(self._model, beside)
+        tools = [action_button(each, beside) for each in self._view.tools]
 
-        column(FindingsList(linter, below), self._help, into=below, margins=0)
-        column(self._filters, (self._view, 1), box, into=self, margins=0)
+        column(row(*tools, 1), self._help, FindingsList(linter, beside), 1, into=beside, margins=0)
+        below = row((self._view, 5), (ScrollBox(beside, self), 2))
+        column(self._filters, (below, 1), into=self, margins=0)
 
         self._view.selectionModel().currentChanged.connect(self._on_current_changed)
+        self._view.clicked.connect(self._on_current_changed)
         self._model.dataChanged.connect(self._show_help)
         for changed in (
             self._rows.modelReset,
@@ -58,7 +57,6 @@ class ParameterTable(QWidget):
             self._rows.rowsRemoved,
         ):
             changed.connect(self._on_rows_changed)
-        theme().changed.connect(self._view.viewport().update)
         self._on_rows_changed()
 
     def _no_match_note(self) -> QWidget:
@@ -79,65 +77,50 @@ class ParameterTable(QWidget):
         self._view.setEnabled(enabled)
 
     def show_parameter(self, key: str) -> None:
-        """Select a parameter, which may be filtered out or in a closed group."""
+        """Select a parameter, which may be filtered out."""
         if self._model.index_of(key).isValid():
             self._filters.clear()
-            self._go_to(self._rows.index_of(key))
+            self._view.setCurrentIndex(self._rows.index_of(key))
 
-    @Slot(QModelIndex, QModelIndex)
-    def _on_current_changed(self, current: QModelIndex, _previous: QModelIndex) -> None:
+    @Slot(QModelIndex)
+    def _on_current_changed(self, current: QModelIndex) -> None:
         if current.isValid():
             self._is_elsewhere = False
-            self._place = self._view.current_key or str(current.data(Role.GROUP))
-            if self._view.current_key:
-                self._column = ParameterColumn(current.column())
+            self._place = self._view.current_key
             self._view.scrollTo(current)
-            # The name is more important than the column.
-            self._view.scrollTo(current.siblingAtColumn(ParameterColumn.NAME))
         self._show_help()
 
     @Slot()
     def _on_rows_changed(self) -> None:
-        """Keep the user's row selected while it is shown; else select the first."""
+        """Keep the user's value selected while it is shown; else select the first."""
         self._view.arrange()
         self._filters.show_count()
         self._no_match.setVisible(self._model.count > 0 and self._rows.rowCount() == 0)
         is_lost = self._is_elsewhere or not self._view.currentIndex().isValid()
         if is_lost and self._rows.rowCount() > 0:
-            place = self._rows.index_of(self._place, self._column)
-            if not place.isValid():
-                place = self._rows.mapFromSource(self._model.index_of_group(self._place))
+            place = self._rows.index_of(self._place)
             if place.isValid():
-                self._go_to(place)
+                self._view.setCurrentIndex(place)
             elif not self._view.currentIndex().isValid():
                 self._go_to_first()
         self._show_help()
 
     def _go_to_first(self) -> None:
-        """Select the first row, but remember the user's row."""
+        """Select the first value, but remember the user's."""
         wanted = self._place
-        heading = self._rows.index(0, 0)
-        first = self._rows.index(0, ParameterColumn.VALUE, heading)
-        self._view.setCurrentIndex(first if self._view.isExpanded(heading) else heading)
+        self._view.setCurrentIndex(self._rows.index(1, ParameterColumn.MOTOR1))
         self._view.scrollToTop()
         self._is_elsewhere = bool(wanted)
         self._place = wanted or self._place
 
-    def _go_to(self, place: QModelIndex) -> None:
-        if place.parent().isValid() and not self._view.isExpanded(place.parent()):
-            self._view.expand(place.parent())
-        self._view.setCurrentIndex(place)
-
     @Slot()
     def _show_help(self) -> None:
-        self._help.show_help_of(self._view.currentIndex())
-
-
-_LINES = 6
+        self._help.show_help_of(self._view.current_key)
+        self._view.update_actions()
 
 
 class ParameterHelp(QLabel):
-    """Explains the current row; keeps the room of a few lines, so that nothing above it jumps."""
+    """Explains a value of the table."""
 
     def __init__(self, model: ParameterModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -148,36 +131,29 @@ class ParameterHelp(QLabel):
         self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
-        self.setFrameShape(QFrame.Shape.StyledPanel)
-        self.setMargin(8)
-        self.setMinimumHeight(_LINES * self.fontMetrics().lineSpacing() + 2 * self.margin())
 
-    def show_help_of(self, index: QModelIndex) -> None:
-        spec, lines = index.data(Role.SPEC), []
-        if isinstance(spec, ParameterSpec):
-            lines = self._lines(spec, index)
-        elif index.data(Role.GROUP) is not None:
-            hint = self.tr("Enter, or a click on the arrow, closes or opens the group.")
-            lines = [f"<b>{escape(str(index.data()))}</b>", hint]
-        self.setText("<br>".join(lines))
+    def show_help_of(self, key: str) -> None:
+        lines = self._lines(key) if key else []
+        self.setText("".join(f"<p>{line}</p>" for line in lines))
         self.setAccessibleName("" if lines else self.tr("No parameter is selected"))
 
-    def _lines(self, spec: ParameterSpec, index: QModelIndex) -> list[str]:
+    def _lines(self, key: str) -> list[str]:
         text = self._model.text
-        lines = [
-            f"<b>{escape(spec.name)}</b> ({spec.number:#04x}, <code>{spec.key}</code>)",
-            escape(spec.description),
-            escape(f"{text.limits(spec)} {text.origin(spec)}"),
+        specs = [self._model.spec_of(each) for each in text.together(key)]
+        names = "<br>".join(f"{spec.number:#04x}, <code>{spec.key}</code>" for spec in specs)
+        return [
+            f"<b>{escape(text.title(key))}</b><br>{names}",
+            *(f"<b>{escape(note)}</b>" for note in text.notes(key)),
+            escape(specs[-1].description),
+            "<br>".join(map(escape, text.about(key))),
         ]
-        if spec.needs_power_cycle:
-            lines.append(self.tr("Takes effect when the board is switched off and on."))
-        notes = [text.stored(spec), text.other_motor(spec), index.data(Role.PROBLEM)]
-        active = index.data(Role.WAITING)
-        if active is not None:
-            notes.append(self.tr("Still active: {0}.").format(value_text(spec, active)))
-        if note := " ".join(escape(note) for note in notes if note):
-            lines.append(f"<b>{note}</b>")
-        return lines
+
+
+def action_button(action: QAction, parent: QWidget) -> QToolButton:
+    made = named(QToolButton(parent), f"{action.objectName()}Button")
+    made.setDefaultAction(action)
+    made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+    return made
 
 
 _SHOWN = 3
@@ -221,7 +197,7 @@ class FindingsList(QWidget):
             line, f"parameterFinding{number}", message, tip=message, wrap=True, expand=True
         )
         text.setMinimumHeight(2 * text.fontMetrics().lineSpacing() + 4)
-        layout = row(sign, (text, 1), into=line, margins=0)
+        layout = column(row(sign, (text, 1)), into=line, margins=0)
         if finding.change:
             accept = button(
                 line,
