@@ -1,12 +1,13 @@
 """From a choice in the port list to an open line, and the simulated board of the list."""
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.model.conftest import Connect, Until
 from tests.support.program import new_controller, new_ports
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.model.controller import TrexController
@@ -17,34 +18,6 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.simulator import Simulator, simulator_command
-
-
-@pytest.fixture
-def device(qtbot: QtBot) -> Device:
-    return Device()
-
-
-@pytest.fixture
-def ports(qtbot: QtBot) -> Iterator[Ports]:
-    ports = new_ports()
-    yield ports
-    ports.deleteLater()
-
-
-@pytest.fixture
-def connector(device: Device, ports: Ports) -> Iterator[TrexController]:
-    connector = new_controller(device, ports)
-    yield connector
-    connector.shut_down()
-
-
-Until = Callable[[Callable[[], bool]], None]
-
-
-@pytest.fixture
-def until(qtbot: QtBot) -> Until:
-    return lambda condition: qtbot.waitUntil(condition, timeout=20_000)
-
 
 # --- Line settings ----------------------------------------------------------------------
 
@@ -90,12 +63,11 @@ def test_port_is_opened_with_the_chosen_settings(
     device: Device,
     ports: Ports,
     start_simulator: StartSimulator,
-    until: Until,
+    connect: Connect,
 ) -> None:
     url = start_simulator().url
     connector.set_settings(ConnectionSettings("", device_number=7))
-    connector.connect_to(ports.add_typed(url))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.add_typed(url))
     assert device.settings == ConnectionSettings(url, device_number=7)
     assert connector.port == ports.find(url)
     assert new_ports().preferred == ports.find(url)
@@ -116,9 +88,9 @@ def test_disconnecting_clears_the_port(
     ports: Ports,
     quick_simulator: SimulatedDevice,
     until: Until,
+    connect: Connect,
 ) -> None:
-    connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.add_typed(quick_simulator.url))
     connector.leave()
     until(lambda: device.link is ConnectionState.DISCONNECTED)
     assert connector.port is None
@@ -139,15 +111,13 @@ def test_choosing_the_demo_port_starts_the_simulator(
 
 
 def test_simulator_keeps_running_after_disconnect(
-    connector: TrexController, device: Device, ports: Ports, until: Until
+    connector: TrexController, device: Device, ports: Ports, until: Until, connect: Connect
 ) -> None:
-    connector.connect_to(ports.demo_of("trex"))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.demo_of("trex"))
     url = connector.simulator.url
     connector.leave()
     until(lambda: device.link is ConnectionState.DISCONNECTED)
-    connector.connect_to(ports.demo_of("trex"))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.demo_of("trex"))
     assert connector.simulator.url == url
 
 
@@ -176,10 +146,9 @@ def test_disconnecting_while_the_simulator_starts_cancels(
 
 
 def test_shutdown_ends_line_and_simulator(
-    connector: TrexController, device: Device, ports: Ports, until: Until
+    connector: TrexController, device: Device, ports: Ports, connect: Connect
 ) -> None:
-    connector.connect_to(ports.demo_of("trex"))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.demo_of("trex"))
     connector.shut_down()
     assert connector.simulator.url == ""
     assert device.state is None

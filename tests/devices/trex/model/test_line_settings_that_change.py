@@ -1,11 +1,11 @@
 """A board that comes back with other line settings, on a real port."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import pytest
-from pytestqt.qtbot import QtBot
 
-from tests.support.program import new_controller, new_ports
+from tests.devices.trex.model.conftest import Connect, Until
+from tests.support.program import new_controller
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
@@ -17,32 +17,6 @@ from trex_gui.ui.devices.ports import Ports
 
 NEW = LineSettings(57600, Detection.CRC7)
 UART, POLYNOMIAL = "uart_settings", "crc7_polynomial"
-
-Until = Callable[[Callable[[], bool]], None]
-
-
-@pytest.fixture
-def until(qtbot: QtBot) -> Until:
-    return lambda condition: qtbot.waitUntil(condition, timeout=20_000)
-
-
-@pytest.fixture
-def device(qtbot: QtBot) -> Device:
-    return Device()
-
-
-@pytest.fixture
-def ports(qtbot: QtBot) -> Iterator[Ports]:
-    ports = new_ports()
-    yield ports
-    ports.deleteLater()
-
-
-@pytest.fixture
-def connector(device: Device, ports: Ports) -> Iterator[TrexController]:
-    connector = new_controller(device, ports)
-    yield connector
-    connector.shut_down()
 
 
 def store(device: Device, until: Until, **wires: int) -> None:
@@ -79,9 +53,9 @@ def test_reconnect_at_new_line_settings_is_saved(
     ports: Ports,
     quick_simulator: SimulatedDevice,
     until: Until,
+    connect: Connect,
 ) -> None:
-    connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.add_typed(quick_simulator.url))
     store(device, until, **{UART: NEW.to_wire(), POLYNOMIAL: 0x11})
     device.expect((ConnectionSettings("", NEW, polynomial=0x91),))
     quick_simulator.do("power off")
@@ -96,22 +70,20 @@ def test_reconnect_at_new_line_settings_is_saved(
     assert device.parameters.active_of(UART) == NEW.to_wire()
     connector.leave()
     until(lambda: device.link is ConnectionState.DISCONNECTED)
-    connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.add_typed(quick_simulator.url))
     assert device.settings == there
 
 
 @pytest.mark.parametrize("baud", [4800, 14400, 38400, 76800, 115200])
 def test_board_reconnects_at_a_new_baud_rate(
-    connector: TrexController,
     device: Device,
     ports: Ports,
     quick_simulator: SimulatedDevice,
     until: Until,
     baud: int,
+    connect: Connect,
 ) -> None:
-    connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.add_typed(quick_simulator.url))
     store(device, until, **{UART: LineSettings(baud).to_wire()})
     device.expect((ConnectionSettings("", LineSettings(baud)),))
     quick_simulator.do("power off")
@@ -122,14 +94,9 @@ def test_board_reconnects_at_a_new_baud_rate(
 
 
 def test_failed_write_of_line_settings_keeps_candidates(
-    connector: TrexController,
-    device: Device,
-    ports: Ports,
-    quick_simulator: SimulatedDevice,
-    until: Until,
+    device: Device, ports: Ports, quick_simulator: SimulatedDevice, until: Until, connect: Connect
 ) -> None:
-    connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.add_typed(quick_simulator.url))
     device.expect((ConnectionSettings("", NEW),))
     PowerCycle(device).begin(failed=[UART])
     quick_simulator.do("power off")
@@ -141,10 +108,9 @@ def test_failed_write_of_line_settings_keeps_candidates(
 
 
 def test_simulated_board_reconnects_at_its_last_settings(
-    connector: TrexController, device: Device, ports: Ports, until: Until
+    connector: TrexController, device: Device, ports: Ports, until: Until, connect: Connect
 ) -> None:
-    connector.connect_to(ports.demo_of("trex"))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.demo_of("trex"))
     store(device, until, **{UART: NEW.to_wire()})
     device.expect((ConnectionSettings("", NEW),))
     restart(device, until, connector.demo_board.power_cycle)
@@ -152,16 +118,14 @@ def test_simulated_board_reconnects_at_its_last_settings(
     assert connector.settings == ConnectionSettings("")  # which are for real boards
     connector.leave()
     until(lambda: device.link is ConnectionState.DISCONNECTED)
-    connector.connect_to(ports.demo_of("trex"))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.demo_of("trex"))
     assert line_of(device) == NEW
 
 
 def test_new_simulated_board_uses_factory_line_settings(
-    connector: TrexController, device: Device, ports: Ports, until: Until
+    connector: TrexController, device: Device, ports: Ports, until: Until, connect: Connect
 ) -> None:
-    connector.connect_to(ports.demo_of("trex"))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.demo_of("trex"))
     store(device, until, **{UART: NEW.to_wire()})
     device.expect((ConnectionSettings("", NEW),))
     restart(device, until, connector.demo_board.power_cycle)
@@ -169,6 +133,5 @@ def test_new_simulated_board_uses_factory_line_settings(
     assert line_of(device) == LineSettings()
     connector.simulator.stop()
     until(lambda: device.link is ConnectionState.DISCONNECTED)
-    connector.connect_to(ports.demo_of("trex"))
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    connect(ports.demo_of("trex"))
     assert line_of(device) == LineSettings()
