@@ -209,14 +209,19 @@ _MOUSE_BUTTONS = (
     Qt.MouseButton.MiddleButton,
     Qt.MouseButton.RightButton,
 )
-_uncollected = itertools.count(1)
+_MANY_OBJECTS = 100_000  # a window has about 40,000 that refer to others
 
 
 @pytest.fixture(autouse=True)
 def _collects_now_and_then() -> Iterator[None]:
+    """Collect garbage where there can be much: after a few windows, not after 25 small tests.
+
+    What is left stays, too: caches, and what pytest keeps of every test.
+    """
     yield
-    if next(_uncollected) % 25 == 0:
+    if gc.get_count()[0] > _MANY_OBJECTS:  # made since, and not freed
         gc.collect()
+        gc.freeze()
 
 
 @pytest.fixture(autouse=True)
