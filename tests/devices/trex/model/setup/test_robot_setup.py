@@ -6,12 +6,14 @@ from itertools import product
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.pages.learning import learning_dialog
 from tests.support.robots import Robot
 from tests.support.simulator import SimulatedDevice
+from tests.support.transmitter import Stick
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
 from trex_gui.devices.trex.model.setup.pulses import PAUSE, PULSE, STRONGER, WEAK
-from trex_gui.devices.trex.model.setup.robot_setup import SetupStep
+from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -147,6 +149,24 @@ def test_directions_wait_until_the_sticks_are_known(robot: Robot) -> None:
     assert setup.edits == {}
     setup.rises.update({1: True, 2: True})
     assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 3}
+
+
+def test_learned_directions_are_taken_over(quick_simulator: SimulatedDevice, qtbot: QtBot) -> None:
+    with learning_dialog(quick_simulator, qtbot) as dialog:
+        setup = RobotSetup(dialog.device, dialog.dialog._learning)
+        dialog.use({1: Stick(forward_is_down=True), 2: Stick()})
+        dialog.go_to_review(1, 2)
+        assert setup.rises == {}
+        dialog.click("learnUseButton")
+        assert setup.rises == {1: False, 2: True}
+        setup.note_movement(1, Movement.LEFT_FORWARD)
+        setup.note_movement(2, Movement.RIGHT_FORWARD)
+        while setup.step is not SetupStep.MOTORS:
+            setup.skip()
+        assert setup.edits == {}  # learning has edited the directions as they have to be
+        setup.note_movement(1, Movement.LEFT_BACKWARD)
+        setup.note_movement(2, Movement.RIGHT_BACKWARD)
+        assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 0b10}
 
 
 # --- Pulses -----------------------------------------------------------------------------
