@@ -262,6 +262,23 @@ def test_board_in_rc_mode_gets_neither_pulses_nor_edits(
     qtbot.waitUntil(robot.device.shut_down)
 
 
+def test_other_model_on_the_line_gets_no_answers_of_the_first(
+    robot: Robot, start_simulator: Callable[..., SimulatedDevice]
+) -> None:
+    """A current limit counts in other units there."""
+    setup = robot.setup
+    setup.choose_preset(Preset.TANK)
+    setup.rises.update({1: True, 2: True})
+    setup.note_movement(1, Movement.LEFT_FORWARD)
+    other = start_simulator("--unpaced", "--model", "trexjr")
+    robot.device.connect_to(ConnectionSettings(other.url))
+    robot.wait(lambda: robot.device.parameters.model_key == "trexjr")
+    assert setup.current_limit is None
+    assert setup.preset is None
+    assert not setup.movements
+    assert not setup.rises
+
+
 # --- The other steps --------------------------------------------------------------------
 
 

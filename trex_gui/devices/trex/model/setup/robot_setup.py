@@ -61,11 +61,12 @@ class RobotSetup(QObject):
         self.pulses = MotorPulses(device, self)
         self._device = device
         self._learning = learning
+        self._model = device.parameters.model_key
 
         learning.edited.connect(self._take_learned)
         learning.stored.connect(self._take_learned)
         device.link_changed.connect(self._on_link_changed)
-        device.state_changed.connect(self.changed)
+        device.state_changed.connect(self._on_state_changed)
         device.draft.pending_changed.connect(self.changed)
         device.mix_jumper.changed.connect(self.changed)
 
@@ -246,6 +247,20 @@ class RobotSetup(QObject):
     def _on_link_changed(self) -> None:
         """Forget what is known of another board, perhaps another robot."""
         if self._device.link is ConnectionState.DISCONNECTED:
-            self.movements.clear()
-            self.rises.clear()
+            self._forget()
         self.changed.emit()
+
+    @Slot()
+    def _on_state_changed(self) -> None:
+        """Forget the answers if another kind of board has come back."""
+        model = self._device.parameters.model_key
+        if model != self._model:
+            self._model = model
+            self._forget()
+        self.changed.emit()
+
+    def _forget(self) -> None:
+        """Forget the answers: a current limit, too, means something else to another model."""
+        self.movements.clear()
+        self.rises.clear()
+        self.preset = self.current_limit = None

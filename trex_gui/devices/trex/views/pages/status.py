@@ -58,7 +58,7 @@ class StatusPage(QWidget):
                 "quality": self.tr("Failures:"),
             },
         )
-        set_up = ui.button(
+        self._set_up = ui.button(
             self._report,
             "setUpButton",
             self.tr("Set up my r&obot…"),
@@ -66,7 +66,7 @@ class StatusPage(QWidget):
             on_click=self.setup_requested,
         )
         text = self.tr("Who drives, jumpers, sticks, motors and limits, step by step.")
-        lead = ui.row(set_up, (Muted(text, self._report), 1), spacing=10)
+        lead = ui.row(self._set_up, (Muted(text, self._report), 1), spacing=10)
         errors = QGroupBox(self.tr("Errors seen"), self)
         self._table = self._error_table(errors)
         reset = ui.button(
@@ -133,6 +133,7 @@ class StatusPage(QWidget):
             label.setText(self.tr("N/A"))
             label.setEnabled(is_connected)
         self._table.setEnabled(is_connected)
+        self._set_up.setEnabled(is_connected)
         if state is None or settings is None or not is_connected:
             return
         model, number = state.signature.model, settings.device_number
