@@ -406,22 +406,36 @@ def test_inactive_source_is_shown_and_can_be_activated(
     assert page.device.draft.pending == 1
 
 
-def test_rc_mode_explains_why_nothing_can_be_stored(
-    unconnected_page: CalibrationPage, start_simulator: StartSimulator
+def test_rc_mode_disables_what_the_board_rejects_and_says_so_once(
+    unconnected_page: CalibrationPage, quick_simulator: SimulatedDevice
 ) -> None:
-    page = unconnected_page
-    page.connect(start_simulator("--unpaced", "--mode", "rc").url)
+    page, board = unconnected_page, quick_simulator
+    board.do("jumper mode rc")
+    board.do("power cycle")
+    page.connect(board.url)
+    page.device.calibrations.edit(1, Calibration(2400, 3700, 3800, 60))
     assert page.text("channelDoes").startswith("Channel 1 drives motor 1")
+    assert page.note == page.device.settings_blocker
     assert "serial mode only" in page.note
-    page.type_into("minimumEdit", "1100")
-    page.apply()
-    assert "code 3" in page.note
-    assert "problem" in page.row(1)
-    page.type_into("minimumEdit", "1104")
-    assert "code 3" not in page.note
+    for name in ("minimumEdit", "reversedBox", "learnButton", "learnAllButton"):
+        assert not page.is_enabled(name), name
+    assert page.is_enabled("discardChannelButton")
+    before = page.shown()
+    page.drag_handle(Handle.MINIMUM, 2300)
+    assert page.shown() == before
+    assert not page.action("resetCalibration").isEnabled()
+    assert page.action("saveCalibrations").isEnabled()
     page.select_source(1)
     assert "mode jumper to analog" in page.text("otherSourceWords")
     assert not page.has("switchSourceButton")
+
+    page.select_source(0)
+    board.do("jumper mode serial")
+    board.do("power cycle")
+    page.wait(lambda: page.is_enabled("minimumEdit"))
+    assert page.is_enabled("learnButton")
+    assert "serial mode only" not in page.note
+    assert page.action("resetCalibration").isEnabled()
 
 
 def test_value_that_the_board_rejects_is_explained(page: CalibrationPage) -> None:

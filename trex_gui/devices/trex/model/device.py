@@ -135,6 +135,16 @@ class Device(QObject):
         return self.is_connected and self.state is not None and not self.state.mode.is_serial
 
     @property
+    def settings_blocker(self) -> str:
+        """What lets the board accept writes again, for the user; empty if it does not reject."""
+        if not self.rejects_settings:
+            return ""
+        return self.tr(
+            "The board accepts changes in serial mode only: switch it off, remove the mode jumper, "
+            "switch it on. Edits are kept."
+        )
+
+    @property
     def status(self) -> str:
         return self.connection.status
 

@@ -63,7 +63,9 @@ class ChangeMenu(QMenu):
         text = self.tr("&Load calibrations from a file…")
         self._add(self, "loadCalibrationsAction", text, self.files.ask_and_load, icon="open")
         text = self.tr("&Save calibrations to a file…")
-        self._add(self, "saveCalibrationsAction", text, self.files.ask_and_save, icon="save")
+        self._save = self._add(
+            self, "saveCalibrationsAction", text, self.files.ask_and_save, icon="save"
+        )
 
     @staticmethod
     def _add(menu: QMenu, name: str, text: str, handler: Handler, icon: str = "") -> QAction:
@@ -71,9 +73,11 @@ class ChangeMenu(QMenu):
         menu.addAction(made)
         return made
 
-    def show_channel(self, channel: int) -> None:
-        """Act on a channel; a tool tip gives the reason for a disabled action."""
+    def show_channel(self, channel: int, *, editable: bool) -> None:
+        """Act on a channel, or save only; a tool tip gives the reason for a disabled action."""
         self._channel = channel
+        for change in self.actions():
+            change.setEnabled(editable or change is self._save)
         for copy in self._copies.actions():
             copy.setVisible(copy.objectName() != f"copyTo{channel}Action")
         calibrations = self._device.calibrations

@@ -136,7 +136,8 @@ class CalibrationPage(PlotPage):
 
     @property
     def _editable(self) -> bool:
-        return self._device.is_writable and self._is_active
+        device = self._device
+        return device.is_writable and self._is_active and not device.rejects_settings
 
     def _calibration(self) -> Calibration | None:
         calibrations = self._device.calibrations
@@ -167,8 +168,8 @@ class CalibrationPage(PlotPage):
         before = self._device.draft.stored_curve(channel) if is_active else after
         self._fields.show_calibration(self.source, shown, editable=editable)
         self._show_actions()
-        self._menu.show_channel(channel)
-        self._change.setEnabled(editable)
+        self._menu.show_channel(channel, editable=editable)
+        self._change.setEnabled(self._device.is_writable and is_active)
         self._show_heading()
         self._legend.set_curves(shown is not None, differs=before != after, live=is_active)
         self._other.setVisible(not is_active)
@@ -194,7 +195,7 @@ class CalibrationPage(PlotPage):
         )
 
     def _show_actions(self) -> None:
-        is_connected, reason = self._device.is_connected, ""
+        is_connected, reason = self._device.is_connected, self._device.settings_blocker
         if not self._is_active:
             read = channel_text.SOURCE_NAMES[self._device.calibrations.source]
             shown = channel_text.SOURCE_NAMES[self.source]
@@ -203,7 +204,7 @@ class CalibrationPage(PlotPage):
                 "described above."
             ).format(read, shown)
         for learn in (self._learn, self._learn_all):
-            learn.setEnabled(is_connected and self._is_active)
+            learn.setEnabled(is_connected and not reason)
             learn.setToolTip(reason)
         self._options.show_channel(self.channel, self.source, editable=is_connected, blocker=reason)
 
@@ -219,7 +220,7 @@ class CalibrationPage(PlotPage):
                 problem = channel_text.concern(shown, calibrations.source)
             self._channels.set_mark(channel, edited=edited, problem=problem)
             if channel == self.channel:
-                self._discard.setEnabled(edited and self._editable)
+                self._discard.setEnabled(edited and self._device.is_writable and self._is_active)
 
     def _failure(self, channel: int) -> str:
         failed, why = self._failures.get(channel, (None, ""))
@@ -236,23 +237,19 @@ class CalibrationPage(PlotPage):
         if failure := self._failure(self.channel):
             return failure
         calibration = self._calibration()
-        if calibration is None or not self._device.is_connected:
+        if calibration is None or not self._device.is_connected or self._device.rejects_settings:
             return ""
         return channel_text.concern(calibration, self.source)
 
     def _hint_text(self) -> str:
-        state = self._device.state
         if not self._is_active:
             return ""
         if not self._device.is_connected:
             return self.tr(
                 "No board responds. Edits are kept until a board of the same kind is connected."
             )
-        if state is not None and not state.mode.is_serial:
-            return self.tr(
-                "The board accepts changes in serial mode only: to apply them, switch it off, "
-                "remove the mode jumper, switch it on."
-            )
+        if blocker := self._device.settings_blocker:
+            return blocker
         values, counts = "1500, 1.5 ms", "3750"
         if self.source is InputSource.ANALOG:
             values, counts = "2.5, 2500 mV", "512"

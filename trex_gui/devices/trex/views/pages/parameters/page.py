@@ -81,11 +81,8 @@ class ParametersPage(QWidget):
             return self.tr(
                 "No board is responding. Edits are kept until the same kind of board is connected."
             )
-        if self._device.rejects_settings:
-            return self.tr(
-                "The board accepts changes in serial mode only: switch it off, remove the mode "
-                "jumper, switch it on. Edits are kept."
-            )
+        if blocker := self._device.settings_blocker:
+            return blocker
         if self._device.draft.reset_pending:
             return self.tr("Factory defaults take effect after the next power cycle.")
         if pending := self._device.draft.pending:
