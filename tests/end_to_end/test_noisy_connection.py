@@ -1,5 +1,6 @@
 """A noisy line is named beside the port, with the way to CRC."""
 
+from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QDialog
 
 from tests.support.simulator import SimulatedDevice
@@ -15,6 +16,13 @@ def test_noisy_line_is_named_and_crc_is_set_up(
     device = window.device
     window.connect(quick_simulator.url)
     assert window.text("qualityLabel") == ""
+
+    def top_of_page() -> int:
+        return window.window.pages.mapTo(window.window, QPoint()).y()
+
+    window.window.resize(window.window.minimumSizeHint())
+    window.wait_for_files()
+    top = top_of_page()
     window.wait(lambda: window.text("qualityLabel") == "Line: good", 10_000)
     assert not window.has("setUpCrcButton")
 
@@ -22,6 +30,7 @@ def test_noisy_line_is_named_and_crc_is_set_up(
     window.wait(lambda: "use CRC" in window.text("qualityLabel"), 20_000)
     assert "% lost: noisy; shorten the cable, check ground" in window.text("qualityLabel")
     window.wait(lambda: window.has("setUpCrcButton"))
+    assert top_of_page() == top, "nothing moves under the pointer"
     window.motors.arm()
     window.wait(lambda: not window.has("setUpCrcButton"))
     assert window.text("qualityLabel")

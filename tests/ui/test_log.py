@@ -31,7 +31,7 @@ def clocks() -> Clocks:
 
 
 def lines(log: Log) -> list[str]:
-    return [str(entry) for entry in log.entries]
+    return [entry.line for entry in log.entries]
 
 
 def test_entries_have_the_time_at_which_they_happened(qtbot: QtBot, clocks: Clocks) -> None:

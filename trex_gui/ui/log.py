@@ -34,11 +34,7 @@ class LogEntry:
     time: datetime  # local
     text: str  # one line, for the user
     is_problem: bool
-
-    def __str__(self) -> str:
-        """Return the line that is shown, copied and saved."""
-        sign = f"{_SIGN} " if self.is_problem else ""
-        return f"{self.time:%Y-%m-%d %H:%M:%S}  {sign}{self.text}"
+    line: str  # as it is shown, copied and saved: time, sign of a problem, text
 
 
 class Log(QObject):
@@ -74,7 +70,9 @@ class Log(QObject):
             is_repeated = (moment - last.time).total_seconds() < _REPEATED
             if is_repeated and last.is_problem >= is_problem:
                 return
-        self.entries.append(LogEntry(moment, line, is_problem))
+        sign = f"{_SIGN} " if is_problem else ""
+        whole = f"{moment:%Y-%m-%d %H:%M:%S}  {sign}{line}"
+        self.entries.append(LogEntry(moment, line, is_problem, whole))
         self.added.emit(self.entries[-1])
 
     @Slot(object)
@@ -135,11 +133,11 @@ class LogPage(QWidget):
     def _is_shown(self, entry: LogEntry) -> bool:
         if self._problems.isChecked() and not entry.is_problem:
             return False
-        return self._search.text().strip().casefold() in str(entry).casefold()
+        return self._search.text().strip().casefold() in entry.line.casefold()
 
     @property
     def _lines(self) -> list[str]:
-        return [str(entry) for entry in self._log.entries if self._is_shown(entry)]
+        return [entry.line for entry in self._log.entries if self._is_shown(entry)]
 
     @Slot()
     @only_when_visible
@@ -150,7 +148,7 @@ class LogPage(QWidget):
     @Slot(object)
     def _on_added(self, entry: LogEntry) -> None:
         if self.isVisible() and self._is_shown(entry):
-            self._text.appendPlainText(str(entry))  # scrolls if the end was in view
+            self._text.appendPlainText(entry.line)  # scrolls if the end was in view
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

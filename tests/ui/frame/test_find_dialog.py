@@ -4,6 +4,8 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QAbstractButton
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
@@ -103,7 +105,7 @@ def test_boards_stand_above_the_folded_ports_without_one(
     dialog: FindBoardDialog, ports: Ports
 ) -> None:
     port = ports.entries[0]
-    failed = ScanFinding(port, "No TReX responds.")
+    failed = ScanFinding(port, "No TReX responds.", command="sudo give me the port")
     signature = Signature(device_table().model("trex"), "1.2")
     found = FoundBoard(ConnectionSettings("/dev/ttyUSB1"), signature)
     board = ScanFinding(port, "TReX 1.2", found, "trex")
@@ -119,3 +121,6 @@ def test_boards_stand_above_the_folded_ports_without_one(
     dialog.click("findFailures")
     assert dialog.text("findText1") == "No TReX responds."
     assert dialog.has("findText1")
+    dialog.click("copyCommand1")
+    assert QGuiApplication.clipboard().text() == "sudo give me the port"
+    assert not dialog.root.findChild(QAbstractButton, "copyCommand0")
