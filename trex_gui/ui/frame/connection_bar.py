@@ -62,11 +62,6 @@ class ConnectionBar(QWidget):
         self._combo.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
-        follow_theme(
-            self._combo,
-            "least",
-            lambda: self._combo.setMinimumWidth(_LEAST * self.fontMetrics().averageCharWidth()),
-        )
         # A double click on Connect does not disconnect.
         self._connect = ui.named(ui.ConfirmButton(self.tr("&Connect"), self), "connectButton")
         self._connect.clicked.connect(self.toggle)
@@ -89,7 +84,8 @@ class ConnectionBar(QWidget):
             on_click=self.find_board,
         )
         state = QWidget(self)
-        state.setMinimumHeight(2 * self.fontMetrics().lineSpacing())  # nothing moves below
+        self._state = state
+        follow_theme(self, "room", self._take_room)
         self._status = ui.named(ElidedLabel("", state), "statusLabel")
         self._quality = ui.named(ElidedLabel("", state), "qualityLabel")
         ui.column((self._status, 1), self._quality, into=state, margins=0, spacing=0)
@@ -117,6 +113,11 @@ class ConnectionBar(QWidget):
             into=self,
             margins=0,
         )
+
+    def _take_room(self) -> None:
+        metrics = self.fontMetrics()
+        self._combo.setMinimumWidth(_LEAST * metrics.averageCharWidth())
+        self._state.setMinimumHeight(2 * metrics.lineSpacing())  # nothing moves below
 
     # --- The user's choices -------------------------------------------------------------
 

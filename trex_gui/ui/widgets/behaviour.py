@@ -85,6 +85,11 @@ def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") ->
         painter.drawText(box, how, text)
 
 
+def clear_corner(view: QAbstractItemView) -> None:
+    """Leave the corner between scroll bars empty: Qt fills it with the colour of outlines."""
+    view.setCornerWidget(QWidget(view))
+
+
 def name_headers(view: QAbstractItemView) -> None:
     for header in view.findChildren(QHeaderView, options=Qt.FindChildOption.FindDirectChildrenOnly):
         across = header.orientation() is Qt.Orientation.Horizontal

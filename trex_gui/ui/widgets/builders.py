@@ -32,7 +32,7 @@ from PySide6.QtWidgets import (
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import follow_theme, theme, tint
-from trex_gui.ui.widgets.behaviour import name_headers
+from trex_gui.ui.widgets.behaviour import clear_corner, name_headers
 
 
 class NoWheelComboBox(QComboBox):
@@ -312,6 +312,7 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
     """
     named(table, name, accessible=accessible)
     name_headers(table)
+    clear_corner(table)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QSpinBox, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
@@ -152,7 +152,10 @@ def test_each_number_out_of_range_is_rejected_with_its_limits(
 def test_rejected_input_is_marked_until_it_is_a_value(parameters: ParametersDriver) -> None:
     editor = parameters.open_with_mouse("serial_timeout")
     assert isinstance(editor, UnitSpinBox)
+    (icon,) = editor.findChildren(QToolButton)
+    assert not icon.isVisible()
     type_number(editor, "99999")
+    assert icon.isVisible()
     assert editor.problem == parameters.rejected[-1]
     red = theme().color("danger")
     assert editor.grab().toImage().pixelColor(1, editor.height() // 2) == red

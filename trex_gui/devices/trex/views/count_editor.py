@@ -43,9 +43,9 @@ class UnitSpinBox(QSpinBox):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
         self._problem = QAction(self.tr("Not a value"), self)
-        self._problem.setVisible(False)
         set_icon(self._problem, "warning", "danger")
         self.lineEdit().addAction(self._problem, QLineEdit.ActionPosition.LeadingPosition)
+        self._problem.setVisible(False)  # only now: Qt shows what was hidden when it was added
         self.lineEdit().textChanged.connect(self._on_text_changed)
 
     @property
