@@ -71,10 +71,10 @@ was {0}</numerusform>
 <context>
     <name>DefaultsDialog</name>
     <message numerus="yes">
-        <source>Review %n change(s)…</source>
+        <source>&amp;Review %n change(s)…</source>
         <translation>
-            <numerusform>Review %n change…</numerusform>
-            <numerusform>Review %n changes…</numerusform>
+            <numerusform>&amp;Review %n change…</numerusform>
+            <numerusform>&amp;Review %n changes…</numerusform>
         </translation>
     </message>
 </context>
@@ -159,10 +159,10 @@ was {0}</numerusform>
 <context>
     <name>LearnDialog</name>
     <message numerus="yes">
-        <source>Learn channel(s) {0} again</source>
+        <source>&amp;Learn channel(s) {0} again</source>
         <translation>
-            <numerusform>Learn channel {0} again</numerusform>
-            <numerusform>Learn channels {0} again</numerusform>
+            <numerusform>&amp;Learn channel {0} again</numerusform>
+            <numerusform>&amp;Learn channels {0} again</numerusform>
         </translation>
     </message>
 </context>
@@ -271,10 +271,10 @@ was {0}</numerusform>
 <context>
     <name>ReviewDialog</name>
     <message numerus="yes">
-        <source>Write %n setting(s)</source>
+        <source>&amp;Write %n setting(s)</source>
         <translation>
-            <numerusform>Write %n setting</numerusform>
-            <numerusform>Write %n settings</numerusform>
+            <numerusform>&amp;Write %n setting</numerusform>
+            <numerusform>&amp;Write %n settings</numerusform>
         </translation>
     </message>
     <message numerus="yes">

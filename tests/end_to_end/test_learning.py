@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
+from tests.support.keyboard import check_keyboard
 from tests.support.pages.learning import LearningDialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick
@@ -46,9 +47,12 @@ def test_all_channels_are_learned_and_tested(
     )
     connected_window.trigger("learn")
     learning.wait_for_head("Release every stick")
+    check_keyboard(learning.dialog)
     learning.sample_rest()
+    check_keyboard(learning.dialog)
     learning.push(1, -1)
     learning.finish_travel()
+    check_keyboard(learning.dialog)
     boxes = [learning.button(f"learnReversed{channel}").isChecked() for channel in CHANNELS]
     assert boxes == [False, True, False, False, True]
     assert [learning.problem(channel) for channel in CHANNELS] == [""] * 5
@@ -59,6 +63,7 @@ def test_all_channels_are_learned_and_tested(
     connected_window.click("writeButton")
     # The test follows by itself.
     learning.wait_for_head("Push every stick")
+    check_keyboard(learning.dialog)
     assert learning.device.draft.pending == 0
     for channel in CHANNELS:
         learning.assert_learned(channel)

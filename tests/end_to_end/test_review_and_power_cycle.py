@@ -58,7 +58,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     assert calibration[0] == "Calibration of RC channel 2"
     assert "minimum" in calibration[2]
     assert "maximum" not in calibration[2]
-    assert review.button("writeButton").text() == "Write 2 settings"
+    assert review.button("writeButton").text() == "&Write 2 settings"
     assert review.head.startswith("2 settings of the TReX 1.2 (device number 7, ")
 
     review.close()
@@ -70,7 +70,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     review.toggle("Serial Timeout")
     edit(connected_window, motor2_acceleration=7)
     assert len(review.rows()) == 3
-    assert review.button("writeButton").text() == "Write 2 settings"
+    assert review.button("writeButton").text() == "&Write 2 settings"
     device.draft.discard_edits()
     assert review.rows() == []
     assert not review.is_enabled("writeButton")
@@ -79,7 +79,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     edit(connected_window, serial_timeout=15, motor1_acceleration=5)
     review.open()
     review.toggle("Serial Timeout")
-    assert review.button("writeButton").text() == "Write 1 setting"
+    assert review.button("writeButton").text() == "&Write 1 setting"
     review.click("writeButton")
     review.wait(lambda: stored(simulator, "motor1_acceleration") == 5 and not device.applying)
     assert stored(simulator, "serial_timeout") == 0

@@ -1,12 +1,13 @@
-"""Every window, page and dialog fits a small screen, and its stop button is in sight."""
+"""Every window, page and dialog fits a small screen and can be used with the keyboard alone."""
 
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, QRect, QSize
 from PySide6.QtGui import QScreen
-from PySide6.QtWidgets import QAbstractButton, QDialog, QDockWidget, QWidget
+from PySide6.QtWidgets import QAbstractButton, QDialog, QDockWidget, QTabWidget, QWidget
 
+from tests.support.keyboard import check_keyboard
 from tests.support.pages.every_window import WINDOWS_WITH_STOP, stop_button
 from tests.support.program import trex
 from tests.support.window import WindowDriver
@@ -27,7 +28,9 @@ def screen(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Q
     return available
 
 
-def check_that_it_fits(window: QWidget, screen: QRect, stop: QAbstractButton | None) -> None:
+def check_window(window: QWidget, screen: QRect, stop: QAbstractButton | None) -> None:
+    """Check size, stop button and keyboard of a window as it is shown."""
+    check_keyboard(window)
     case = f"{window.objectName()}: {window.frameGeometry()}"
     assert screen.contains(window.frameGeometry()), case
     least, room = window.minimumSizeHint(), screen.size() - FRAME
@@ -46,7 +49,7 @@ def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> N
         tabs.setCurrentIndex(index)
         runtime().sleep(0.3)
         assert dock.isVisible()
-        check_that_it_fits(window.window, screen, window.button(stop))
+        check_window(window.window, screen, window.button(stop))
         page = tabs.widget(index)
         assert page is not None
         assert isinstance(page, ScrollBox)
@@ -57,7 +60,10 @@ def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> N
 
 
 def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path) -> None:
-    check_that_it_fits(window.window, screen, window.button("stopButton"))
+    tabs = window.window.pages
+    for index in range(tabs.count()):
+        tabs.setCurrentIndex(index)
+        check_window(window.window, screen, window.button("stopButton"))
     window.connect_to_demo()
     window.device.parameters.edit("serial_timeout", 15)
     check_pages(window, screen, "stopButton", "demoPanel")
@@ -65,7 +71,11 @@ def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path
     for open_window in WINDOWS_WITH_STOP:
         shown = open_window(window, tmp_path)
         window.wait(shown.isVisible)
-        check_that_it_fits(shown, screen, stop_button(shown))
+        for tabs in shown.findChildren(QTabWidget):
+            for index in range(tabs.count()):
+                tabs.setCurrentIndex(index)
+                check_keyboard(shown)
+        check_window(shown, screen, stop_button(shown))
         shown.close()
 
     window.device.draft.discard_edits()
@@ -73,11 +83,12 @@ def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path
         "learn": "learnDialog",
         "test_sticks": "learnDialog",
         "find": "findDialog",
+        "preferences": "preferencesDialog",
     }.items():
         window.trigger(key)
         dialog = window.find(QDialog, name)
         window.wait(dialog.isVisible)
-        check_that_it_fits(dialog, screen, None)
+        check_window(dialog, screen, None)
         dialog.close()
     check_other_dialogs(window, screen)
 
@@ -91,12 +102,15 @@ def check_other_dialogs(window: WindowDriver, screen: QRect) -> None:
     assert len(dialogs) > 8
     for dialog in dialogs:
         dialog.show()
-        check_that_it_fits(dialog, screen, None)
+        check_window(dialog, screen, None)
         dialog.close()
 
 
 def test_windows_of_aracna_fit(screen: QRect, window: WindowDriver) -> None:
     window.connect_to_demo("aracna")
     check_pages(window, screen, "aracnaStopButton", "aracnaDemoPanel")
+    window.open_page("aracnaRobotPage")
+    window.click("aracnaLimitsBox")
+    check_keyboard(window.window)
     window.trigger("guide")
-    check_that_it_fits(window.find(QDialog, "helpDialog"), screen, None)
+    check_window(window.find(QDialog, "helpDialog"), screen, None)

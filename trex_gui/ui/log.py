@@ -98,12 +98,12 @@ class LogPage(QWidget):
         self._search.setPlaceholderText(self.tr("Search the log (Ctrl+F)"))
         self._search.setClearButtonEnabled(True)
         self._problems = ui.check_box(
-            self, f"{key}LogProblems", self.tr("Only problems"), on_toggle=self._fill
+            self, f"{key}LogProblems", self.tr("O&nly problems"), on_toggle=self._fill
         )
         copy = ui.button(
             self,
             f"{key}LogCopy",
-            self.tr("Copy"),
+            self.tr("Cop&y"),
             icon="copy",
             tip=self.tr("Copy the lines shown"),
             on_click=self._copy,
@@ -111,7 +111,7 @@ class LogPage(QWidget):
         save_button = ui.button(
             self,
             f"{key}LogSave",
-            self.tr("Save…"),
+            self.tr("Sa&ve…"),
             icon="save",
             tip=self.tr("Save the lines shown as text"),
             on_click=self._ask_and_save,

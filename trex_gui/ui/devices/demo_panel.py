@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any, Generic
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
@@ -365,8 +364,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         right = (reset, 0, Qt.AlignmentFlag.AlignRight)
         ui.column(head, self._state, *groups, right, 1, into=self, margins=6, spacing=6)
         controls = [control for group in groups for control in group.controls]
-        for control, following in pairwise([*controls, reset]):
-            QWidget.setTabOrder(control, following)
+        ui.tab_order(*controls, reset)
         self._device.changed.connect(self.refresh)
         self.refresh()
 

@@ -77,7 +77,7 @@ class ConnectionBar(QWidget):
         self._find = ui.tool_button(
             self,
             "findButton",
-            self.tr("Find…"),
+            self.tr("F&ind…"),
             icon="find",
             accessible=self.tr("Find a board"),
             tip=self.tr("Find a board whose line settings are unknown"),
@@ -102,7 +102,7 @@ class ConnectionBar(QWidget):
         self._progress.setFixedWidth(70)
         self._progress.hide()
         ui.row(
-            ui.label(self, text=self.tr("P&ort:"), buddy=self._combo),
+            ui.label(self, text=self.tr("&Port:"), buddy=self._combo),
             self._combo,
             self._connect,
             self._line,

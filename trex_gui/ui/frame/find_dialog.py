@@ -120,7 +120,7 @@ class FindDialog(ReusedDialog):
         )
         ui.column(
             intro,
-            ui.label(self, text=self.tr("&Search on:"), buddy=self._list),
+            ui.label(self, text=self.tr("Search &on:"), buddy=self._list),
             self._list,
             ui.row((self._busy, 1), self._disconnect),
             self._full,
@@ -236,7 +236,7 @@ class FindDialog(ReusedDialog):
 
     def _fold(self, rows: list[QWidget]) -> QToolButton:
         """Return a button that shows and hides some rows."""
-        fold = ui.tool_button(self._results, "findFailures", self.tr("Ports without a board"))
+        fold = ui.tool_button(self._results, "findFailures", self.tr("Ports &without a board"))
         fold.setAutoRaise(True)
         fold.setCheckable(True)
 

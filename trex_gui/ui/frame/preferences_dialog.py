@@ -81,10 +81,6 @@ class PreferencesDialog(ReusedDialog):
         form = QFormLayout()
         form.addRow(self.tr("&Theme:"), self._scheme)
         form.addRow(self.tr("&Font size:"), self._font_size)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
-        close = buttons.button(QDialogButtonBox.StandardButton.Close)
-        close.setObjectName("preferencesClose")
-        close.setDefault(True)
         reset = ui.button(
             self,
             "preferencesReset",
@@ -93,6 +89,10 @@ class PreferencesDialog(ReusedDialog):
             default=False,
             on_click=self._reset,
         )
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
+        close = buttons.button(QDialogButtonBox.StandardButton.Close)
+        close.setObjectName("preferencesClose")
+        close.setDefault(True)
         ui.column(
             form,
             self._own_folder,

@@ -120,11 +120,17 @@ class Workspace(QWidget):
             return
         self._missing.remove(index)
         current, placeholder = self.pages.currentIndex(), self.pages.widget(index)
-        box = ScrollBox(self._infos[index].make(), self)
+        page = self._infos[index].make()
+        box = ScrollBox(page, self)
         with QSignalBlocker(self.pages):  # the current page stays the same
             self.pages.insertTab(index, box, self.pages.tabText(index))
             self.pages.removeTab(index + 1)
             self.pages.setCurrentIndex(current)
+        # It was made after what is below the pages, and a plot is made later still.
+        order = partial(ui.tab_order, self.pages.tabBar(), box)
+        order()
+        if isinstance(page, PlotPage):
+            page.plot_added.connect(order)
         if placeholder is not None:
             placeholder.deleteLater()
 

@@ -52,7 +52,7 @@ class RecordIndicator(QWidget):
         stop = builders.button(
             self,
             f"{prefix}stopRecordingButton",
-            self.tr("Stop recordin&g"),
+            self.tr("Stop recording"),
             icon="ok",
             tip=self.tr("End the recording; motors and connection are not affected"),
             on_click=recorder.stop,

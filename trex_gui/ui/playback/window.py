@@ -119,6 +119,17 @@ class RecordingWindow(QMainWindow):
         halves = builders.splitter(
             self, f"{self._name}Splitter", Qt.Orientation.Horizontal, (left, 1), (right, 0)
         )
+        builders.tab_order(
+            self._show_all,
+            *buttons,
+            self._export,
+            self._picture,
+            self._cancel,
+            left,
+            right,
+            stop,
+            self._transport,
+        )
         frame = QWidget(self)
         builders.column(
             self.banner,

@@ -63,7 +63,7 @@ class ExportButton(QToolButton):
         """
         super().__init__(parent)
         self.setObjectName("exportButton" if tables else "pictureButton")
-        self.setText(self.tr("E&xport") if tables else self.tr("&Picture"))
+        self.setText(self.tr("E&xport") if tables else self.tr("Pictu&re"))
         self.setAccessibleName(self.text().replace("&", ""))
         self.setToolTip("" if tables else self.tr("Save what the plot shows as PNG or SVG"))
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)

@@ -1,5 +1,6 @@
 """A page with a plot."""
 
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
@@ -10,12 +11,15 @@ class PlotPage(QWidget):
     pyqtgraph takes as long to load as Qt: `add_plot` is what imports it.
     """
 
+    plot_added = Signal()
+
     _has_plot = False
 
     def need_plot(self) -> None:
         if not self._has_plot:
             self._has_plot = True
             self.add_plot()
+            self.plot_added.emit()
 
     def add_plot(self) -> None:
         raise NotImplementedError

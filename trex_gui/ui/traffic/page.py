@@ -52,21 +52,22 @@ class TrafficPage(QWidget):
         self._polling = ui.check_box(
             self,
             f"{key}Polling",
-            self.tr("Show polling"),
+            self.tr("&Show polling"),
             tip=self.tr("Also show the requests that the program repeats many times a second"),
         )
         self._faults = ui.check_box(
             self,
             f"{key}Faults",
-            self.tr("Only faults"),
+            self.tr("O&nly faults"),
             tip=self.tr("Show only failed transactions and line errors"),
         )
         self._paused = ui.check_box(
             self,
             f"{key}Pause",
-            self.tr("Pause"),
+            self.tr("Pa&use"),
             tip=self.tr("Do not add rows for now; the traffic is still logged"),
         )
+        buttons = self._make_buttons(key)
         self._view = ui.named(TrafficView(self._table, self), f"{key}View")
         self._details = ui.named(RowDetails(traffic, self._table, self), f"{key}Details")
         self._summary = ui.label(self, f"{key}Summary")
@@ -74,7 +75,7 @@ class TrafficPage(QWidget):
 
         above = ui.row((self._search, 1), self._polling, self._faults, self._paused)
         above.addSpacing(above.spacing())
-        for button in self._make_buttons(key):
+        for button in buttons:
             above.addWidget(button)
         ui.column(above, (self._view, 1), self._details, self._summary, into=self)
 
@@ -107,7 +108,7 @@ class TrafficPage(QWidget):
         copy = ui.button(
             self,
             f"{key}CopyButton",
-            self.tr("Copy"),
+            self.tr("Cop&y"),
             icon="copy",
             tip=self.tr("Copy the selected rows (Ctrl+C), or all rows shown"),
             on_click=self._copy,
@@ -115,7 +116,7 @@ class TrafficPage(QWidget):
         save = ui.button(
             self,
             f"{key}SaveButton",
-            self.tr("Save…"),
+            self.tr("Sa&ve…"),
             icon="save",
             tip=self.tr("Save the rows shown as text"),
             on_click=self._ask_and_save,
@@ -123,7 +124,7 @@ class TrafficPage(QWidget):
         clear = ui.button(
             self,
             f"{key}ClearButton",
-            self.tr("Clear"),
+            self.tr("C&lear"),
             icon="clear",
             tip=self.tr("Remove every row"),
             on_click=self._traffic.clear,

@@ -1,6 +1,7 @@
 """Functions that create a named widget with its usual properties, and layouts from their items."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from itertools import pairwise
 from math import inf
 from typing import TypeVar
 
@@ -379,6 +380,24 @@ def action(
         set_icon(made, icon)
     _connect(made.triggered, on_trigger)
     return made
+
+
+def tab_order(*parts: QWidget) -> None:
+    """Let Tab go through these widgets one after the other, and inside each as it was built."""
+    for before, after in pairwise(stop for part in parts for stop in _tab_stops(part)):
+        QWidget.setTabOrder(before, after)
+
+
+def _tab_stops(part: QWidget) -> Iterator[QWidget]:
+    if part.focusPolicy() & Qt.FocusPolicy.TabFocus:
+        yield part
+    if isinstance(part, QSplitter):  # it changes the order of its children
+        inside = [found for index in range(part.count()) if (found := part.widget(index))]
+    else:
+        inside = part.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    for each in inside:
+        if not each.isWindow():
+            yield from _tab_stops(each)
 
 
 def set_bold(widget: QWidget, bold: bool = True) -> None:

@@ -40,12 +40,13 @@ class _MessageRow(QFrame):
         """The message or question; empty while there is none."""
         return self._text.text()
 
-    def _add_button(self, name: str, text: str) -> QPushButton:
+    def _add_button(self, name: str, text: str, before: QWidget) -> QPushButton:
         """Add a button before the one that is always there."""
         button = ui.button(self, name, text, default=False, confirms=True)
-        self._layout.insertWidget(self._layout.count() - 1, button)
+        self._layout.insertWidget(self._layout.indexOf(before), button)
         button.show()
         self._buttons.append(button)
+        ui.tab_order(before, *self._buttons, before)
         return button
 
     def _remove_buttons(self) -> None:
@@ -67,9 +68,11 @@ class Banner(_MessageRow):
 
     def __init__(self, parent: QWidget | None = None, notifier: Notifier | None = None) -> None:
         super().__init__("banner", parent, selectable=True)
-        dismiss = ui.tool_button(self, "bannerDismiss", self.tr("Dismiss"), on_click=self.clear)
-        dismiss.setAutoRaise(True)
-        self._layout.addWidget(dismiss)
+        self._dismiss = ui.tool_button(
+            self, "bannerDismiss", self.tr("Dismiss"), on_click=self.clear
+        )
+        self._dismiss.setAutoRaise(True)
+        self._layout.addWidget(self._dismiss)
         if notifier is not None:
             notifier.info.connect(self.show_news)
             notifier.error.connect(self.show_problem)
@@ -97,11 +100,12 @@ class Banner(_MessageRow):
         for remedy in remedies:
             match remedy:
                 case Remedy.FIND:
-                    button = self._add_button("bannerFind", self.tr("Find now…"))
+                    name, text = "bannerFind", self.tr("Find now…")
                 case Remedy.RECONNECT:
-                    button = self._add_button("bannerReconnect", self.tr("Reconnect"))
+                    name, text = "bannerReconnect", self.tr("Reconnect")
                 case CopyCommand():
-                    button = self._add_button("bannerCopy", self.tr("Copy command"))
+                    name, text = "bannerCopy", self.tr("Copy command")
+            button = self._add_button(name, text, self._dismiss)
             button.clicked.connect(partial(self._on_chosen, button, remedy))
 
     def _on_chosen(self, button: QPushButton, remedy: Remedy | CopyCommand) -> None:
@@ -216,7 +220,7 @@ class InlinePrompt(_MessageRow):
         self._text.setText(text)
         self.setAccessibleName(text)
         for answer in answers:
-            button = self._add_button(answer.name, answer.text)
+            button = self._add_button(answer.name, answer.text, self._cancel)
             button.clicked.connect(partial(self._on_answered, answer))
         self.show()
         self._cancel.setFocus()

@@ -63,7 +63,7 @@ def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot
     assert window.text("aracnaPosesFootnote").startswith("* Which leg is which")
     buttons = window.find_all(QPushButton)
     ends = [
-        each.objectName() for each in buttons if each.isVisible() and "after this" in each.text()
+        each.objectName() for each in buttons if each.isVisible() and each.text().startswith("End")
     ]
     assert ends == ["aracnaEndButton"]
     window.show_page(ROBOT_PAGE)

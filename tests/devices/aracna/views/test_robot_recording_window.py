@@ -25,7 +25,7 @@ from tests.devices.aracna.views.recording_stage import (
     RecordingWindowDriver,
     show_recording,
 )
-from tests.support.accessible_names import assert_named
+from tests.support.keyboard import check_keyboard
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.ui.plotting.plot import TracePlot
@@ -146,9 +146,9 @@ def test_drawing_shows_recorded_pose_and_focuses_clicked_row(window: RecordingWi
     assert not box.font().bold()
 
 
-def test_recording_widgets_have_accessible_names(window: RecordingWindowDriver) -> None:
+def test_recording_window_works_with_the_keyboard(window: RecordingWindowDriver) -> None:
     window.playback.set_position(T0 + 20)
-    assert_named(window.window)
+    check_keyboard(window.window)
     for kind in (QPushButton, QToolButton, QSlider, QComboBox, QCheckBox, QListView, TracePlot):
         for widget in window.find_all(kind):
             if widget.isVisible() and not isinstance(widget.parent(), QScrollArea):

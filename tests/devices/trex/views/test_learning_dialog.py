@@ -107,7 +107,7 @@ def test_rest_position_of_a_held_stick_can_be_corrected(learning: LearningDialog
     learning.go_to_review(1)
     words = "After release it rests at 1500 µs, not at 1600 µs"
     assert words in learning.problem(1)
-    assert learning.button("learnUseRest1").text() == "Use 1500 µs as neutral"
+    assert learning.button("learnUseRest1").text() == "Use 1500 µs &as neutral"
 
     learning.click("learnUseRest1")
     assert learning.problem(1) == ""
@@ -205,14 +205,14 @@ def test_buttons_say_what_they_do_in_each_step(learning: LearningDialog) -> None
 
     learning.click("learnNextButton")
     learning.wait_for_head("Not every channel is at rest")
-    assert again.text() == "Sample again"
+    assert again.text() == "Sample &again"
     learning.sample_rest()
-    assert again.text() == "Forget these ends"
+    assert again.text() == "&Forget these ends"
     assert "rest positions are kept" in again.toolTip()
 
     learning.push(1, -1)
     learning.finish_travel()
-    assert again.text() == "Start over"
+    assert again.text() == "&Start over"
     assert again.toolTip()
     assert "Nothing is written yet" in take.toolTip()
     learning.find(QCheckBox, "learnInclude1").click()
@@ -520,14 +520,14 @@ def test_current_after_the_stop_has_to_be_checked(learning: LearningDialog) -> N
     learning.simulator.do("current 1 4.5")  # as another controller on the line would have it
     learning.dialog.learn((1,))
     learning.wait_for_head("but motor 1 draws 4.5 A. Check the motors")
-    assert learning.button("learnNextButton").text() == "The motors are stopped: continue"
+    assert learning.button("learnNextButton").text() == "The motors are stopped: co&ntinue"
     assert not learning.can_click("learnUseButton")
 
     learning.simulator.do("current 1 auto")
     learning.click("learnAgainButton")
     assert "Stopping the motors" in learning.head
     learning.wait_for_head("Release every stick")
-    assert learning.button("learnNextButton").text() == "Next"
+    assert learning.button("learnNextButton").text() == "&Next"
 
 
 def test_unplugging_ends_each_step_and_changes_nothing(learning: LearningDialog) -> None:

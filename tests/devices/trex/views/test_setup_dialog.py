@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
-from tests.support.accessible_names import assert_named
+from tests.support.keyboard import check_keyboard
 from tests.support.pages.every_window import stop_button
 from tests.support.robots import Robot
 from tests.support.simulator import SimulatedDevice
@@ -92,10 +92,11 @@ def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Dri
     seen = []
     while assistant.setup.step is not SetupStep.REVIEW:
         seen.append(assistant.setup.step)
-        assert_named(assistant.root)
+        check_keyboard(assistant.root)
         if assistant.setup.step is SetupStep.LIMITS:
             assistant.click("setupPresetTank")
         assistant.click("setupNextButton")
+    check_keyboard(assistant.root)
     assert (SetupStep.TIMEOUT in seen) is (driver is Driver.COMPUTER)
     assert assistant.robot.device.draft.pending > 0
     assert assistant.is_enabled("setupApplyButton")

@@ -57,7 +57,7 @@ def test_channel_failing_the_test_can_be_learned_again(learning: LearningDialog)
     learning.use({1: Stick(), 2: Stick(low=1050, high=2010)})
     learning.push(1, -1)
     learning.wait_for_text("learnTest1", "Good.")
-    assert learning.button("learnChannelAgainButton").text() == "Learn channel 2 again"
+    assert learning.button("learnChannelAgainButton").text() == "&Learn channel 2 again"
     learning.click("learnChannelAgainButton")
     learning.wait_for_head("Release every stick")
     bars = learning.find_all(ChannelBar)

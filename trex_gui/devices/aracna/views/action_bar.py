@@ -47,7 +47,7 @@ class ActionBar(QWidget):
         self._end = ui.button(
             self,
             "aracnaEndButton",
-            self.tr("End after this step"),
+            self.tr("End afte&r this step"),
             tip=self.tr("Let the step finish, then blend out"),
             on_click=robot.end_play,
         )

@@ -169,7 +169,7 @@ class AracnaWorkspace(Workspace):
                 SEPARATOR,
                 Entry("aracna_limits", tr("Reset the joints' &limits"), robot.limits.reset),
             ),
-            tr("P&oses"): (
+            tr("Pos&es"): (
                 Entry("aracna_new", tr("&New pose file"), files.new, keys.New, "new"),
                 Entry("aracna_open", tr("&Open pose file…"), files.ask_and_open, "Ctrl+O", "open"),
                 Entry("aracna_save", tr("&Save pose file"), files.save, "Ctrl+S", "save"),

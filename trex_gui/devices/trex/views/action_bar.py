@@ -64,7 +64,7 @@ class TimeoutNotice(QWidget):
         if warning.seconds is None:
             return
         seconds = f"{warning.seconds:g}"
-        self._button.setText(self.tr("Set {0} s").format(seconds))
+        self._button.setText(self.tr("Set &{0} s").format(seconds))
         self._button.setAccessibleName(self.tr("Set the serial timeout to {0} s").format(seconds))
         self._button.setToolTip(
             self.tr(
@@ -100,7 +100,7 @@ class StopButton(RedButton):
 
 class RunButton(QPushButton):
     def __init__(self, device: Device, name: str, tip: str, parent: QWidget) -> None:
-        super().__init__(self.tr("Run motor"), parent)
+        super().__init__(self.tr("&Run motor"), parent)
         self._motors = motors = device.motors
         ui.named(self, name, tip=tip)
         ui.set_bold(self)
@@ -125,6 +125,7 @@ class ActionBar(QWidget):
         super().__init__(parent)
         self._device = device
 
+        notice = TimeoutNotice(device, self)
         stop = StopButton(device, "stopButton", self)
         run = RunButton(
             device, "runButton", self.tr("Let the sliders of the Motors page move the motors"), self
@@ -136,7 +137,7 @@ class ActionBar(QWidget):
         self._apply = ui.button(
             self,
             "applyButton",
-            self.tr("Apply settings"),
+            self.tr("&Apply settings"),
             tip=self.tr("Write the changed parameters into the board (Ctrl+Enter)"),
             icon="apply",
             on_click=self.apply_requested,
@@ -146,7 +147,7 @@ class ActionBar(QWidget):
             button.setMinimumSize(4 * height, height)
 
         buttons = ui.row(stop, run, (self._state, 1), self._unapplied, self._apply)
-        ui.column(TimeoutNotice(device, self), buttons, into=self, margins=0)
+        ui.column(notice, buttons, into=self, margins=0)
 
         device.link_changed.connect(self._on_changed)
         motors = device.motors

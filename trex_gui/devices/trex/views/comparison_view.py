@@ -75,15 +75,15 @@ class ComparisonView(QWidget):
         self._has_comparison = False
 
         self._summary = label(self, "comparisonSummary", wrap=True)
-        # Not default: Enter means something else in a dialog.
-        self._all = button(self, "tickAllButton", self.tr("Select all"), default=False)
-        self._none = button(self, "tickNoneButton", self.tr("Select none"), default=False)
         self._equal = check_box(
             self,
             "showEqualBox",
-            self.tr("Show matching settings, too"),
+            self.tr("Show &matching settings, too"),
             on_toggle=self._on_equal_toggled,
         )
+        # Not default: Enter means something else in a dialog.
+        self._all = button(self, "tickAllButton", self.tr("Select &all"), default=False)
+        self._none = button(self, "tickNoneButton", self.tr("Select &none"), default=False)
         self._view = flat_table(_Table(self), "comparisonTable", self.tr("Comparison of settings"))
         self._view.setModel(self.table)
         self._view.setItemDelegate(_Delegate(self._view))

@@ -83,6 +83,7 @@ class HistoryDialog(ReusedDialog):
             "deleteSnapshotButton", delete_text, icon="clear", on_click=self._on_delete_clicked
         )
         self._pane = SnapshotPane(device, self._table, notifier, self)
+        stop = StopButton(device, "historyStopButton", self)
         self._bound = _BoundField(self._history, self._question, notifier, self)
         folder_text = self.tr("&Open folder")
         self._folder = button(
@@ -112,7 +113,6 @@ class HistoryDialog(ReusedDialog):
         self._pages = QStackedWidget(self)
         self._pages.addWidget(halves)
         self._pages.addWidget(nothing)
-        stop = StopButton(device, "historyStopButton", self)
         bottom = ui.row(stop, self._bound, 1, self._folder, close)
         ui.column(self._banner, self._question, (self._pages, 1), bottom, into=self)
         halves.setSizes([560, 620])

@@ -38,7 +38,7 @@ class LineSettingsDialog(QDialog):
         self._addressed = ui.check_box(
             self,
             "addressedBox",
-            self.tr("Address one board of several by its number (Pololu protocol)"),
+            self.tr("&Address one board of several by its number (Pololu protocol)"),
             checked=settings.device_number is not None,
         )
         number = 7 if settings.device_number is None else settings.device_number
@@ -62,6 +62,7 @@ class LineSettingsDialog(QDialog):
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         restore = buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
+        restore.setText(self.tr("&Restore defaults"))
         restore.clicked.connect(self._on_restore_clicked)
         self._on_changed()
 

@@ -8,7 +8,14 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
-from PySide6.QtWidgets import QDialog, QFileDialog, QInputDialog, QListView, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QInputDialog,
+    QListView,
+    QWidget,
+)
 
 from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.files import SettingsError, load, reason_of, save
@@ -26,7 +33,7 @@ from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.builders import named
+from trex_gui.ui.widgets.builders import named, tab_order
 from trex_gui.ui.widgets.file_questions import SaveAnswer
 from trex_gui.ui.widgets.placement import keep_on_screen
 
@@ -90,14 +97,16 @@ class SettingsFiles(QObject):
         dialog.setObjectName("newSettingsDialog")
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.setWindowTitle(self.tr("New settings file"))
-        dialog.setLabelText(self.tr("Start the new file with:"))
+        dialog.setLabelText(self.tr("&Start the new file with:"))
         dialog.setOption(QInputDialog.InputDialogOption.UseListViewForComboBoxItems)
         dialog.setComboBoxItems(list(makers))
         (view,) = dialog.findChildren(QListView, options=Qt.FindChildOption.FindDirectChildrenOnly)
-        named(view, "beginningsList", accessible=dialog.labelText())
+        named(view, "beginningsList", accessible=self.tr("Beginnings"))
         view.setCurrentIndex(view.model().index(0, 0))
         view.activated.connect(dialog.accept)
         dialog.textValueSelected.connect(lambda text: self.open_editor(makers[text]()))
+        (buttons,) = dialog.findChildren(QDialogButtonBox)
+        tab_order(view, buttons)
         dialog.resize(620, 440)
         keep_on_screen(dialog)
         dialog.show()

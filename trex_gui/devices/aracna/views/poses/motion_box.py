@@ -53,12 +53,13 @@ class MotionBox(QGroupBox):
             "aracnaMotions",
             accessible=self.tr("Sequences and gaits"),
         )
-        self._steps = StepView(self.table, library, self)
         tr, arrows = self.tr, Qt.ArrowType
         new = small_button(
-            self, "aracnaNewSequence", tr("New sequence"), text=tr("New"), icon="new"
+            self, "aracnaNewSequence", tr("New sequence"), text=tr("&New"), icon="new"
         )
-        self._add = small_button(self, "aracnaAddStep", text=tr("Add step"), icon="new")
+        buttons = self._list.buttons(self)
+        self._steps = StepView(self.table, library, self)
+        self._add = small_button(self, "aracnaAddStep", text=tr("Add s&tep"), icon="new")
         self._remove = small_button(self, "aracnaRemoveStep", tr("Remove this step"), icon="clear")
         self._up = small_button(self, "aracnaStepUp", tr("Move this step up"), arrow=arrows.UpArrow)
         self._down = small_button(
@@ -66,7 +67,7 @@ class MotionBox(QGroupBox):
         )
         ui.column(
             (self._list, 2),
-            ui.row(new, *self._list.buttons(self), 1),
+            ui.row(new, *buttons, 1),
             (self._steps, 3),
             ui.row(self._add, self._remove, self._up, self._down, 1),
             into=self,

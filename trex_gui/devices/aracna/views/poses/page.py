@@ -34,17 +34,17 @@ class PosesPage(QWidget):
         self._name = ui.named(ElidedLabel("poses.ppr", self), "aracnaPoseFile")
         undo = library.undo.createUndoAction(self, self.tr("Undo"))
         redo = library.undo.createRedoAction(self, self.tr("Redo"))
-        poses = PoseBox(robot, library, self)
-        motions = MotionBox(library, robot.notifier, self)
-        bar = PlayBar(robot, library, motions, self)
-        self.capture = poses.capture
-        self.play = bar.play
         head = ui.row(
             self._file_button(),
             self._action_button("aracnaUndo", undo, "undo"),
             self._action_button("aracnaRedo", redo, "redo"),
             (self._name, 1),
         )
+        poses = PoseBox(robot, library, self)
+        motions = MotionBox(library, robot.notifier, self)
+        bar = PlayBar(robot, library, motions, self)
+        self.capture = poses.capture
+        self.play = bar.play
         panel = ui.column(head, (ui.row((poses, 2), (motions, 3)), 1), bar, spacing=6)
         left = ui.column((drawing, 1), footnote, 0)
         ui.row((left, 1), (panel, 4), into=self, spacing=16)

@@ -51,14 +51,13 @@ class PlayBar(QWidget):
         self._present: Present = ()
         self._played: ItemKey | None = None
 
-        self._play = ui.button(self, "aracnaPlay", self.tr("Pla&y"), icon="run", on_click=self.play)
         self._rounds = ui.spin_box(
             self, "aracnaRounds", self.tr("Rounds"), 1, _MOST_ROUNDS, on_change=self._update_preview
         )
         self._loop = ui.check_box(
             self,
             "aracnaLoop",
-            self.tr("&Loop"),
+            self.tr("Loop fore&ver"),
             tip=self.tr("Repeat until stopped."),
             on_toggle=self._on_loop_toggled,
         )
@@ -77,7 +76,7 @@ class PlayBar(QWidget):
         self._blend_in = ui.check_box(
             self,
             "aracnaBlendIn",
-            self.tr("Blend &in"),
+            self.tr("&Blend in"),
             tip=self.tr("First go slowly, in 3 s, to the start."),
             checked=True,
             on_toggle=self._update_preview,
@@ -85,20 +84,21 @@ class PlayBar(QWidget):
         self._blend_out = ui.check_box(
             self,
             "aracnaBlendOut",
-            self.tr("Blend o&ut to stand"),
+            self.tr("B&lend out to stand"),
             tip=self.tr("At the end go slowly, in 3 s, to the pose “stand”."),
             on_toggle=self._update_preview,
         )
+        self._play = ui.button(self, "aracnaPlay", self.tr("Pla&y"), icon="run", on_click=self.play)
         for box in (self._rounds, self._speed):
             box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._summary = ui.named(Note(2, self), "aracnaPlaySummary")
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         ui.column(
             ui.row(
-                ui.label(self, "", self.tr("&Rounds"), buddy=self._rounds),
+                ui.label(self, "", self.tr("R&ounds"), buddy=self._rounds),
                 self._rounds,
                 self._loop,
-                ui.label(self, "", self.tr("S&peed"), buddy=self._speed),
+                ui.label(self, "", self.tr("&Speed"), buddy=self._speed),
                 self._speed,
                 1,
                 spacing=8,

@@ -32,10 +32,6 @@ class PoseBox(QGroupBox):
             "aracnaPoses",
             accessible=self.tr("Poses"),
         )
-        self._capture = ui.button(self, "aracnaCapture", self.tr("&Capture"), on_click=self.capture)
-        self._go_to = ui.button(
-            self, "aracnaGoTo", self.tr("&Go to"), on_click=self._on_go_to_clicked
-        )
         self._take = small_button(
             self,
             "aracnaTakePosition",
@@ -43,7 +39,12 @@ class PoseBox(QGroupBox):
             icon="edited",
             on_click=self._on_take_clicked,
         )
+        buttons = self._list.buttons(self)
         self._fields = [self._field(motor) for motor in range(MOTORS)]
+        self._capture = ui.button(self, "aracnaCapture", self.tr("Capt&ure"), on_click=self.capture)
+        self._go_to = ui.button(
+            self, "aracnaGoTo", self.tr("&Go to"), on_click=self._on_go_to_clicked
+        )
         columns = [(2 * column + 1, 1) for column in range(_ACROSS)]
         fields = ui.grid(margins=0, spacing=(3, 3), stretch=columns)
         for motor, field in enumerate(self._fields):
@@ -54,7 +55,7 @@ class PoseBox(QGroupBox):
             fields.addWidget(field, line, 2 * column + 1)
         ui.column(
             (self._list, 1),
-            ui.row(self._take, *self._list.buttons(self), 1),
+            ui.row(self._take, *buttons, 1),
             fields,
             ui.row(self._capture, self._go_to),
             into=self,

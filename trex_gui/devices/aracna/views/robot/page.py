@@ -141,7 +141,20 @@ class Controls(QWidget):
         self._robot = robot
         self._table = table
 
-        self._move = self._button("Move", self.tr("Move"), "", self.move_now)
+        self._present = self._button(
+            "Present", self.tr("Pre&sent"), self.tr("Present positions"), self.take_present
+        )
+        self._centre = self._button(
+            "Centre", self.tr("Ce&ntre"), self.tr("512 = 150°; nothing moves yet"), self.centre
+        )
+        self._stand = self._button(
+            "Stand",
+            self.tr("S&tand"),
+            self.tr("Inner 512, outer 680, within the limits; nothing moves yet"),
+            self.stand,
+        )
+        self._speed = CommonSpeedBox("aracnaSpeedAll", self.tr("Speed of all motors"), self)
+        self._move = self._button("Move", self.tr("Mo&ve"), "", self.move_now)
         ui.set_bold(self._move)
         tint(self._move, "run")
         set_icon(self._move, "run", "run_text")
@@ -149,28 +162,15 @@ class Controls(QWidget):
         self._live = ui.check_box(
             self,
             "aracnaLiveBox",
-            self.tr("Send while &dragging"),
+            self.tr("Send while dra&gging"),
             tip=self.tr("The newest goal is sent as soon as the robot has reached the last one"),
         )
         self._rate = ui.label(self, "aracnaRateLabel")
         widest = self.fontMetrics().horizontalAdvance(self._rate_text(_WIDEST_RATE))
         self._rate.setMinimumWidth(widest + 6)
-        self._present = self._button(
-            "Present", self.tr("Present"), self.tr("Present positions"), self.take_present
-        )
-        self._centre = self._button(
-            "Centre", self.tr("Centre"), self.tr("512 = 150°; nothing moves yet"), self.centre
-        )
-        self._stand = self._button(
-            "Stand",
-            self.tr("Stand"),
-            self.tr("Inner 512, outer 680, within the limits; nothing moves yet"),
-            self.stand,
-        )
-        self._speed = CommonSpeedBox("aracnaSpeedAll", self.tr("Speed of all motors"), self)
         self._factory = self._button(
             "FactoryLimits",
-            self.tr("Reset limits"),
+            self.tr("Reset li&mits"),
             self.tr("Inner 50–600, outer 0–550: tuned on the robot by its authors"),
             robot.limits.reset,
         )
@@ -181,7 +181,7 @@ class Controls(QWidget):
             tip=self.tr("How far each joint may turn; goals are cropped before sending"),
             on_toggle=self._on_limits_toggled,
         )
-        speed_label = ui.label(self, "", self.tr("S&peed of all:"), buddy=self._speed)
+        speed_label = ui.label(self, "", self.tr("Speed &of all:"), buddy=self._speed)
         ui.column(
             ui.row(
                 ui.label(self, "", self.tr("Set sliders to:")),

@@ -75,18 +75,16 @@ class BenchDialog(ReusedDialog):
         self._band.setKeyboardTracking(True)
         self._figures = FiguresTable(self)
         tuning = TuningForm(device, bench, self)
+        forms = ui.named(QWidget(self), "benchForms")
+        ui.column(PlanForm(device, bench, forms), tuning, 1, into=forms, margins=0)
+        left = ui.named(QWidget(self), "benchLeft")
+        ui.column((ScrollBox(forms, left), 1), self._hold, into=left, margins=0)
         button = partial(ui.button, self, default=False)
+        stop = StopButton(device, "benchStopButton", self)
         run = RunButton(device, "benchRunButton", self.tr("Let tests move the motors"), self)
         run.setAutoDefault(False)
         ui.set_bold(self._hold)
         tint(self._hold, "run")
-        self._save = button(
-            "benchSaveButton",
-            self.tr("Sa&ve…"),
-            icon="save",
-            tip=self.tr("Save this test to compare with later, or a picture of it"),
-            on_click=lambda: self.files.ask_and_save(bench.runs[-1]),
-        )
         self._open = button(
             "benchOpenButton",
             self.tr("&Open…"),
@@ -94,24 +92,26 @@ class BenchDialog(ReusedDialog):
             tip=self.tr("Open a saved test"),
             on_click=self.files.ask_and_open,
         )
-        close = button("benchCloseButton", self.tr("Close"), on_click=self.close)
+        self._save = button(
+            "benchSaveButton",
+            self.tr("Sa&ve…"),
+            icon="save",
+            tip=self.tr("Save this test to compare with later, or a picture of it"),
+            on_click=lambda: self.files.ask_and_save(bench.runs[-1]),
+        )
+        close = button("benchCloseButton", self.tr("&Close"), on_click=self.close)
 
-        left = ui.named(QWidget(self), "benchLeft")
-        ui.column(PlanForm(device, bench, left), tuning, 1, into=left, margins=0)
         compare = ui.row(
-            ui.label(self, text=self.tr("Co&mpare with"), buddy=self._compare),
+            ui.label(self, text=self.tr("Compar&e with"), buddy=self._compare),
             (self._compare, 1),
             ui.label(self, text=self.tr("Settled &within"), buddy=self._band),
             self._band,
         )
         self._right = ui.column(compare, self._figures)
-        middle = ui.grid(stretch=[(1, 1)])
-        middle.addWidget(ScrollBox(left, self), 0, 0)
-        middle.addWidget(self._hold, 1, 0)
-        middle.addLayout(self._right, 0, 1, 2, 1)
-        stop = StopButton(device, "benchStopButton", self)
+        middle = ui.row(left, (self._right, 1))
         buttons = ui.row(stop, run, 1, self._open, self._save, close)
         ui.column(self._note, (middle, 1), buttons, into=self)
+        ui.tab_order(left, self._compare, self._band, self._figures, stop)
 
         self._hold.hold_started.connect(bench.start)
         self._hold.hold_ended.connect(bench.release)
@@ -145,6 +145,7 @@ class BenchDialog(ReusedDialog):
 
             self._plot = BenchPlot(self)
             self._right.insertWidget(0, self._plot, 1)
+            ui.tab_order(self._hold, self._plot, self._compare)
         self._on_changed()
 
     def _picture(self) -> QImage:

@@ -165,7 +165,7 @@ class PlanForm(QGroupBox):
 
     def _show_period(self, shape: Shape) -> None:
         self._period_name.setText(
-            self.tr("&Rises in") if shape is Shape.RAMP else self.tr("&Period")
+            self.tr("R&ises in") if shape is Shape.RAMP else self.tr("&Period")
         )
         self._period_name.setEnabled(shape.has_period)
         self._period.setEnabled(shape.has_period)
@@ -197,7 +197,7 @@ class TuningForm(QGroupBox):
         self.apply = ui.button(
             self,
             "benchApplyButton",
-            self.tr("A&pply…"),
+            self.tr("Appl&y…"),
             icon="apply",
             tip=self.tr("Review and write all pending edits, these included"),
             default=False,
@@ -248,6 +248,7 @@ class TuningForm(QGroupBox):
             self._form.addRow(label, editor)
             editor.valueChanged.connect(partial(self._on_edited, key))
             self._fields[key] = label, editor
+        ui.tab_order(self.apply, *(editor for _, editor in self._fields.values()), self.apply)
 
     def _on_edited(self, key: str, wire: int) -> None:
         try:

@@ -86,7 +86,6 @@ class LearnDialog(ReusedDialog):
 
         self._steps = StepStrip(self)
         self._head = ui.named(Note(2, self), "learnHead")
-        self._back = ui.button(self, "learnBackButton", self.tr("Back"), on_click=learning.back)
         self._again = ui.button(self, "learnAgainButton", icon="reload", on_click=learning.again)
         self._learn_again = ui.button(
             self,
@@ -95,18 +94,19 @@ class LearnDialog(ReusedDialog):
             tip=self.tr("If a channel does not get a good result, learn its values again."),
             on_click=self._on_learn_again,
         )
+        self._back = ui.button(self, "learnBackButton", self.tr("&Back"), on_click=learning.back)
         self._next = ui.button(self, "learnNextButton", on_click=learning.next)
         self._use = ui.button(
             self,
             "learnUseButton",
-            self.tr("Use these values…"),
+            self.tr("&Use these values…"),
             icon="apply",
             on_click=learning.use_values,
         )
         self._test = ui.button(
             self,
             "learnTestButton",
-            self.tr("Stop the motors and test"),
+            self.tr("Stop the motors and &test"),
             on_click=lambda: self.test(learning.numbers),
         )
         self._cancel = ui.button(self, "learnCancelButton", on_click=self.close)
@@ -254,6 +254,7 @@ class LearnDialog(ReusedDialog):
         self._shown = None
         if page is not None:
             self._body.addWidget(page)
+            ui.tab_order(self._again, page, self._again)
 
     # --- Texts and buttons --------------------------------------------------------------
 
@@ -283,7 +284,7 @@ class LearnDialog(ReusedDialog):
         self._next.setEnabled(learning.can_go_on)
         self._next.setDefault(moving)
         self._next.setText(
-            self.tr("The motors are stopped: continue") if doubtful else self.tr("Next")
+            self.tr("The motors are stopped: co&ntinue") if doubtful else self.tr("&Next")
         )
         self._use.setVisible(reviewing)
         self._use.setEnabled(learning.can_use_values)
@@ -298,23 +299,23 @@ class LearnDialog(ReusedDialog):
         learning, step = self._learning, self._learning.step
         texts = {
             LearningStep.NEUTRAL: (
-                self.tr("Sample again"),
+                self.tr("Sample &again"),
                 self.tr("Measure the rest positions of all channels once more."),
             ),
             LearningStep.TRAVEL: (
-                self.tr("Forget these ends"),
+                self.tr("&Forget these ends"),
                 self.tr("Forget the ends reached so far. The rest positions are kept."),
             ),
             LearningStep.REVIEW: (
-                self.tr("Start over"),
+                self.tr("&Start over"),
                 self.tr("Forget everything measured and go back to the rest positions."),
             ),
             LearningStep.TEST: (
-                self.tr("Test again"),
+                self.tr("Test &again"),
                 self.tr("Forget what was tested so far and begin the test again."),
             ),
         }
-        retry = self.tr("Try again"), self.tr("Stop the motors again and begin again.")
+        retry = self.tr("Try &again"), self.tr("Stop the motors again and begin again.")
         text, tip = texts.get(step, retry)
         self._again.setText(text)
         self._again.setToolTip(tip)
@@ -323,7 +324,7 @@ class LearnDialog(ReusedDialog):
         self._again.setVisible(not never and not waits)
         self._again.setEnabled(not learning.sampling)
         numbers = () if learning.tests is None else learning.tests.to_learn_again
-        text = self.tr("Learn channel(s) {0} again", "", len(numbers))
+        text = self.tr("&Learn channel(s) {0} again", "", len(numbers))
         self._learn_again.setText(text.format(", ".join(map(str, numbers))))
         self._learn_again.setVisible(step is LearningStep.TEST and bool(numbers))
 

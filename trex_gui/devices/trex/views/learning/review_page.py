@@ -41,10 +41,10 @@ class ChannelForm(QWidget):
         self.channel = channel
         number = channel.number
         names = {
-            "minimum": self.tr("Minimum"),
-            "neutral": self.tr("Neutral"),
-            "maximum": self.tr("Maximum"),
-            "deadband": self.tr("Deadband"),
+            "minimum": self.tr("&Minimum"),
+            "neutral": self.tr("&Neutral"),
+            "maximum": self.tr("Ma&ximum"),
+            "deadband": self.tr("&Deadband"),
         }
         self._editors: dict[str, CountEditor] = {}
         self._were: dict[str, Muted] = {}
@@ -52,23 +52,16 @@ class ChannelForm(QWidget):
         self._include = ui.check_box(
             self,
             f"learnInclude{number}",
-            self.tr("Use channel {0}: {1}").format(number, CHANNEL_ROLES[number]),
+            self.tr("Use &channel {0}: {1}").format(number, CHANNEL_ROLES[number]),
             on_click=lambda included: self._choose(included=included),
         )
         ui.set_bold(self._include)
         self._values = QWidget(self)
-        self._reversed = ui.check_box(
-            self,
-            f"learnReversed{number}",
-            self.tr("Reversed"),
-            on_click=lambda reversed_: self._choose(reversed_=reversed_),
-        )
         was_reversed = Muted(
             self.tr("was reversed") if channel.reversed_now else self.tr("was not reversed"), self
         )
         self._turned = ui.named(Note(0, self), f"learnReversal{number}")
         self._problem = ui.named(Note(0, self), f"learnProblem{number}")
-        self._rest = ui.button(self, f"learnUseRest{number}", on_click=self._on_rest_clicked)
         self._reasons = ui.named(Muted("", self), f"learnReasons{number}")
 
         grid = ui.grid(self._values, margins=0, spacing=(12, 4), stretch=[(2, 1)])
@@ -78,7 +71,7 @@ class ChannelForm(QWidget):
             editor = ui.named(
                 CountEditor(channel.source, self),
                 f"learn{field.capitalize()}Edit{number}",
-                accessible=self.tr("{0} of channel {1}").format(name, number),
+                accessible=self.tr("{0} of channel {1}").format(name.replace("&", ""), number),
             )
             was = Muted("", self)
             for column, widget in enumerate((ui.label(self, text=name, buddy=editor), editor, was)):
@@ -86,9 +79,16 @@ class ChannelForm(QWidget):
             self._editors[field], self._were[field] = editor, was
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.rejected.connect(partial(self._problem.show_note, alarming=True))
+        self._reversed = ui.check_box(
+            self,
+            f"learnReversed{number}",
+            self.tr("&Reversed"),
+            on_click=lambda reversed_: self._choose(reversed_=reversed_),
+        )
         grid.addWidget(self._reversed, len(names), 1)
         grid.addWidget(was_reversed, len(names), 2)
         grid.addWidget(self._turned, len(names) + 1, 0, 1, 3)
+        self._rest = ui.button(self, f"learnUseRest{number}", on_click=self._on_rest_clicked)
         rest = self._rest, 0, Qt.AlignmentFlag.AlignLeft
         items = self._include, self._values, self._problem, rest, self._reasons
         ui.column(*items, 1, into=self, margins=0, spacing=4)
@@ -124,7 +124,7 @@ class ChannelForm(QWidget):
         self._show_values(choice.calibration)
         rest = channel.new_rest
         self._rest.setVisible(rest is not None)
-        text = self.tr("Use {0} as neutral")
+        text = self.tr("Use {0} &as neutral")
         self._rest.setText(text.format(channel.source.text(rest or 0)))
         reasons = list(channel.remarks)
         if channel.proposal is not None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
+from itertools import zip_longest
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Slot
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
@@ -49,7 +50,13 @@ class StartPanel(QWidget):
             ),
             wrap=True,
         )
-        self._buttons = ui.column()
+        self._shown: list[Port] = []  # those of the buttons
+        self._buttons = [
+            ui.button(
+                hardware, "startPort", icon="connect", on_click=partial(self._on_clicked, number)
+            )
+            for number in range(_MOST_PORTS)
+        ]
         self._none = ui.label(
             hardware,
             "startNoPort",
@@ -59,12 +66,18 @@ class StartPanel(QWidget):
         find = ui.button(
             hardware,
             "startFind",
-            self.tr("Find my board…"),
+            self.tr("Find &my board…"),
             icon="find",
             tip=self.tr("Search every port and baud rate; no motor moves"),
             on_click=lambda: choose("find"),
         )
-        begin = ui.column(steps, self._none, self._buttons, ui.row(find, 1), 1)
+        begin = ui.column(
+            steps,
+            self._none,
+            *((button, 0, Qt.AlignmentFlag.AlignLeft) for button in self._buttons),
+            ui.row(find, 1),
+            1,
+        )
         ui.row((WiringSketch(hardware), 0, Qt.AlignmentFlag.AlignTop), (begin, 1), into=hardware)
 
         other = QGroupBox(self.tr("No board at hand?"), self)
@@ -72,7 +85,7 @@ class StartPanel(QWidget):
             ui.button(
                 other,
                 "startDemo",
-                self.tr("Try the demo"),
+                self.tr("&Try the demo"),
                 icon="run",
                 tip=self.tr("A simulated board: nothing can be damaged"),
                 on_click=lambda: connect_to(ports.demo_of(device)),
@@ -80,14 +93,14 @@ class StartPanel(QWidget):
             ui.button(
                 other,
                 "startSettings",
-                self.tr("Open settings file…"),
+                self.tr("Open &settings file…"),
                 icon="open",
                 on_click=lambda: choose("open"),
             ),
             ui.button(
                 other,
                 "startRecording",
-                self.tr("Open recording…"),
+                self.tr("&Open recording…"),
                 icon="plot",
                 on_click=lambda: choose("open_recording"),
             ),
@@ -104,27 +117,23 @@ class StartPanel(QWidget):
 
     @Slot()
     def _on_ports_changed(self) -> None:
-        while (item := self._buttons.takeAt(0)) is not None:
-            if (old := item.widget()) is not None:
-                old.hide()
-                old.deleteLater()
         real = [port for port in self._ports.entries if port.kind is not PortKind.DEMO]
-        for port in real[:_MOST_PORTS]:
-            self._buttons.addWidget(self._port_button(port), 0, Qt.AlignmentFlag.AlignLeft)
+        self._shown = real[:_MOST_PORTS]
+        for button, port in zip_longest(self._buttons, self._shown):
+            button.setVisible(port is not None)
+            if port is not None:
+                self._show_port(button, port)
         self._none.setVisible(not any(port.kind is PortKind.SERIAL for port in real))
 
-    def _port_button(self, port: Port) -> QPushButton:
+    def _on_clicked(self, number: int) -> None:
+        self._connect_to(self._shown[number])
+
+    def _show_port(self, button: QPushButton, port: Port) -> None:
         metrics = self.fontMetrics()
         room = metrics.averageCharWidth() * _WIDEST_PORT
         name = metrics.elidedText(port.label, Qt.TextElideMode.ElideRight, room)
-        return ui.button(
-            self,
-            "startPort",
-            self.tr("Connect to {0}").format(name.replace("&", "&&")),
-            icon="connect",
-            tip=port.label,
-            on_click=partial(self._connect_to, port),
-        )
+        button.setText(self.tr("Connect to {0}").format(name.replace("&", "&&")))
+        button.setToolTip(port.label)
 
 
 class WiringSketch(QWidget):

@@ -29,10 +29,11 @@ class DefaultsDialog(ReusedDialog):
         self._intro = label(self, "defaultsIntro", wrap=True)
         self._rows = ComparisonView(self)
         self._inferred = label(self, "defaultsInferred", wrap=True)
+        stop = StopButton(device, "defaultsStopButton", self)
         self._reset = button(
             self,
             "boardResetButton",
-            self.tr("Let the board reset itself…"),
+            self.tr("&Let the board reset itself…"),
             tip=self.tr("Every parameter, by the board's own command, at its next start"),
             on_click=self._on_reset_clicked,
         )
@@ -50,7 +51,7 @@ class DefaultsDialog(ReusedDialog):
         self._sure = button(
             self,
             "boardResetSureButton",
-            self.tr("Reset the board"),
+            self.tr("Reset the &board"),
             confirms=True,
             on_click=self._on_sure_clicked,
         )
@@ -59,7 +60,6 @@ class DefaultsDialog(ReusedDialog):
         )
         self._cancel = button(self, "defaultsCancelButton", self.tr("Cancel"), on_click=self.close)
 
-        stop = StopButton(device, "defaultsStopButton", self)
         buttons = row(stop, self._reset, self._sure, 1, self._take, self._cancel)
         column(self._intro, (self._rows, 1), self._inferred, self._question, buttons, into=self)
 
@@ -132,7 +132,7 @@ class DefaultsDialog(ReusedDialog):
     def _describe(self) -> None:
         ticked = self._rows.table.ticked
         can_write = self._device.is_writable
-        self._take.setText(self.tr("Review %n change(s)…", "", len(ticked)))
+        self._take.setText(self.tr("&Review %n change(s)…", "", len(ticked)))
         self._take.setEnabled(can_write and bool(ticked))
         self._reset.setEnabled(can_write)
         self._sure.setEnabled(can_write)

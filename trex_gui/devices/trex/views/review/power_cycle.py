@@ -25,7 +25,10 @@ class PowerCyclePanel(QFrame):
         self._title = named(Note(1, self), "powerCycleTitle")
         self._result = named(Note(2, self), "powerCycleResult")
         self._confirm = button(
-            self, "powerCycleDone", self.tr("I have switched it off and on"), on_click=cycle.confirm
+            self,
+            "powerCycleDone",
+            self.tr("I have &switched it off and on"),
+            on_click=cycle.confirm,
         )
 
         layout = grid(self, margins=(12, 8, 12, 8), stretch=[(1, 1)])

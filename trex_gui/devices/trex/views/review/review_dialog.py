@@ -48,13 +48,14 @@ class ReviewDialog(ReusedDialog):
         self._progress = progress_bar(self, "reviewProgress", self.tr("Progress of writing"))
         self._progress.setTextVisible(True)
         self._power = PowerCyclePanel(self._cycle, self)
+        stop = StopButton(device, "reviewStopButton", self)
         self._write = button(
             self, "writeButton", icon="apply", confirms=True, on_click=self._on_write_clicked
         )
         self._close = button(self, "reviewCloseButton", on_click=self.close)
 
         buttons = row(
-            StopButton(device, "reviewStopButton", self),
+            stop,
             (self._progress, 1),
             1,
             self._write,
@@ -211,7 +212,7 @@ class ReviewDialog(ReusedDialog):
         self._power.setVisible(done and self._cycle.stage is not PowerCycleStage.NONE)
         self._write.setVisible(reviewing)
         self._write.setEnabled(reviewing and self._can_write and count > 0)
-        self._write.setText(self.tr("Write %n setting(s)", "", count))
+        self._write.setText(self.tr("&Write %n setting(s)", "", count))
         self._write.setDefault(reviewing)
         self._close.setText(self.tr("Cancel") if cancellable else self.tr("Close"))
         self._close.setDefault(not reviewing)

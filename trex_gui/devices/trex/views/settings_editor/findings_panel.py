@@ -45,7 +45,7 @@ class FindingsPanel(QWidget):
         self._accept = button(
             self,
             "acceptFindingButton",
-            self.tr("Accept the proposal"),
+            self.tr("Acce&pt the proposal"),
             on_click=self._on_accept_clicked,
         )
         self._table = flat_table(QTableWidget(0, 4, self), "findingsTable", self.tr("Findings"))

@@ -57,11 +57,11 @@ class SettingsEditor(QMainWindow):
         self._linter = SettingsLinter(document.draft, self)
 
         self._banner = Banner(self)
+        self.tabs = named(QTabWidget(self), "editorTabs", accessible=self.tr("Pages"))
+        self.tabs.setDocumentMode(True)
         parameters = ParameterTable(document.draft, self._linter, self)
         self._findings = FindingsPanel(self)
         self._text = TextPage(document, self)
-        self.tabs = named(QTabWidget(self), "editorTabs", accessible=self.tr("Pages"))
-        self.tabs.setDocumentMode(True)
         self.tabs.addTab(_with_margins(parameters), self.tr("Parameters"))
         self.tabs.addTab(CalibrationEditor(document.draft, self), self.tr("Calibrations"))
         self._findings_index = self.tabs.addTab(_with_margins(self._findings), "")
@@ -116,7 +116,7 @@ class SettingsEditor(QMainWindow):
             tr("&Compare"): (
                 Entry("compareFile", tr("With another &file…"), self._ask_and_compare),
                 Entry("compareBoard", tr("With the &board"), self.compare_with_board),
-                Entry("compareFactory", tr("With &factory defaults"), self._compare_with_factory),
+                Entry("compareFactory", tr("With factory &defaults"), self._compare_with_factory),
             ),
             tr("&Device"): (
                 Entry(

@@ -65,6 +65,7 @@ class SetupDialog(ReusedDialog):
             page.setObjectName(page.objectName() or f"setup{step.name.title()}Page")
             self._stack.addWidget(ScrollBox(page, self))
         self._edits = ui.named(Note(2, self), "setupEdits")
+        stop = StopButton(device, "setupStopButton", self)
         self._back = ui.button(
             self, "setupBackButton", self.tr("&Back"), default=False, on_click=setup.back
         )
@@ -82,12 +83,11 @@ class SetupDialog(ReusedDialog):
         self._close = ui.button(
             self,
             "setupCloseButton",
-            self.tr("Close"),
+            self.tr("&Close"),
             default=False,
             tip=self.tr("Leave the assistant; changes that it made wait to be applied"),
             on_click=self.close,
         )
-        stop = StopButton(device, "setupStopButton", self)
         buttons = ui.row(stop, 1, self._back, self._skip, self._next, self._close)
         ui.column(self._strip, (self._stack, 1), self._edits, buttons, into=self, spacing=10)
 

@@ -78,18 +78,18 @@ class DriverPage(QWidget):
         self._setup = setup
         texts = {
             Driver.ONE_STICK: (
-                self.tr("One stick"),
+                self.tr("&One stick"),
                 self.tr(
                     "A transmitter or a joystick: forward and back, left and right with one stick. "
                     "The board mixes both."
                 ),
             ),
             Driver.TWO_STICKS: (
-                self.tr("Two sticks"),
+                self.tr("&Two sticks"),
                 self.tr("One stick for each side of the robot, as in a tank."),
             ),
             Driver.COMPUTER: (
-                self.tr("A computer"),
+                self.tr("&A computer"),
                 self.tr(
                     "A program, a microcontroller or this window sends commands over the serial "
                     "line."
@@ -321,10 +321,13 @@ class LimitsPage(QWidget):
         self._device = device
         self._setup = setup
         texts: dict[Preset | None, tuple[str, str]] = {
-            None: (self.tr("Keep what the board has"), self.tr("Neither ramps nor limits change.")),
-            Preset.TANK: (self.tr("Tank"), ""),
-            Preset.ROVER: (self.tr("Rover"), ""),
-            Preset.AUTONOMOUS: (self.tr("Autonomous robot"), ""),
+            None: (
+                self.tr("Keep w&hat the board has"),
+                self.tr("Neither ramps nor limits change."),
+            ),
+            Preset.TANK: (self.tr("&Tank"), ""),
+            Preset.ROVER: (self.tr("Ro&ver"), ""),
+            Preset.AUTONOMOUS: (self.tr("&Autonomous robot"), ""),
         }
         self._choices = Choices("setupPreset", texts, self)
         self._explained = self._choices.findChildren(Muted)
@@ -345,7 +348,7 @@ class LimitsPage(QWidget):
             ui.label(self, text=self.tr("How should the motors start and stop?"), bold=True),
             self._choices,
             ui.row(
-                ui.label(self, text=self.tr("&Current limit of each motor"), buddy=self._limit),
+                ui.label(self, text=self.tr("Current &limit of each motor"), buddy=self._limit),
                 self._limit,
                 1,
             ),

@@ -37,7 +37,7 @@ class CalibrationFields(QWidget):
         self._run = object()
         titles = {
             "minimum": self.tr("Mi&nimum"),
-            "neutral": self.tr("Neu&tral"),
+            "neutral": self.tr("Ne&utral"),
             "maximum": self.tr("Ma&ximum"),
             "deadband": self.tr("Dead&band ±"),
         }
@@ -107,7 +107,7 @@ class ChannelOptions(QWidget):
                 self.tr("The output changes its sign: forward and reverse are swapped"),
             ),
             ParameterKey.PARABOLIC_CHANNELS: (
-                self.tr("&Parabolic"),
+                self.tr("Parab&olic"),
                 self.tr("Gentle near neutral, steep near the ends"),
             ),
             ParameterKey.IGNORED_CHANNELS: (

@@ -179,7 +179,7 @@ class OtherSource(QWidget):
         self._cycle = button(
             self,
             "switchSourceCycleButton",
-            self.tr("Make active…"),
+            self.tr("Ma&ke active…"),
             icon="power",
             on_click=self.power_cycle_requested,
         )

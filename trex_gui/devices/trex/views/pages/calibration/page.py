@@ -75,14 +75,14 @@ class CalibrationPage(PlotPage):
         self._learn = button(
             body,
             "learnButton",
-            self.tr("&Learn this channel…"),
+            self.tr("Learn &this channel…"),
             icon="calibrate",
             on_click=lambda: self.learn_requested.emit((self.channel,)),
         )
         self._learn_all = button(
             body,
             "learnAllButton",
-            self.tr("Learn &all…"),
+            self.tr("Learn a&ll…"),
             on_click=lambda: self.learn_requested.emit(CHANNELS),
         )
         self._menu = ChangeMenu(device, self)
@@ -92,7 +92,7 @@ class CalibrationPage(PlotPage):
         self._discard = button(
             body,
             "discardChannelButton",
-            self.tr("Disca&rd"),
+            self.tr("Di&scard"),
             icon="undo",
             tip=self.tr("Discard the edits of this channel"),
             on_click=self._on_discard_clicked,

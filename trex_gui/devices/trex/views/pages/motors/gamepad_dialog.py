@@ -98,8 +98,8 @@ class PartRow(QWidget):
 
     def __init__(self, name: str, detect: str, parent: QWidget, *, inverts: bool = False) -> None:
         super().__init__(parent)
-        self.label = QLabel(parent)  # the use of the axis or button
         self._combo = ui.combo_box(self, f"gamepad{name}Combo", "", on_activate=self.chosen)
+        self.label = ui.label(parent, buddy=self._combo)  # the use of the axis or button
         self._combo.setSizeAdjustPolicy(self._combo.SizeAdjustPolicy.AdjustToContents)
         self._detect = ui.button(
             self,
@@ -116,8 +116,9 @@ class PartRow(QWidget):
         self.setFocusProxy(self._combo)
         ui.row((self._combo, 1), self._detect, self._invert, into=self, margins=0)
 
-    def set_use(self, use: str) -> None:
-        self.label.setText(f"{use}:")
+    def set_use(self, text: str) -> None:
+        self.label.setText(f"{text}:")
+        use = text.replace("&", "")
         self._combo.setAccessibleName(use)
         self._detect.setAccessibleName(self.tr("{0}: detect").format(use))
         self._invert.setAccessibleName(self.tr("{0}: inverted").format(use))
@@ -190,8 +191,10 @@ class GamepadDialog(ReusedDialog):
             "hold": PartRow("Hold", press, uses),
             "stop": PartRow("Stop", press, uses),
         }
-        self._rows["hold"].set_use(self.tr("Hold to drive"))
-        self._rows["stop"].set_use(self.tr("Stop everything"))
+        self._rows["first"].set_use(self.tr("&Forward"))
+        self._rows["second"].set_use(self.tr("&Turn"))
+        self._rows["hold"].set_use(self.tr("&Hold to drive"))
+        self._rows["stop"].set_use(self.tr("&Stop everything"))
         self._dead_zone = ui.spin_box(
             uses,
             "gamepadDeadZoneSpin",
@@ -226,6 +229,7 @@ class GamepadDialog(ReusedDialog):
         buttons.button(standard.Close).setObjectName("gamepadCloseButton")
         self._defaults = buttons.button(standard.RestoreDefaults)
         self._defaults.setObjectName("gamepadDefaultsButton")
+        self._defaults.setText(self.tr("&Restore defaults"))
         self._defaults.setAutoDefault(False)
 
         self._lay_out_assignment(uses)
@@ -244,13 +248,15 @@ class GamepadDialog(ReusedDialog):
 
     def _lay_out_assignment(self, uses: QGroupBox) -> None:
         form = QFormLayout(uses)
-        form.addRow(self.tr("Sticks:"), self._style)
+        form.addRow(self.tr("St&icks:"), self._style)
         for key in ("first", "second"):
             form.addRow(self._rows[key].label, self._rows[key])
-        form.addRow(self.tr("Dead zone:"), self._dead_zone)
-        form.addRow(self.tr("Expo:"), self._expo)
+        form.addRow(self.tr("&Dead zone:"), self._dead_zone)
+        form.addRow(self.tr("&Expo:"), self._expo)
         for key in ("hold", "stop"):
             form.addRow(self._rows[key].label, self._rows[key])
+        first, second, *buttons = self._rows.values()
+        ui.tab_order(self._style, first, second, self._dead_zone, self._expo, *buttons)
         form.addRow(self.tr("Motor 1:"), self._motors[0])
         form.addRow(self.tr("Motor 2:"), self._motors[1])
 
@@ -331,8 +337,8 @@ class GamepadDialog(ReusedDialog):
     def _show_profile(self, pad: Pad, profile: GamepadProfile) -> None:
         is_tank = profile.style is Style.TANK
         for key, use, axis in (
-            ("first", self.tr("Left motor") if is_tank else self.tr("Forward"), profile.first),
-            ("second", self.tr("Right motor") if is_tank else self.tr("Turn"), profile.second),
+            ("first", self.tr("&Left motor") if is_tank else self.tr("&Forward"), profile.first),
+            ("second", self.tr("Right &motor") if is_tank else self.tr("&Turn"), profile.second),
         ):
             row = self._rows[key]
             row.set_use(use)

@@ -42,7 +42,7 @@ class GamepadPanel(QGroupBox):
         self._set_up = ui.button(
             self,
             "gamepadSetUpButton",
-            self.tr("Set up…"),
+            self.tr("Set &up…"),
             accessible=self.tr("Set up the gamepad"),
             on_click=self._on_set_up_clicked,
         )
@@ -66,7 +66,7 @@ class GamepadPanel(QGroupBox):
         self._unfocused = ui.check_box(
             self,
             "gamepadUnfocusedBox",
-            self.tr("Stop when the window loses the focus"),
+            self.tr("Stop whe&n the window loses the focus"),
             accessible=self.tr("Stop what the gamepad drives when the window loses the focus"),
             checked=self.gamepad.stops_unfocused,
             on_toggle=self.gamepad.set_stops_unfocused,

@@ -134,7 +134,7 @@ class Options(QGroupBox):
         self._store = Preferences()
 
         accelerate = ui.named(
-            QRadioButton(self.tr("&Accelerate along the board's ramp"), self),
+            QRadioButton(self.tr("Accelerate along the board's ra&mp"), self),
             "accelerateButton",
             tip=self.tr(
                 "The board ramps speeds at the Acceleration setting and pauses for the brake "
@@ -159,17 +159,6 @@ class Options(QGroupBox):
             ),
             on_toggle=self.keys_toggled,
         )
-        self._return = ui.check_box(
-            self,
-            "returnToZero",
-            self.tr("Return slider to &zero when it is released"),
-            tip=self.tr("A slider drives only while you hold it; letting go brakes its motor"),
-            checked=self._store.flag("motors/return_to_zero", default=False),
-            on_toggle=lambda wanted: self._store.set("motors/return_to_zero", wanted),
-        )
-        self._link = ui.check_box(
-            self, "linkMotors", self.tr("&Link both motors"), on_toggle=motors.set_linked
-        )
         self._brake = Level(
             self.tr("&Brake strength"),
             "brake",
@@ -185,7 +174,18 @@ class Options(QGroupBox):
         self._brake.entry.setSpecialValueText(self.tr("coast (0 %)"))
         self._lock = self._make_lock()
         lock_label = ui.label(
-            self, "", self.tr("Lock after Sto&p"), tip=self._lock.toolTip(), buddy=self._lock
+            self, "", self.tr("L&ock after Stop"), tip=self._lock.toolTip(), buddy=self._lock
+        )
+        self._return = ui.check_box(
+            self,
+            "returnToZero",
+            self.tr("Return slider to &zero when it is released"),
+            tip=self.tr("A slider drives only while you hold it; letting go brakes its motor"),
+            checked=self._store.flag("motors/return_to_zero", default=False),
+            on_toggle=lambda wanted: self._store.set("motors/return_to_zero", wanted),
+        )
+        self._link = ui.check_box(
+            self, "linkMotors", self.tr("&Link both motors"), on_toggle=motors.set_linked
         )
 
         # Without a spacing of its own a column would take that of its row.

@@ -63,7 +63,9 @@ class MotorsPage(QWidget):
         self._reason.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         tip = self.tr("Let the controls of this page move the motors")
         run = RunButton(device, "motorsRunButton", tip, self)
+        run.setText(run.text().replace("&", ""))  # the letter is that of the one below the pages
         self._drive_box = drive_box = QGroupBox(self.tr("Drive"), self)
+        ceiling = SpeedCeiling(device.motors, drive_box)
         self._pad = DrivePad(drive_box)
         self._controls = {
             1: DriveControl(self.tr("Motor 1"), "motor1", parent=drive_box),
@@ -89,7 +91,7 @@ class MotorsPage(QWidget):
         first, second, auxiliary = self._controls.values()
         controls = ui.column(first, 1, second, 1, auxiliary, 1, spacing=4)
         drive = ui.row(self._pad, (controls, 1), spacing=16)
-        ui.column(SpeedCeiling(device.motors, drive_box), (drive, 1), into=drive_box)
+        ui.column(ceiling, (drive, 1), into=drive_box)
         gamepad = GamepadPanel(device, self)
         ui.column(head, (drive_box, 1), self._options, self._stored, gamepad, into=self)
 

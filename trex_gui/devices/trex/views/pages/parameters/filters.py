@@ -105,21 +105,21 @@ class ParameterFilters(QWidget):
         self._modified = check_box(
             self,
             "modifiedOnly",
-            self.tr("Modified only"),
+            self.tr("&Modified only"),
             tip=self.tr("Show only what you have changed"),
             on_toggle=self._on_changed,
         )
         self._not_default = check_box(
             self,
             "notDefaultOnly",
-            self.tr("Not default only"),
+            self.tr("Not default onl&y"),
             tip=self.tr("Show only values that differ from their default"),
             on_toggle=self._on_changed,
         )
         both = check_box(
             self,
             "bothMotors",
-            self.tr("Both motors as one"),
+            self.tr("&Both motors as one"),
             tip=self.tr("Make each change to one motor to the other, too, in one step"),
             on_toggle=self._on_both_toggled,
         )

@@ -26,18 +26,10 @@ class ParametersPage(QWidget):
         self._model = device.parameters
 
         self._notice = label(self, "parametersNotice", wrap=True)
-        self._reload = button(
-            self,
-            "reloadButton",
-            self.tr("Re&load"),
-            icon="reload",
-            tip=self.tr("Read every parameter from the board again"),
-            on_click=self.reload_requested,
-        )
         self._activate = button(
             self,
             "makeActiveButton",
-            self.tr("Make active…"),
+            self.tr("Ma&ke active…"),
             icon="power",
             tip=self.tr("Show the steps for switching the board off and on"),
             on_click=self.power_cycle_requested,
@@ -45,9 +37,17 @@ class ParametersPage(QWidget):
         self._discard = button(
             self,
             "discardButton",
-            self.tr("Discard edits"),
+            self.tr("Discard edi&ts"),
             icon="undo",
             on_click=device.draft.discard_edits,
+        )
+        self._reload = button(
+            self,
+            "reloadButton",
+            self.tr("Re&load"),
+            icon="reload",
+            tip=self.tr("Read every parameter from the board again"),
+            on_click=self.reload_requested,
         )
         self.table = ParameterTable(device.draft, BoardLinter(device, self), self)
 

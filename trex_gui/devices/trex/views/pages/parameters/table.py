@@ -65,7 +65,7 @@ class ParameterTable(QWidget):
         note.setObjectName("noParameterMatches")
         text = label(note, text=self.tr("No parameter matches."))
         show_all = button(
-            note, "showAllParameters", self.tr("Show all parameters"), on_click=self._filters.clear
+            note, "showAllParameters", self.tr("&Show all parameters"), on_click=self._filters.clear
         )
         centre = Qt.AlignmentFlag.AlignCenter
         column((text, 0, centre), (show_all, 0, centre), into=note)

@@ -1,0 +1,248 @@
+"""What a window owes to those who have only a keyboard: letters, an order for Tab, names."""
+
+from collections import Counter
+from collections.abc import Iterator
+from itertools import pairwise
+from re import sub
+
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QComboBox,
+    QDialogButtonBox,
+    QDockWidget,
+    QGroupBox,
+    QLabel,
+    QLineEdit,
+    QMainWindow,
+    QMenu,
+    QPlainTextEdit,
+    QScrollArea,
+    QSplitter,
+    QTabBar,
+    QToolBar,
+    QWidget,
+)
+
+from tests.support.accessible_names import nameless
+from trex_gui.ui.devices.demo_panel import DemoDock
+from trex_gui.ui.widgets.behaviour import HoldButton
+from trex_gui.ui.widgets.builders import RedButton
+from trex_gui.ui.widgets.messages import Banner, InlinePrompt
+
+_INPUTS = (
+    QAbstractSpinBox,
+    QComboBox,
+    QAbstractSlider,
+    QAbstractItemView,
+    QLineEdit,
+    QPlainTextEdit,
+)
+_ENTER_AND_ESC = {"OK", "Cancel", "Close"}
+"""Buttons that need no letter; the platform may give them their first one."""
+
+_WITHOUT_LETTER = (
+    RedButton,  # Esc stops, in every window
+    HoldButton,  # works while it is held only, with the space bar
+)
+_INSIDE_WITHOUT_LETTER = (
+    Banner,  # appears over every page, and would take letters from each
+    InlinePrompt,  # the same, and has the focus
+    DemoDock,  # beside every page: there are not enough letters
+    QToolBar,  # its buttons are in a menu
+    QLineEdit,  # a sign in an editor, not a button
+)
+_NAMED_WITHOUT_LETTER = {
+    "aracnaFileMenu",  # in a menu with a letter, as the next three
+    "aracnaRedo",
+    "aracnaUndo",
+    "lineButton",
+    "startPort",  # one for each port
+    "stopRecordingButton",  # over every page, and in a menu
+}
+
+
+def check_keyboard(window: QWidget, *, note: str = "") -> None:
+    """Check everything that a window shows now."""
+    found = [
+        *_repeated_letters(window),
+        *_without_letter(window),
+        *_out_of_order(window),
+        *(f"no accessible name: {each}" for each in nameless(window)),
+    ]
+    assert not found, "\n".join([f"{window.objectName()} {note}", *found])
+
+
+def shown_in(window: QWidget) -> Iterator[QWidget]:
+    for each in window.findChildren(QWidget):
+        if each.isVisibleTo(window) and each.window() is window.window():
+            yield each
+
+
+# --- Letters ----------------------------------------------------------------------------
+
+
+def letter(text: str) -> str:
+    return QKeySequence.mnemonic(text).toString()
+
+
+def _repeated_letters(window: QWidget) -> Iterator[str]:
+    texts = []
+    for each in shown_in(window):
+        match each:
+            case QAbstractButton():
+                is_standard = isinstance(each.parent(), QDialogButtonBox)
+                takes_first = is_standard and each.text() in _ENTER_AND_ESC
+                texts.append(f"&{each.text()}" if takes_first else each.text())
+            case QLabel() if each.buddy() is not None:
+                texts.append(each.text())
+            case QGroupBox():
+                texts.append(each.title())
+            case QTabBar():
+                texts += [each.tabText(index) for index in range(each.count())]
+    if isinstance(window, QMainWindow):
+        bar = window.menuBar()
+        texts += [each.text() for each in bar.actions() if each.isVisible()]
+        shortcuts = []
+        for menu in bar.findChildren(QMenu):
+            actions = [each for each in menu.actions() if each.isVisible()]
+            yield from _clashes([(letter(each.text()), each.text()) for each in actions])
+            shortcuts += [(each.shortcut().toString(), each.text()) for each in actions]
+        yield from _clashes(shortcuts)
+    yield from _clashes([(letter(text), text) for text in texts])
+
+
+def _clashes(keys: list[tuple[str, str]]) -> Iterator[str]:
+    for key, count in Counter(key for key, _ in keys).items():
+        if key and count > 1:
+            yield f"{key} is {' and '.join(text for each, text in keys if each == key)}"
+
+
+def _without_letter(window: QWidget) -> Iterator[str]:
+    widgets = list(shown_in(window))
+    buttons = [each for each in widgets if isinstance(each, QAbstractButton)]
+    texts = Counter(each.text().replace("&", "") for each in buttons)
+    names = Counter(_without_number(each) for each in buttons)
+    for button in buttons:
+        text = button.text()
+        if _is_free(button) or text in _ENTER_AND_ESC or letter(text):
+            continue
+        if not text:
+            if not (button.toolTip() and button.accessibleName()):
+                yield f"no text, and no tool tip and accessible name: {button.objectName()}"
+        elif texts[text] == names[_without_number(button)] == 1:  # several rows have none
+            yield f"no letter: {button.objectName()} {text}"
+    for each in widgets:
+        if isinstance(each, QLabel) and isinstance(each.buddy(), _INPUTS) and not _is_free(each):
+            text = each.text()
+            if not letter(text) and not text.isdigit():
+                yield f"no letter: label {text}"
+            if "&" in text and ";" in text:
+                yield f"the letter is that of a character entity: {text}"
+
+
+def _without_number(widget: QWidget) -> str:
+    return sub(r"\d", "", widget.objectName())
+
+
+def _is_free(widget: QWidget) -> bool:
+    """Return whether a widget needs no letter."""
+    name = widget.objectName()
+    return (
+        isinstance(widget, _WITHOUT_LETTER)
+        or name in _NAMED_WITHOUT_LETTER
+        or name.startswith("qt_")
+        or any(isinstance(above, _INSIDE_WITHOUT_LETTER) for above in _above(widget))
+    )
+
+
+def _above(widget: QWidget) -> Iterator[QWidget]:
+    parent = widget.parentWidget()
+    while parent is not None:
+        yield parent
+        if parent.isWindow():
+            return
+        parent = parent.parentWidget()
+
+
+# --- The order of Tab -------------------------------------------------------------------
+
+
+def tab_order(window: QWidget) -> list[QWidget]:
+    """Return what Tab goes through, and what it will when it is enabled."""
+    order = []
+    each = _next(window)
+    while each is not window:
+        takes_tab = bool(each.focusPolicy() & Qt.FocusPolicy.TabFocus)
+        if (
+            takes_tab
+            and each.focusProxy() is None
+            and each.window() is window.window()
+            and each.isVisibleTo(window)
+            and not isinstance(each, QScrollArea)
+        ):
+            order.append(each)
+        each = _next(each)
+    return order
+
+
+def _next(widget: QWidget) -> QWidget:
+    """Return the next widget for Tab; PySide takes it for a child of `widget` until told."""
+    following = widget.nextInFocusChain()
+    assert following is not None
+    following.setParent(following.parentWidget())  # does nothing else: it is its parent
+    return following
+
+
+_REGIONS = QGroupBox, QDockWidget, QScrollArea
+_COLUMNS = {"benchLeft"}
+"""Tab goes through what is in these before it goes on, as through the parts of a splitter."""
+
+_IN_COLUMNS = {"motorsOptions"}
+"""Boxes in which Tab may go up to the next column."""
+
+
+def _region(widget: QWidget, window: QWidget) -> list[QWidget]:
+    """Return the columns and boxes that a widget is in, the widest first, and itself."""
+    regions = [widget]
+    for above in _above(widget):
+        if above is window:
+            break
+        is_part = isinstance(above.parentWidget(), QSplitter)
+        if is_part or isinstance(above, _REGIONS) or above.objectName() in _COLUMNS:
+            regions.append(above)
+    return regions[::-1]
+
+
+def _out_of_order(window: QWidget) -> Iterator[str]:
+    paths = [_region(each, window) for each in tab_order(window)]
+    left: set[QWidget] = set()
+    for before, after in pairwise(paths):
+        depth = next(i for i, (a, b) in enumerate(zip(before, after, strict=False)) if a is not b)
+        names = f"{before[-1].objectName()} → {after[-1].objectName()}"
+        left.update(before[depth:])
+        if left & set(after):
+            yield f"Tab comes back: {names}"
+        elif not _follows(
+            _place(before[depth], window),
+            _place(after[depth], window),
+            in_columns=depth > 0 and before[depth - 1].objectName() in _IN_COLUMNS,
+        ):
+            yield f"Tab goes back: {names}"
+
+
+def _place(widget: QWidget, window: QWidget) -> QRect:
+    return QRect(widget.mapTo(window, QPoint()), widget.size())
+
+
+def _follows(before: QRect, after: QRect, *, in_columns: bool) -> bool:
+    """Return whether a place is to the right of another one in its row, or below it."""
+    is_below = after.center().y() > before.bottom()
+    is_beside = after.left() >= before.right() and (
+        in_columns or (before.top() < after.bottom() and after.top() < before.bottom())
+    )
+    return is_below or is_beside
