@@ -1,15 +1,19 @@
 """What happened to a TReX can be found again on the Log page."""
 
+from pathlib import Path
+
 from PySide6.QtWidgets import QPlainTextEdit
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.plotting.export import ExportButton
 
 
 def test_log_keeps_what_happened_over_disconnects(
-    window: WindowDriver, quick_simulator: SimulatedDevice
+    window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
+    window.program.make_plots()
     device, url = window.device, quick_simulator.url
     window.connect(url)
     window.click("runButton")
@@ -28,6 +32,10 @@ def test_log_keeps_what_happened_over_disconnects(
     window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     window.click("bannerDismiss")
 
+    export = window.find(ExportButton, "exportButton")
+    export.save_picture(tmp_path / "currents.png")
+    window.wait_for_files()
+
     window.open_page("trexLogPage")
     text = window.find(QPlainTextEdit, "trexLog").toPlainText()
     place = 0
@@ -42,6 +50,7 @@ def test_log_keeps_what_happened_over_disconnects(
         "The board responds again",
         "Disconnected",
         f"⚠ The line to {url} is gone.",
+        f"The picture was written to {tmp_path}",
     ):
         place = text.find(part, place)
         assert place >= 0, f"{part} in {text}"

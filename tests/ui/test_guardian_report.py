@@ -45,4 +45,6 @@ def test_stop_is_reported_once_the_board_is_connected_that_was_named_at_the_star
     window.program.connect_to_port(quick_simulator.url)
     window.program.report_last_stop()
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    window.wait_for_text("bannerText", "If a motor still turns, cut its power.")
+    text = "If a motor still turns, cut its power."
+    window.wait_for_text("bannerText", text)
+    assert text in window.program.workspace("trex").log.entries[-1].text

@@ -58,6 +58,25 @@ def test_event_and_its_message_are_one_entry(qtbot: QtBot, clocks: Clocks) -> No
     assert [entry.time.second for entry in log.entries] == [0, 5]
 
 
+def test_messages_of_other_places_are_logged_and_not_shown(qtbot: QtBot) -> None:
+    window, plot = Notifier(), Notifier()
+    window.log_also(plot)
+    logged: list[tuple[str, bool]] = []
+    shown: list[str] = []
+    window.logged.connect(lambda *message: logged.append(message))
+    window.info.connect(shown.append)
+    plot.info.emit("The picture was written.")
+    plot.report("Nothing was written.", ())
+    window.delayed_info.emit("Later.")
+    qtbot.waitUntil(lambda: len(logged) == 3)
+    assert logged == [
+        ("The picture was written.", False),
+        ("Nothing was written.", True),
+        ("Later.", False),
+    ]
+    assert shown == ["Later."]
+
+
 def test_log_is_bounded(qtbot: QtBot, clocks: Clocks) -> None:
     log = clocks.log()
     for number in range(MOST_ENTRIES + 3):

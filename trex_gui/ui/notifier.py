@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import PortUnavailable
 
@@ -52,13 +52,28 @@ class Notifier(QObject):
     delayed_info = Signal(str)
     delayed_error = Signal(str)
     cleared = Signal()
+    logged = Signal(str, bool)  # every message, and whether it is an error; see `log_also`
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.delayed_info.connect(self.info, Qt.ConnectionType.QueuedConnection)
         self.delayed_error.connect(self.error, Qt.ConnectionType.QueuedConnection)
+        self.info.connect(self._log_news)
+        self.error.connect(self._log_problem)
+
+    def log_also(self, other: "Notifier") -> None:
+        """Log the messages of another place in the program."""
+        other.logged.connect(self.logged)
 
     def report(self, text: str, remedies: Remedies) -> None:
         """Emit an `error` with buttons."""
         self.error.emit(text)
         self.remedies_offered.emit(remedies)
+
+    @Slot(str)
+    def _log_news(self, text: str) -> None:
+        self.logged.emit(text, False)
+
+    @Slot(str)
+    def _log_problem(self, text: str) -> None:
+        self.logged.emit(text, True)

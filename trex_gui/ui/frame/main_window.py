@@ -153,8 +153,7 @@ class MainWindow(QMainWindow):
         self._manager.changed.connect(self._on_link_changed)
         self._manager.current_changed.connect(self._on_device_changed)
         self._manager.stop_reported.connect(self._notifier.delayed_error)
-        self._notifier.info.connect(self._log_news)
-        self._notifier.error.connect(self._log_problem)
+        self._notifier.logged.connect(self._log)
         app = QApplication.instance()
         if isinstance(app, QApplication):
             self._escape = EscapeWatch(app, self._manager, self)
@@ -363,13 +362,9 @@ class MainWindow(QMainWindow):
             still=lambda: self._manager.current.is_busy,
         )
 
-    @Slot(str)
-    def _log_news(self, text: str) -> None:
-        self._workspace.log.add(text)
-
-    @Slot(str)
-    def _log_problem(self, text: str) -> None:
-        self._workspace.log.add(text, is_problem=True)
+    @Slot(str, bool)
+    def _log(self, text: str, is_problem: bool) -> None:
+        self._workspace.log.add(text, is_problem=is_problem)
 
     @Slot(object)
     def _on_remedy_chosen(self, remedy: Remedy) -> None:

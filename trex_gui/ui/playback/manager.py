@@ -208,6 +208,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             recording.close()
             return
         window = self.make_window(recording)
+        self._notifier.log_also(window.notifier)
         remember_folder(recording.path, self._folder_key)
         self.used.emit(recording.path)
         self.windows.append(window)

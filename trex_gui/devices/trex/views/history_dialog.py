@@ -65,6 +65,7 @@ class HistoryDialog(ReusedDialog):
         self._reading = new_timer(self, 0, self.refresh, single_shot=True)
 
         notifier = Notifier(self)
+        device.notifier.log_also(notifier)
         self._banner = Banner(self, notifier)
         self._banner.setObjectName("historyBanner")
         self._question = InlinePrompt(self)

@@ -46,6 +46,7 @@ class CurrentsPage(PlotPage):
 
         self._panel = panel = TracePanel(parent=self)
         panel.plot.setObjectName("currentsPlot")
+        self._device.notifier.log_also(panel.notifier)
         history, events = self._device.telemetry.currents, self._device.events.all
         panel.set_source(Traces(board_traces(), history, events, self._limits))
         column(panel, into=self)
