@@ -1,12 +1,14 @@
 """While motors are armed, the board's own serial timeout is fed; else nothing is done for it."""
 
 import itertools
+import math
+from functools import partial
 
 import pytest
 
 from tests.devices.trex.session.helpers import among, commands, run_for, samples, seen_at, staged
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage
+from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.session import Outcome
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, Raw
@@ -16,17 +18,20 @@ from trex_gui.devices.trex.driving.requests import (
     SetMotor,
     Stop,
 )
-from trex_gui.devices.trex.protocol.commands import GetRawChannels
+from trex_gui.devices.trex.protocol.commands import GetParameter, GetRawChannels
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
-from trex_gui.devices.trex.session.messages import Connected, Write
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
+from trex_gui.devices.trex.session.messages import Connected, Report, Write
 from trex_gui.devices.trex.session.polling import (
     Topic,
     silence,
     survives_a_loss,
     too_slow,
 )
+from trex_gui.devices.trex.simulator.line import TrexLine
 
 
 def opening(baud: int) -> float:
@@ -127,6 +132,49 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
     if baud == 1200 and tenths == 1:  # nobody is promised what cannot be kept
         assert fired
         assert not survives
+
+
+class TimedTransport(VirtualTransport):
+    """Remembers when each packet was written."""
+
+    def __init__(self, line: TrexLine) -> None:
+        super().__init__(line)
+        self.written: list[tuple[float, bytes]] = []
+
+    def write(self, data: bytes) -> None:
+        self.written.append((self.clock(), data))
+        super().write(data)
+
+
+@pytest.mark.parametrize("ahead", [0.0, 0.004, 0.1])
+def test_reply_lost_after_arming_lets_no_timeout_fire(ahead: float) -> None:
+    """Also the first one, and that of a check whether the stored timeout is the same."""
+
+    def run(seconds: float, armed_at: float = math.inf) -> tuple[TimedTransport, list[Report]]:
+        stage, settings = staged()
+        stage.transport = transport = TimedTransport(stage.line)
+        transport.latency = 0.3  # as over a network
+        set_timeout(stage, 5)
+        assert survives_a_loss(settings.line, 0.5, transport.latency)
+        if armed_at < seconds:
+            lose_a_byte = partial(setattr, stage.line.faults, "to_drop", 1)
+            stage.script.at(armed_at, Arm()).at(armed_at, SetMotor(1, Drive.at(90)))
+            stage.script.at(armed_at, lose_a_byte)
+            for beat in range(1, 4):
+                stage.script.at(armed_at + beat * INTERVAL, Heartbeat())
+        return transport, run_for(stage, seconds, settings)
+
+    query = Framing().encode(GetParameter(parameter_number(ParameterKey.SERIAL_TIMEOUT)))
+    start = opening(19200) + 1.0
+    transport, _ = run(start + 2.0)
+    check = next(time for time, data in transport.written if data == query and time > start)
+    _, reports = run(check + 1.0, check - ahead)
+    fired = [
+        one.time - check
+        for one in samples(reports, LatchedStatus)
+        if one.uart & UartError.TIMEOUT and one.time > check
+    ]
+    assert fired == []
 
 
 def test_too_slow_polls_follow_from_size_and_baud_rate() -> None:

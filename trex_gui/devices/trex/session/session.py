@@ -272,6 +272,7 @@ class TrexSession:
 
     def _collect(self, seconds: float = 0.0) -> None:
         self._queue.collect(seconds)
+        self._line.keepalive_while_waiting = self._motors.is_armed
         if self._queue.is_closing:
             raise Closing
 
@@ -422,7 +423,6 @@ class TrexSession:
         )
 
     def _next_topic(self, now: float) -> Topic | None:
-        self._line.keepalive_while_waiting = self._motors.is_armed
         return self._polling.next(
             now,
             self._line.settings.line,
