@@ -143,6 +143,7 @@ class MainWindow(QMainWindow):
         self._fill_recent()
         # Whatever window is in front; the others have their own keys.
         self._actions["stop"].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
+        self._actions["stop"].setAutoRepeat(False)  # Esc that closed a menu may still be held
 
     def _connect(self) -> None:
         self._connection.connecting.connect(self._notifier.cleared)
