@@ -472,6 +472,7 @@ def test_table_fits_beside_the_events_without_scrolling(
     last = max(column for column in TraceColumn if not view.isColumnHidden(column))
     assert view.columnViewportPosition(last) + view.columnWidth(last) <= view.viewport().width()
     assert panel.events.width() > 60
+    assert view.viewport().height() >= 4 * view.rowHeight(0), "four curves"
     panel.root.resize(width - 100, 500)
     assert panel.events.x() >= view.geometry().right(), "one lies over the other"
 

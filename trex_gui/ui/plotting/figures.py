@@ -32,7 +32,7 @@ from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import clear_corner, paint_placeholder
-from trex_gui.ui.widgets.builders import flat_table
+from trex_gui.ui.widgets.builders import flat_table, set_row_height
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -226,6 +226,7 @@ class TraceTableView(QTableView):
         super().__init__(parent)
         self._table = model
         flat_table(self, "traceTable", self.tr("Curves and their figures"))
+        set_row_height(self, _ROW_ROOM)
         self.setModel(model)
         header = self.horizontalHeader()
         header.setSectionResizeMode(TraceColumn.CURVE, QHeaderView.ResizeMode.ResizeToContents)

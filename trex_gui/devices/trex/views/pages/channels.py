@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from PySide6.QtCore import QEvent, Qt, Slot
+from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
@@ -13,6 +13,7 @@ from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.devices.trex.views.input_strip import STRIP_SECONDS, InputStrip
+from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 
@@ -67,7 +68,7 @@ class ChannelsPage(QWidget):
         for column, (text, tip) in enumerate(headings):
             self._grid.addWidget(ui.label(self, "", text, tip=tip, bold=True), 0, column)
         self._rows = {channel: self._add_row(channel) for channel in CHANNELS}
-        self._fit_values()
+        follow_theme(self, "values", self._fit_values)
         ui.column(self._summary, (self._grid, 1), into=self)
 
         device.link_changed.connect(self._on_device_changed)
@@ -227,11 +228,6 @@ class ChannelsPage(QWidget):
         self._clear_strips()
         self._on_frame_due()
         self._on_text_due()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange and hasattr(self, "_rows"):
-            self._fit_values()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
