@@ -384,11 +384,20 @@ def reset_unnoticed(stage: Stage, **changes: int) -> Callable[[], None]:
     return change
 
 
-@pytest.mark.parametrize("baud", [1200, 19200, 115200])
-@pytest.mark.parametrize("key", ["serial_timeout", "uart_error_shutdown"])
+@pytest.mark.parametrize(
+    ("key", "baud"),
+    [
+        ("serial_timeout", 1200),
+        ("serial_timeout", 115200),
+        ("uart_error_shutdown", 19200),
+        ("motor1_current_limit", 19200),
+        ("motor2_current_limit", 1200),
+    ],
+)
 def test_changed_safety_parameter_is_found_within_some_two_seconds(key: str, baud: int) -> None:
     stage, settings = staged(baud)
-    stage.board.eeprom.write("serial_timeout", 50)
+    for stored in ("serial_timeout", "motor1_current_limit", "motor2_current_limit"):
+        stage.board.eeprom.write(stored, 50)
     stage.script.at(6.0, reset_unnoticed(stage, **{key: 0}))
     reading_s = 3.5 if baud == 1200 else 1.0
     run_for(stage, 7.5 + reading_s, settings)

@@ -50,7 +50,7 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexRequestError,
 )
 from trex_gui.devices.trex.protocol.line_settings import baud_rates
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
@@ -74,10 +74,15 @@ log = logging.getLogger(__name__)
 _STALE_READS = 3
 _STALE_READ_INTERVAL = 2.0  # seconds; telemetry goes on between two of these readings
 
-_SAFETY_PARAMETERS = (ParameterKey.SERIAL_TIMEOUT, ParameterKey.UART_ERROR_SHUTDOWN)
-_SAFETY_READ_INTERVAL = 0.5
+_SAFETY_PARAMETERS = (
+    ParameterKey.SERIAL_TIMEOUT,
+    MotorParameter.CURRENT_LIMIT.of(1),
+    ParameterKey.UART_ERROR_SHUTDOWN,
+    MotorParameter.CURRENT_LIMIT.of(2),
+)
+_SAFETY_READ_INTERVAL = 0.25
 """Seconds between two queries of `_SAFETY_PARAMETERS` in turn, so each is read every second. At
-1200 baud they take a twentieth of the line."""
+1200 baud they take a tenth of the line."""
 
 
 class TrexSession:
@@ -453,7 +458,7 @@ class TrexSession:
             self._note_failure(error, topic)
 
     def _check_safety_parameter(self, now: float) -> None:
-        """Read a stored value that decides whether motors stop by themselves.
+        """Read a stored value that decides what the board does by itself to protect motors.
 
         If it changed unnoticed, the power was off too briefly for a missing reply: everything is
         read, and motors have to be armed again.
