@@ -66,6 +66,7 @@ def test_page_says_why_the_ceiling_is_low(
     assert page.text("ceilingNote").startswith("New board")
     assert "30 % of full speed" in page.pad.accessibleDescription()
     assert page.find(QSpinBox, "motor1Entry").maximum() == 38
+    assert "the speed ceiling" in page.find(QSpinBox, "motor1Entry").toolTip()
 
     page.type_into("ceilingEntry", "127")
     assert page.device.motors.ceiling == 127

@@ -19,9 +19,9 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         motors.arm()  # not before the lockout of the first stop is over
         if not motors.armed:
             return False
-        motors.set_speed(1, 90)
-        motors.set_speed(2, -60)
-        motors.set_auxiliary(40)
+        motors.set_speed(1, 30)
+        motors.set_speed(2, -20)
+        motors.set_auxiliary(15)
         return True
 
     def hold(microseconds: float) -> Iterator[Do]:

@@ -234,7 +234,7 @@ class DriveControl(QWidget):
         self.current = ui.named(CurrentBar(self), f"{name}Current")
         self.current.setToolTip(self.tr("Current of this motor; the red line is its limit"))
         policy = self.brake.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)  # so that all sliders have the same length
+        policy.setRetainSizeWhenHidden(not two_way)  # so that all sliders have the same length
         self.brake.setSizePolicy(policy)
         for widget in (self.brake, self.current):
             widget.setVisible(two_way)
@@ -263,6 +263,11 @@ class DriveControl(QWidget):
     def set_ceiling(self, ceiling: int) -> None:
         """Offer no speed beyond this one, 1-127, either way."""
         self.slider.set_ceiling(ceiling)
+        tip = ""
+        if ceiling < FULL_SCALE:
+            tip = self.tr("Up to {0}, the speed ceiling above").format(ceiling)
+        for widget in (self.slider, self._entry):
+            widget.setToolTip(tip)
         self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
 
     def set_channel_driven(self, driven: bool) -> None:
