@@ -10,7 +10,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
 
 
@@ -103,24 +103,6 @@ def test_wrong_baud_rate_is_named_in_the_message(
     window.device.connect_to(ConnectionSettings(simulator.url, LineSettings(9600)))
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert "9600 baud" in window.text("bannerText")
-
-
-def test_board_set_to_crc_reconnects_with_crc(
-    window: WindowDriver, simulator: SimulatedDevice
-) -> None:
-    window.device.connect_to(ConnectionSettings(simulator.url))
-    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    model = window.device.parameters
-    model.setData(model.index_of("uart_settings"), 0x2A)
-    window.device.apply()
-    window.wait(lambda: model.waiting_for_power == ("UART Settings",))
-    simulator.do("power off")
-    simulator.do("power on")
-    settings = ConnectionSettings(simulator.url, LineSettings(115200, Detection.CRC7))
-    window.device.connect_to(settings)
-    window.wait(lambda: window.device.settings == settings)
-    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    assert model.waiting_for_power == ()
 
 
 def test_addressed_board_with_echo_connects(

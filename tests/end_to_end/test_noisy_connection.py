@@ -28,7 +28,7 @@ def test_noisy_line_is_named_and_crc_is_set_up(
 
     quick_simulator.do("line noise 0.01")
     window.wait(lambda: "use CRC" in window.text("qualityLabel"), 20_000)
-    assert "% lost: noisy; shorten the cable, check ground" in window.text("qualityLabel")
+    assert "% lost: noisy; shorten cable, check ground" in window.text("qualityLabel")
     window.wait(lambda: window.has("setUpCrcButton"))
     assert top_of_page() == top, "nothing moves under the pointer"
     window.motors.arm()
@@ -54,6 +54,7 @@ def test_noisy_line_is_named_and_crc_is_set_up(
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
     assert device.settings is not None
     assert device.settings.line.to_wire() == CRC
+    assert device.parameters.waiting_for_power == ()
 
     quick_simulator.do("line noise 0.01")
     window.wait(lambda: "lost: noisy" in window.text("qualityLabel"), 20_000)

@@ -35,6 +35,7 @@ _OUTLINED = (
     "QComboBox",
     "QLineEdit",
     "QListView",
+    "QPlainTextEdit",
     "QProgressBar",
     "QTableView",
     "QTreeView",

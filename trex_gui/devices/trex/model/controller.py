@@ -130,9 +130,9 @@ class TrexController(DeviceController[ConnectionSettings]):
             return LineQuality(self.tr("Line: good"))
         lost = self.tr("{0:.1f} % lost").format(100 * quality.lost)
         if device.settings is not None and device.settings.line.has_crc:
-            text = self.tr("{0}: noisy; shorten the cable, check ground")
+            text = self.tr("{0}: noisy; shorten cable, check ground")
             return LineQuality(text.format(lost), is_bad=True)
-        text = self.tr("{0}: noisy; shorten the cable, check ground, use CRC").format(lost)
+        text = self.tr("{0}: noisy; shorten cable, check ground, use CRC").format(lost)
         can_set_up = device.is_writable and not device.rejects_settings and not self.is_armed
         return LineQuality(text, is_bad=True, remedy=Remedy.SET_UP_CRC if can_set_up else None)
 
