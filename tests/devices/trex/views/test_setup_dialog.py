@@ -116,6 +116,8 @@ def test_held_button_moves_its_motor_only(assistant: Assistant) -> None:
         QTest.mouseRelease(button, LEFT)
         assistant.wait(lambda: assistant.robot.speeds() == (0, 0))
     assert {request.motor for request in assistant.requests[:2]} == {1}
+    assistant.robot.simulator.do("fault 2 on")
+    assistant.wait_for_text("setupPulseNote", "its driver shut down")
 
 
 def open_menu(assistant: Assistant) -> None:

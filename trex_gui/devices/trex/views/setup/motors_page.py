@@ -7,6 +7,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QGroupBox, QRadioButton, QWidget
 
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_status import recent_fault_text
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
 from trex_gui.devices.trex.views.action_bar import RunButton, TimeoutNotice
@@ -141,6 +142,8 @@ class WiringPage(QWidget):
         if pulses.motor:
             text = self.tr("Motor {0} gets pulses. Release the button to stop it.")
             text = text.format(pulses.motor)
+        if not blocker:
+            text = recent_fault_text(self._device) or text
         self._note.show_note(text, alarming=self._device.motors.armed)
         wiring = self._setup.wiring
         rewiring = wiring.rewiring(self._setup.driver) if wiring else None
