@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressBar, QWidget
 
 from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
 from trex_gui.ui.event_log import Event
-from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.notifier import CopyCommand, Notifier
 from trex_gui.ui.playback.player import RecordingPlayer
 from trex_gui.ui.playback.transport import TransportBar, time_text
 from trex_gui.ui.plotting.export import ExportButton
@@ -228,9 +228,9 @@ class RecordingWindow(QMainWindow):
             text = self.tr("The open recording cannot be overwritten. Choose another file.")
             self.notifier.error.emit(text)
         elif path.suffix.lower() == MCAP_SUFFIX and not has_mcap():
-            self.notifier.error.emit(
-                self.tr("Exporting MCAP needs an optional package: pip install trex-gui[mcap]")
-            )
+            command = 'pip install "trex-gui[mcap]"'
+            text = self.tr("Exporting MCAP needs an optional package: {0}").format(command)
+            self.notifier.report(text, (CopyCommand(command),))
         else:
             span = self.plot.span
             self.player.export(path, span.start, span.end)
