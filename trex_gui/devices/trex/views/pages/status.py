@@ -55,7 +55,6 @@ class StatusPage(QWidget):
                 "settings": self.tr("Settings:"),
                 "side": self.tr("Connector:"),
                 "traffic": self.tr("Requests:"),
-                "quality": self.tr("Failures:"),
             },
         )
         self._set_up = ui.button(
@@ -175,18 +174,10 @@ class StatusPage(QWidget):
             return
         counters = self._device.connection.counters
         self._values["control"].setText(self._device.control_text)
-        failures = counters.missing + counters.corrupted
-        good = 100 * (1 - failures / max(counters.requests, 1))
-        self._values["traffic"].setText(
-            self.tr("{0} replies to {1} requests ({2:.2f} %)").format(
-                counters.requests - failures, counters.requests, good
-            )
-        )
-        self._values["quality"].setText(
-            self.tr("Timeouts: {0}, corrupted: {1}, slowest reply: {2:.0f}\u00a0ms").format(
-                counters.missing, counters.corrupted, 1000 * counters.slowest
-            )
-        )
+        text = self.tr(
+            "{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f}\u00a0ms"
+        ).format(counters.requests, counters.missing, counters.corrupted, 1000 * counters.slowest)
+        self._values["traffic"].setText(text)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
