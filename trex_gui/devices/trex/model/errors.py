@@ -159,7 +159,7 @@ class BoardEvents(EventLog):
                 text = self.tr(
                     "A setting changed: the board was restarted, or another program wrote to it"
                 )
-                self.add(EventKind.LINK, text)
+                self.add(EventKind.LINK, text, is_problem=True)
             case ReadReason.RELOADED:
                 pass
 
