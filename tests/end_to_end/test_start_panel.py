@@ -1,10 +1,12 @@
 """What leads a newcomer to a first connection."""
 
+from pathlib import Path
+
 import pytest
 from PySide6.QtWidgets import QPushButton, QWidget
 from serial.tools.list_ports_common import ListPortInfo
 
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.ui.devices.connection import ConnectionState
 
@@ -67,3 +69,55 @@ def test_port_that_is_unplugged_is_no_longer_offered(
 def test_button_opens_what_the_menu_opens(window: WindowDriver, button: str, dialog: str) -> None:
     window.click(button)
     assert window.dialog(dialog).root.isVisible()
+
+
+def test_recent_files_are_offered_and_open(window: WindowDriver, tmp_path: Path) -> None:
+    recent = window.window.recent
+    group = window.find(QWidget, "startFiles")
+    assert not group.isVisible()
+    poses = tmp_path / "walk & turn.ppr"
+    poses.write_text("low = [1, 2, 3, 4, 5, 6, 7, 8]\n")
+    for number in range(6):
+        recent.note("trex", "settings", tmp_path / f"{number}.txt")
+    recent.note("aracna", "poses", poses)
+
+    def shown() -> dict[str, QPushButton]:
+        buttons = group.findChildren(QPushButton)
+        return {Path(one.toolTip()).name: one for one in buttons if one.isVisible()}
+
+    window.wait(shown)
+    assert list(shown()) == ["walk & turn.ppr", "5.txt", "4.txt"]
+    assert shown()["walk & turn.ppr"].text().startswith("walk && turn.ppr")
+
+    shown()["5.txt"].click()
+    window.wait_for_text("bannerText", "5.txt is no longer there")
+    window.wait(lambda: "3.txt" in shown())
+    shown()["walk & turn.ppr"].click()
+    window.wait_for_text("bannerText", "walk & turn.ppr was opened.")
+
+    recent.clear()
+    assert not group.isVisible()
+
+
+def test_panel_of_the_robot_leads_to_robots(
+    computer: list[ListPortInfo], window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    robot = start_simulator("--aracna", "--unpaced")
+    computer.append(ListPortInfo(robot.url, skip_link_detection=True))
+    window.program.ports.refresh()
+    window.program.device_manager.switch_to("aracna", lambda: None)
+    panel = window.find(QWidget, "aracna_startPanel")
+    assert panel.isVisible()
+    assert "servo power" in window.text("aracna_startSteps")
+    window.click("aracna_startDemo")
+    window.wait(lambda: window.robot.link is ConnectionState.CONNECTED)
+    assert not panel.isVisible()
+    assert window.has("aracnaMoveButton")
+
+    window.program.device_manager.leave()
+    window.wait(lambda: window.has("aracna_startPort"))
+    window.click("aracna_startPort")
+    window.wait(lambda: window.robot.link is ConnectionState.CONNECTED)
+    port = window.program.device_manager.current.port
+    assert port is not None
+    assert port.url == robot.url

@@ -61,7 +61,10 @@ _NAMED_WITHOUT_LETTER = {
     "aracnaRedo",
     "aracnaUndo",
     "lineButton",
-    "startPort",  # one for each port
+    "aracna_startPort",  # one for each port
+    "aracna_startRecent",  # one for each file
+    "startPort",
+    "startRecent",
     "stopRecordingButton",  # over every page, and in a menu
 }
 

@@ -35,7 +35,7 @@ def test_files_are_removed_one_by_one_or_all() -> None:
     recent = RecentFiles()
     for name in ("a & b.txt", "c.txt"):
         recent.note("aracna", "poses", FOLDER / name)
-    assert recent.entries[1].title == "a && b.txt  (some where)"
+    assert recent.entries[1].title == "a & b.txt  (some where)"
     recent.remove(recent.entries[0])
     assert names(recent) == ["a & b.txt"]
     recent.clear()

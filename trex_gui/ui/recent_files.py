@@ -19,8 +19,7 @@ class RecentFile:
 
     @property
     def title(self) -> str:
-        """Name and folder, as the text of a menu or a button."""
-        return f"{self.path.name}  ({self.path.parent.name})".replace("&", "&&")
+        return f"{self.path.name}  ({self.path.parent.name})"
 
 
 class RecentFiles(QObject):

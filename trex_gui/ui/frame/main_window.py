@@ -81,6 +81,7 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(self.tr("TReX Studio"))
         self.setWindowIcon(application_icon())
         self._manager = device_manager
+        self.ports = ports
         self._notifier = notifier
         self._add_all_workspaces = add_all_workspaces
         self._store = Preferences()
@@ -282,7 +283,7 @@ class MainWindow(QMainWindow):
         menu, files = self._recent_menu, self.recent.entries
         menu.clear()
         for number, file in enumerate(files, start=1):
-            action = menu.addAction(f"&{number} {file.title}")
+            action = menu.addAction(f"&{number} {file.title.replace('&', '&&')}")
             action.setToolTip(str(file.path))
             action.triggered.connect(partial(self._on_recent_chosen, file))
         menu.addSeparator()

@@ -24,6 +24,7 @@ from trex_gui.devices.aracna.views.poses.page import PosesPage
 from trex_gui.devices.aracna.views.robot.page import RobotPage
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
 from trex_gui.ui.frame.workspace import (
     SEPARATOR,
     Entry,
@@ -86,7 +87,8 @@ class AracnaWorkspace(Workspace):
         tabs = self.pages
         tabs.setObjectName("aracnaTabs")
         tabs.setAccessibleName(self.tr("Pages"))
-        page = RobotPage(robot, self)
+        self._frame = frame
+        page = RobotPage(robot, self._make_start_panel(), self)
         self._controls = page.controls
         self._poses = PosesPage(robot, self.library, self)
         traffic = TrafficPage(
@@ -127,6 +129,39 @@ class AracnaWorkspace(Workspace):
         ):
             signal.connect(self._on_changed)
         self._undo_watch = self.library.undo.indexChanged.connect(self._on_changed)
+
+    def _make_start_panel(self) -> StartPanel:
+        tr = self.tr
+        texts = StartTexts(
+            title=tr("Connect my Aracna"),
+            steps=tr(
+                "<ol style='margin-left: -20px'>"
+                "<li>Wire an FTDI cable to the header of the ArbotiX board, or put an XBee radio "
+                "into its socket. Both share one line: use only one of them.</li>"
+                "<li>Give the legs room. This robot has no stop: a motion ends by itself, or when "
+                "its servo power is cut.</li>"
+                "<li>Switch on the board and the servo power, without which the first move never "
+                "ends, and connect. Nothing moves until you choose Move.</li>"
+                "</ol>"
+            ),
+            board=tr("ArbotiX"),
+            wires=(("TX", "RX"), ("RX", "TX"), ("GND", "GND")),
+            wiring=tr("Wiring: TX of the adapter to RX, RX to TX, GND to GND of the board"),
+            none=tr("No robot at hand?"),
+            demo=tr("Tr&y the demo"),
+            files=(
+                ("aracna_open", tr("Open pose fi&le…"), "open"),
+                ("aracna_open_recording", tr("Ope&n recording…"), "plot"),
+            ),
+            prefix="aracna_",
+        )
+        return StartPanel(
+            self.key,
+            texts,
+            self._frame,
+            lambda key: self._actions[key].trigger(),
+            self,
+        )
 
     def help_text(self) -> str:
         return help_text(self.menus(), self._actions)

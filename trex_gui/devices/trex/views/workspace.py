@@ -31,13 +31,13 @@ from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.channels import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
-from trex_gui.devices.trex.views.pages.start import StartPanel
 from trex_gui.devices.trex.views.pages.status import StatusPage
 from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
 from trex_gui.ui.log import LogPage
 from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
@@ -166,10 +166,33 @@ class TrexWorkspace(Workspace):
     # --- Pages --------------------------------------------------------------------------
 
     def _make_status_page(self) -> QWidget:
+        tr = self.tr
+        texts = StartTexts(
+            title=tr("Connect my TReX"),
+            steps=tr(
+                "<ol style='margin-left: -20px'>"
+                "<li>Switch the board off. Remove the mode jumper: then it starts in serial mode, "
+                "which is needed to drive it and to change settings from here. Remove the SO–G "
+                "jumper, too.</li>"
+                "<li>Wire a USB-serial adapter with TTL levels as shown. A real RS-232 port goes "
+                "to the board's RS-232 pins: its voltages can damage SI and SO.</li>"
+                "<li>Lift the wheels off the ground, switch the board on, and connect:</li>"
+                "</ol>"
+            ),
+            board=tr("TReX"),
+            wires=(("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
+            wiring=tr("Wiring: TX of the adapter to SI, RX to SO, GND to GND of the board"),
+            none=tr("No board at hand?"),
+            demo=tr("&Try the demo"),
+            files=(
+                ("open", tr("Open &settings file…"), "open"),
+                ("open_recording", tr("&Open recording…"), "plot"),
+            ),
+        )
         start = StartPanel(
-            self._controller.ports,
             self.key,
-            self._frame.connect_to,
+            texts,
+            self._frame,
             lambda key: self._actions[key].trigger(),
             self,
         )

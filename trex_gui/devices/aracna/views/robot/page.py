@@ -33,10 +33,13 @@ _MIN_SKETCH_WIDTH = 130  # pixels; in a narrower drawing the joints overlap
 class RobotPage(QWidget):
     """Sliders set the goals; the robot moves on Move, or while they are dragged."""
 
-    def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
+    def __init__(self, robot: Robot, start: QWidget, parent: QWidget | None = None) -> None:
+        """`start` is shown while nothing is connected."""
         super().__init__(parent)
         self.setObjectName("aracnaRobotPage")
         self._robot = robot
+        self._start = start
+        self._content = QWidget(self)
         self._sketch = Sketch(robot, self)
         table = JointTable(robot, self)
         self._report = ui.named(
@@ -45,8 +48,13 @@ class RobotPage(QWidget):
         self.controls = Controls(robot, table, self)
         self._right = ui.column(table, self.controls, self._report, 1, spacing=10)
         self._sides = ui.row(
-            (self._sketch, 2), (self._right, 7, Qt.AlignmentFlag.AlignTop), into=self, spacing=_GAP
+            (self._sketch, 2),
+            (self._right, 7, Qt.AlignmentFlag.AlignTop),
+            into=self._content,
+            margins=0,
+            spacing=_GAP,
         )
+        ui.column(start, self._content, into=self)
 
         drawing = self._sketch.drawing
         for signal in (drawing.pointed, table.pointed):
@@ -59,12 +67,15 @@ class RobotPage(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Hide the sketch where it has no room."""
         super().resizeEvent(event)
-        margins = self._sides.contentsMargins()
+        margins = self.contentsMargins()
         taken = margins.left() + margins.right() + self._right.minimumSize().width() + _GAP
         self._sketch.setVisible(self.width() - taken >= _MIN_SKETCH_WIDTH)
 
     @Slot()
     def _on_changed(self) -> None:
+        is_idle = self._robot.link is ConnectionState.DISCONNECTED
+        self._start.setVisible(is_idle)
+        self._content.setVisible(not is_idle)
         text, alarming = self._report_text()
         self._report.show_note(text, alarming=alarming)
 
@@ -72,11 +83,7 @@ class RobotPage(QWidget):
         """Return what the robot did not do as commanded, or what is unknown; and if it alarms."""
         state = self._robot.state
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
-            text = self.tr(
-                "No robot is connected. Choose its port above, or Demo Aracna to try without one; "
-                "limits and goals can be set already."
-            )
-            return text, False
+            return "", False
         if state.stuck is not None:
             return stuck_text(state.stuck.motor), True
         faults = [missed_goals_text(state)] if state.missed_goals else []

@@ -1,0 +1,212 @@
+"""What a page shows while nothing is connected: how to begin."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import zip_longest
+
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Slot
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QGroupBox, QPushButton, QWidget
+
+from trex_gui.ui.devices.ports import Port, PortKind
+from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.theme.theme import follow_theme, theme
+from trex_gui.ui.widgets import builders as ui
+
+_WIDEST_LINES = 100  # characters: longer lines are hard to read
+_WIDEST_BUTTON = 38
+_MOST_PORTS = 4
+_MOST_FILES = 3
+
+Wires = Sequence[tuple[str, str]]
+"""Names of the pins at the adapter and at the board, from top to bottom; at most three."""
+
+_WIRE_COLORS = ("motor1", "motor2", "muted")
+
+
+@dataclass(frozen=True, slots=True)
+class StartTexts:
+    """What the panel says about one kind of device."""
+
+    title: str
+    steps: str  # rich text
+    board: str  # name of what is wired
+    wires: Wires
+    wiring: str  # the wires in words
+    none: str  # heading of what needs no hardware
+    demo: str  # on the button, as the texts of files with a free letter
+    files: Sequence[tuple[str, str, str]]  # action that opens a file, text, icon
+    prefix: str = ""  # starts object names
+
+
+class StartPanel(QWidget):
+    """Leads to a first connection; `choose` presses an action of the menus by its key."""
+
+    def __init__(
+        self,
+        device: str,
+        texts: StartTexts,
+        frame: MainWindow,
+        choose: Callable[[str], object],
+        parent: QWidget | None = None,
+    ) -> None:
+        """`device` is the key of the kind of device that the demo simulates."""
+        super().__init__(parent)
+        self.setObjectName(f"{texts.prefix}startPanel")
+        self._device = device
+        self._prefix = texts.prefix
+        self._frame = frame
+
+        hardware = QGroupBox(texts.title, self)
+        steps = ui.label(hardware, f"{texts.prefix}startSteps", texts.steps, wrap=True)
+        self._ports = [
+            self._button(hardware, "startPort", "", "connect", partial(self._on_port_clicked, at))
+            for at in range(_MOST_PORTS)
+        ]
+        self._none = ui.label(
+            hardware,
+            f"{texts.prefix}startNoPort",
+            self.tr("No serial port was found. Plug the adapter in: it is listed here at once."),
+            wrap=True,
+        )
+        find = self._button(
+            hardware, "startFind", self.tr("Find &my board…"), "find", partial(choose, "find")
+        )
+        find.setToolTip(self.tr("Search every port and baud rate; no motor moves"))
+        begin = ui.column(steps, self._none, *_left(*self._ports, find), 1)
+        sketch = WiringSketch(texts, hardware)
+        ui.row((sketch, 0, Qt.AlignmentFlag.AlignTop), (begin, 1), into=hardware)
+
+        other = QGroupBox(texts.none, self)
+        demo = self._button(other, "startDemo", texts.demo, "run", self._connect_to_demo)
+        demo.setToolTip(self.tr("A simulated board: nothing can be damaged"))
+        opening = [
+            self._button(other, f"start_{key}", text, icon, partial(choose, key))
+            for key, text, icon in texts.files
+        ]
+        ui.row(demo, *opening, 1, into=other)
+
+        self._recent = ui.named(
+            QGroupBox(self.tr("Recent files"), self), f"{texts.prefix}startFiles"
+        )
+        self._files = [
+            self._button(
+                self._recent, "startRecent", "", "open", partial(self._on_file_clicked, at)
+            )
+            for at in range(_MOST_FILES)
+        ]
+        ui.column(*_left(*self._files), into=self._recent)
+        content = QWidget(self)
+        ui.column(hardware, other, self._recent, into=content, margins=0)
+        ui.column((ui.row((content, 1)), 0), 1, into=self, margins=0)
+        follow_theme(
+            content,
+            "widest",
+            lambda: content.setMaximumWidth(
+                content.fontMetrics().averageCharWidth() * _WIDEST_LINES
+            ),
+        )
+        frame.ports.changed.connect(self._on_ports_changed)
+        frame.recent.changed.connect(self._on_recent_changed)
+        self._on_ports_changed()
+        self._on_recent_changed()
+
+    def _button(
+        self, parent: QWidget, name: str, text: str, icon: str, act: Callable[[], object]
+    ) -> QPushButton:
+        return ui.button(parent, f"{self._prefix}{name}", text, icon=icon, on_click=act)
+
+    @property
+    def _real_ports(self) -> list[Port]:
+        return [port for port in self._frame.ports.entries if port.kind is not PortKind.DEMO]
+
+    @Slot()
+    def _on_ports_changed(self) -> None:
+        self._none.setVisible(not any(port.kind is PortKind.SERIAL for port in self._real_ports))
+        for button, port in zip_longest(self._ports, self._real_ports[:_MOST_PORTS]):
+            button.setVisible(port is not None)
+            if port is not None:
+                button.setText(self.tr("Connect to {0}").format(self._elided(port.label)))
+                button.setToolTip(port.label)
+
+    @Slot()
+    def _on_recent_changed(self) -> None:
+        files = self._frame.recent.entries[:_MOST_FILES]
+        self._recent.setVisible(bool(files))
+        for button, file in zip_longest(self._files, files):
+            button.setVisible(file is not None)
+            if file is not None:
+                button.setText(self._elided(file.title))
+                button.setToolTip(str(file.path))
+
+    def _elided(self, text: str) -> str:
+        """Return a text for a button, with an end that it has room for."""
+        metrics = self.fontMetrics()
+        room = metrics.averageCharWidth() * _WIDEST_BUTTON
+        return metrics.elidedText(text, Qt.TextElideMode.ElideRight, room).replace("&", "&&")
+
+    def _on_port_clicked(self, at: int) -> None:
+        """Connect to this kind of device, unless another one was found on the port."""
+        port, ports = self._real_ports[at], self._frame.ports
+        is_known = port.device != ports.plugins[0].key
+        self._frame.connect_to(port if is_known else ports.lead_to(port, self._device))
+
+    def _connect_to_demo(self) -> None:
+        self._frame.connect_to(self._frame.ports.demo_of(self._device))
+
+    def _on_file_clicked(self, at: int) -> None:
+        self._frame.open_recent(self._frame.recent.entries[at])
+
+
+def _left(*buttons: QPushButton) -> list[ui.Item]:
+    return [(button, 0, Qt.AlignmentFlag.AlignLeft) for button in buttons]
+
+
+class WiringSketch(QWidget):
+    """The wires between an adapter and the board."""
+
+    def __init__(self, texts: StartTexts, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(f"{texts.prefix}wiringSketch")
+        self.setAccessibleName(texts.wiring)
+        self._texts = texts
+        follow_theme(self, "room", self._take_room)
+
+    def _take_room(self) -> None:
+        self.setFixedSize(self.sizeHint())
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        line = self.fontMetrics().height()
+        return QSize(self.fontMetrics().averageCharWidth() * 34, line * 9)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        line = self.fontMetrics().height()
+        box = QRectF(0.5, 1.5 * line, self.width() * 0.32, 6 * line)
+        board = box.translated(self.width() - box.width() - 1, 0)
+        text = theme().color("window_text")
+        painter.setPen(QPen(text, 1))
+        for place, title in ((box, self.tr("Adapter")), (board, self._texts.board)):
+            painter.drawRoundedRect(place, 6, 6)
+            above = QRectF(place.left(), 0, place.width(), 1.4 * line)
+            painter.drawText(above, Qt.AlignmentFlag.AlignCenter, title)
+        for number, (left, right) in enumerate(self._texts.wires):
+            y = box.top() + (2 * number + 1) * line
+            begin, end = QPointF(box.right(), y), QPointF(board.left(), y)
+            color = theme().color(_WIRE_COLORS[number])
+            painter.setPen(QPen(color, 2))
+            painter.drawLine(QLineF(begin, end))
+            painter.setBrush(color)
+            for pin in (begin, end):
+                painter.drawEllipse(pin, 3, 3)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(text)
+            room = QRectF(0, y - line / 2, box.width() - 8, line)
+            middle = Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(room, middle | Qt.AlignmentFlag.AlignRight, left)
+            room.moveLeft(board.left() + 8)
+            painter.drawText(room, middle | Qt.AlignmentFlag.AlignLeft, right)
