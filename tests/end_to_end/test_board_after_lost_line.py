@@ -38,7 +38,10 @@ def test_pages_warn_of_motors_behind_a_lost_line(
         assert page.has("statusLost")
         assert page.text("statusLost").startswith(f"{grave} {remedy}")
 
-        window.connect(board.do("line plug").split()[-1])
+        board.do("line plug")
+        window.program.device_manager.press_stop()
+        assert "If a motor still turns, cut its power." in window.text("bannerText")
+        window.click("bannerReconnect")
         window.wait(lambda: not window.device.may_move)
         assert not page.has("statusLost")
         window.disconnect()
