@@ -87,6 +87,7 @@ TEST_PROGRAMS = {"gcc": "gcc", "g++": "g++", "dbus-daemon": "dbus"}
 BUILD_REQUIREMENTS = ("hatchling", "editables")
 
 OFFSCREEN = {"QT_QPA_PLATFORM": "offscreen"}
+COMPILE_ONCE = {"PYTHONDONTWRITEBYTECODE": ""}  # the tests start the program dozens of times
 PLATFORMS_WITHOUT_WINDOW = ("offscreen", "minimal")
 
 QT_START = """
@@ -574,7 +575,8 @@ def run_check(check: Check) -> CheckResult:
     with tempfile.TemporaryDirectory(prefix="trex-tests") as folder:
         report = Path(folder) / "report.xml"
         to_report = (f"--junitxml={report}",) if check.is_tests else ()
-        status = run_in_sight((*check.command, *to_report), {**OFFSCREEN, **check.environment})
+        environment = {**OFFSCREEN, **COMPILE_ONCE, **check.environment}
+        status = run_in_sight((*check.command, *to_report), environment)
         tests = count_tests(report) if check.is_tests else None
     passed = status == 0 or (check.is_tests and status == NO_TESTS)
     return CheckResult(check.name, passed, time.monotonic() - started, tests)

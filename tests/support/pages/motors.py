@@ -76,8 +76,12 @@ class MotorsPage(WindowDriver):
 
     def target(self, motor: int) -> tuple[str, int]:
         """Return direction and speed that the board last took for a motor."""
-        shown = self.simulator.show()["motors"][motor - 1]
-        return shown["target_direction"], shown["target_speed"]
+        return self.targets()[motor - 1]
+
+    def targets(self) -> list[tuple[str, int]]:
+        """Return them for both motors at one time."""
+        motors = self.simulator.show()["motors"]
+        return [(motor["target_direction"], motor["target_speed"]) for motor in motors]
 
     @property
     def auxiliary_target(self) -> int:
@@ -90,10 +94,11 @@ class MotorsPage(WindowDriver):
         """Wait until the board takes this for its motors; `None`: anything."""
 
         def check() -> None:
-            for motor, wanted in enumerate((first, second), 1):
-                if wanted is not None:
-                    said = self.text(f"motor{motor}Setpoint"), self.text("motorsReason")
-                    assert self.target(motor) == wanted, (case, *said)
+            for motor, (target, wanted) in enumerate(
+                zip(self.targets(), (first, second), strict=True), 1
+            ):
+                said = self.text(f"motor{motor}Setpoint"), self.text("motorsReason")
+                assert wanted in (None, target), (case, *said)
 
         self.qtbot.waitUntil(check, timeout=20_000)
 
