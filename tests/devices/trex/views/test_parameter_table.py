@@ -149,6 +149,17 @@ def test_click_on_reset_restores_the_default(parameters: ParametersDriver) -> No
     assert not parameters.model.pending, "disabled rows cannot be reset"
 
 
+def test_finding_is_accepted_only_while_rows_are_enabled(parameters: ParametersDriver) -> None:
+    parameters.open_file(SPECS, ignored_channels=1, required_channels=1)
+    parameters.wait(lambda: parameters.has("parameterFinding0"))
+    assert "Set Required Channels to none." in parameters.text("parameterFinding0")
+    parameters.table.set_rows_enabled(False)
+    assert not parameters.is_enabled("acceptFinding0")
+    parameters.table.set_rows_enabled(True)
+    parameters.click("acceptFinding0")
+    assert parameters.model.value_of("required_channels") == 0
+
+
 # --- Keys and mouse ---------------------------------------------------------------------
 
 
@@ -179,7 +190,23 @@ def test_keys_edit_and_search(parameters: ParametersDriver) -> None:
 
     parameters.focus_view()
     parameters.press(Qt.Key.Key_F, CONTROL)
-    assert parameters.find(QLineEdit, "parameterSearch").hasFocus()
+    search = parameters.find(QLineEdit, "parameterSearch")
+    assert search.hasFocus()
+    QTest.keyClicks(search, "serial")
+    assert parameters.current == "serial_timeout", "not what only mentions it"
+    QTest.keyClick(search, Qt.Key.Key_Return)
+    QTest.keyClicks(parameters.view, "3")
+    QTest.keyClick(parameters.editor("serial_timeout"), Qt.Key.Key_Return)
+    parameters.wait_for_value("serial_timeout", 30)
+
+
+def test_arrow_keys_bring_the_first_heading_into_sight(parameters: ParametersDriver) -> None:
+    parameters.table.resize(900, 300)
+    parameters.go_to("uart_settings")
+    assert parameters.view.verticalScrollBar().value() > 0
+    while parameters.current != FIRST:
+        parameters.press(Qt.Key.Key_Up)
+    assert parameters.view.verticalScrollBar().value() == 0
 
 
 def test_name_leads_to_the_value(parameters: ParametersDriver) -> None:

@@ -98,6 +98,15 @@ class ParameterText(QObject):
         text, numbers = self._physical(key, wires), _numbers(wires)
         return text if text == numbers else f"{numbers} ({text})"
 
+    def description(self, key: str) -> str:
+        if len(self.together(key)) == 1:
+            return self._specs[key].description
+        return self.tr(
+            "How often in a second the PWM of the motor switches. Low frequencies whine and heat "
+            "the motor, frequencies above the driver's rating heat the driver. Type any number or "
+            "use the arrow keys: prescaler and maximum are set to the nearest frequency there is."
+        )
+
     # --- Sentences ----------------------------------------------------------------------
 
     def about(self, key: str) -> tuple[str, ...]:
@@ -185,7 +194,7 @@ class ParameterText(QObject):
 
     def tool_tip(self, key: str) -> str:
         """Return the value with what is special about it as rich text, which tool tips wrap."""
-        lines = [self.value(key), *self.notes(key), self._specs[key].description]
+        lines = [self.value(key), *self.notes(key), self.description(key)]
         title = f"<p><b>{escape(self.title(key))}</b></p>"
         return title + "".join(f"<p>{escape(line)}</p>" for line in lines)
 

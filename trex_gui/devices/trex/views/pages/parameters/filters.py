@@ -8,6 +8,7 @@ from PySide6.QtCore import (
     QPersistentModelIndex,
     QSignalBlocker,
     QSortFilterProxyModel,
+    Signal,
     Slot,
 )
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -44,6 +45,13 @@ class ParameterFilter(QSortFilterProxyModel):
     def keys_at(self, row: int) -> tuple[str, ...]:
         """Return a key for each value of a row; none of a heading."""
         return self.parameters.keys_at(self.mapToSource(self.index(row, 0)).row())
+
+    def best_match(self) -> QModelIndex:
+        """Return the first value that has all words in its name, or else the first value."""
+        keys = [keys[0] for row in range(self.rowCount()) if (keys := self.keys_at(row))]
+        names = ((key, self.parameters.text.title(key).casefold()) for key in keys)
+        named = (key for key, name in names if all(word in name for word in self._words))
+        return self.index_of(next(named, keys[0]))
 
     def narrow(
         self,
@@ -88,6 +96,8 @@ class ParameterFilter(QSortFilterProxyModel):
 
 class ParameterFilters(QWidget):
     """The fields of the filter, and a check box to edit both motors as one."""
+
+    entered = Signal()  # Enter in the field of the search
 
     def __init__(self, rows: ParameterFilter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -139,6 +149,7 @@ class ParameterFilters(QWidget):
 
         QShortcut(QKeySequence.StandardKey.Find, self, self._on_find)
         self._words.textChanged.connect(self._on_changed)
+        self._words.returnPressed.connect(self.entered)
         rows.modelReset.connect(self._on_reset)
         both.setChecked(self._store.flag(_BOTH_MOTORS, default=False))
         self._on_reset()

@@ -18,7 +18,7 @@ from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Sign
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
-_PANEL = 34
+_PANEL = 36
 """Least width of the texts beside the table, in average characters."""
 
 
@@ -39,16 +39,19 @@ class ParameterTable(QWidget):
         self._no_match = self._no_match_note()
         beside = QWidget(self)
         beside.setObjectName("aboutParameters")
-        beside.setMinimumWidth(_PANEL * self.fontMetrics().averageCharWidth())
         self._help = ParameterHelp(self._model, beside)
         tools = [action_button(each, beside) for each in self._view.tools]
 
-        column(row(*tools, 1), self._help, FindingsList(linter, beside), 1, into=beside, margins=0)
-        below = row((self._view, 5), (ScrollBox(beside, self), 2))
+        self._findings = FindingsList(linter, beside)
+        column(row(*tools, 1), self._help, self._findings, 1, into=beside, margins=0)
+        panel = ScrollBox(beside, self)
+        panel.setMinimumWidth(_PANEL * self.fontMetrics().averageCharWidth())
+        below = row((self._view, 5), (panel, 2))
         column(self._filters, (below, 1), into=self, margins=0)
 
         self._view.selectionModel().currentChanged.connect(self._on_current_changed)
         self._view.clicked.connect(self._on_current_changed)
+        self._filters.entered.connect(self._view.setFocus)
         self._model.dataChanged.connect(self._show_help)
         for changed in (
             self._rows.modelReset,
@@ -75,6 +78,7 @@ class ParameterTable(QWidget):
     def set_rows_enabled(self, enabled: bool) -> None:
         """Enable edits; disabled rows can still be searched."""
         self._view.setEnabled(enabled)
+        self._findings.set_can_accept(enabled)
 
     def show_parameter(self, key: str) -> None:
         """Select a parameter, which may be filtered out."""
@@ -87,6 +91,9 @@ class ParameterTable(QWidget):
         if current.isValid():
             self._is_elsewhere = False
             self._place = self._view.current_key
+            above = current.sibling(current.row() - 1, ParameterColumn.NAME)
+            if not self._rows.keys_at(above.row()):
+                self._view.scrollTo(above)  # no key reaches a heading
             self._view.scrollTo(current)
         self._show_help()
 
@@ -106,10 +113,9 @@ class ParameterTable(QWidget):
         self._show_help()
 
     def _go_to_first(self) -> None:
-        """Select the first value, but remember the user's."""
+        """Select what was searched for, or the first value, but remember the user's."""
         wanted = self._place
-        self._view.setCurrentIndex(self._rows.index(1, ParameterColumn.MOTOR1))
-        self._view.scrollToTop()
+        self._view.setCurrentIndex(self._rows.best_match())
         self._is_elsewhere = bool(wanted)
         self._place = wanted or self._place
 
@@ -141,10 +147,11 @@ class ParameterHelp(QLabel):
         text = self._model.text
         specs = [self._model.spec_of(each) for each in text.together(key)]
         names = "<br>".join(f"{spec.number:#04x}, <code>{spec.key}</code>" for spec in specs)
+        notes = escape(" ".join(text.notes(key)))
         return [
             f"<b>{escape(text.title(key))}</b><br>{names}",
-            *(f"<b>{escape(note)}</b>" for note in text.notes(key)),
-            escape(specs[-1].description),
+            *([f"<b>{notes}</b>"] if notes else []),
+            escape(text.description(key)),
             "<br>".join(map(escape, text.about(key))),
         ]
 
@@ -167,11 +174,18 @@ class FindingsList(QWidget):
         self.setObjectName("parameterFindings")
         self.setAccessibleName(self.tr("Findings about the settings"))
         self._linter = linter
+        self._can_accept = True
         self._lines: list[QWidget] = []
         self._layout = column(into=self, margins=0)
 
         linter.changed.connect(self._on_changed)
         self._on_changed()
+
+    def set_can_accept(self, can_accept: bool) -> None:
+        """Set whether changes can be accepted."""
+        if can_accept != self._can_accept:
+            self._can_accept = can_accept
+            self._on_changed()
 
     @Slot()
     def _on_changed(self) -> None:
@@ -193,20 +207,18 @@ class FindingsList(QWidget):
         sign = Sign(line)
         sign.show_sign("warning")
         message = finding.message
-        text = label(
-            line, f"parameterFinding{number}", message, tip=message, wrap=True, expand=True
+        if finding.proposal:
+            message += f" {finding.proposal}."
+        text = label(line, f"parameterFinding{number}", message, wrap=True, expand=True)
+        accept = button(
+            line,
+            f"acceptFinding{number}",
+            self.tr("A&ccept"),
+            accessible=finding.proposal,
+            tip=self.tr("Add this change to the edits; nothing is written until you click Apply"),
+            on_click=partial(self._linter.accept, finding),
         )
-        text.setMinimumHeight(2 * text.fontMetrics().lineSpacing() + 4)
-        layout = column(row(sign, (text, 1)), into=line, margins=0)
-        if finding.change:
-            accept = button(
-                line,
-                f"acceptFinding{number}",
-                finding.proposal,
-                tip=self.tr(
-                    "Add this change to the edits; nothing is written until you click Apply"
-                ),
-                on_click=partial(self._linter.accept, finding),
-            )
-            layout.addWidget(accept)
+        accept.setVisible(bool(finding.change))
+        accept.setEnabled(self._can_accept)
+        column(row(sign, (text, 1)), (accept, 0, Qt.AlignmentFlag.AlignRight), into=line, margins=0)
         return line
