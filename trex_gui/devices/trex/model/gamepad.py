@@ -3,7 +3,7 @@
 from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.motors import MomentaryDrive
+from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadSource, PadState
 from trex_gui.gamepad.profile import (
     GamepadProfile,

@@ -1,8 +1,7 @@
-"""Setpoints of the motors, arming, the lock after a stop, and controls that are held."""
+"""Setpoints of the motors, arming, the lock after a stop, and who holds the motors."""
 
 import math
-from collections.abc import Iterable, Mapping
-from enum import Enum
+from collections.abc import Mapping
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -21,14 +20,6 @@ FIRST_CEILING = round(0.3 * FULL_SCALE)
 
 Inferred: slow enough to catch a robot whose motors are swapped or reversed, fast enough to start.
 """
-
-GROWTH = 127.0
-"""How much faster pad, keys and gamepads make a motor within a second; inferred.
-
-From rest to full speed takes a second, and to `FIRST_CEILING` a third of one.
-"""
-
-_GROWTH_MS = 20
 
 LOCKOUT = 3.0
 """Default lock after a pressed stop, in seconds.
@@ -330,133 +321,3 @@ class Motors(QObject):
             self.auxiliary = speed
             self.requested.emit(SetAuxiliary(speed, self.accelerate))
             self.setpoints_changed.emit()
-
-
-class MomentaryDrive(QObject):
-    """Drives with forward and turn under one name; `joint`: both drivers work as one motor.
-
-    Speeds grow by `GROWTH` a second, so that a tapped key or an edge of the pad is no jump; they
-    fall at once.
-    """
-
-    def __init__(self, motors: Motors, name: str) -> None:
-        super().__init__(motors)
-        self._motors = motors
-        self.name = name
-        self.joint = False
-        self._direction = 0.0, 0.0  # forward and turn
-        self._speeds = 0.0, 0.0
-        self._grown_at = 0.0
-        self._timer = new_timer(self, _GROWTH_MS, self._grow)
-        motors.holder_changed.connect(self._on_holder_changed)
-
-    @property
-    def held(self) -> bool:
-        """Whether this control has acquired the motors."""
-        return self._motors.holder == self.name
-
-    @property
-    def can_turn(self) -> bool:
-        """Whether the motors may differ: not where they are linked or one."""
-        return not (self.joint or self._motors.linked)
-
-    def steer(self, forward: float, turn: float) -> bool:
-        """Drive at -1 to 1 of the speed ceiling each way; return whether the motors are ours."""
-        if not self._motors.acquire(self.name):
-            return False
-        self._direction = forward, turn
-        if not self._timer.isActive():
-            self._grown_at = now() - _GROWTH_MS / 1000
-            self._timer.start()
-        self._grow()
-        return True
-
-    @Slot()
-    def _grow(self) -> None:
-        """Go on towards the direction; a timer that is late makes no jump."""
-        forward, turn = self._direction
-        ceiling = self._motors.ceiling_in_force
-        goal: tuple[float, float] = mix(forward, turn if self.can_turn else 0.0, ceiling)
-        seconds = min(now() - self._grown_at, 2 * _GROWTH_MS / 1000)
-        self._grown_at = now()
-        self._speeds = grown(self._speeds, goal, GROWTH * seconds)
-        if self._speeds == goal:
-            self._timer.stop()
-        left, right = map(round, self._speeds)
-        if self.can_turn:
-            self._motors.set_speeds(left, right, self.name)
-        else:
-            self._motors.set_speed(1, left, self.name)
-
-    @Slot()
-    def _on_holder_changed(self) -> None:
-        if not self.held:
-            self._timer.stop()
-            self._speeds = 0.0, 0.0
-
-    def release(self) -> None:
-        """Brake the motors that this control drives; they stay armed."""
-        self._motors.release(self.name)
-
-    def abort(self, reason: str) -> None:
-        """Stop and disarm: it is unknown whether the control is still held."""
-        self._motors.abort(self.name, reason)
-
-
-def grown(
-    speeds: tuple[float, float], goal: tuple[float, float], most: float
-) -> tuple[float, float]:
-    """Return the speeds that come next: the goal, or as far as none grows by more than `most`.
-
-    Both grow in proportion, which keeps the curve. A speed falls at once, to zero where the
-    direction changes.
-    """
-    left, right = (
-        math.copysign(min(abs(speed), abs(aim)), aim) if speed * aim > 0 else 0.0
-        for speed, aim in zip(speeds, goal, strict=True)
-    )
-    growth = max(abs(goal[0] - left), abs(goal[1] - right))
-    if growth <= most:
-        return goal
-    share = most / growth
-    return left + share * (goal[0] - left), right + share * (goal[1] - right)
-
-
-def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
-    """Return the speeds of motors 1 and 2 for -1 to 1 each way.
-
-    Motor 1 is the left one: turning right (positive) adds to it. That is the board's own mixing
-    of channels (forward plus turn, forward minus turn; inferred there, reference section 3), so a
-    robot turns the same way by pad and by stick. Where a sum is beyond full speed both are reduced
-    in proportion: clipping would change the curve. `ceiling` (1 to 127) is the speed of full
-    deflection.
-    """
-    left, right = forward + turn, forward - turn
-    scale = ceiling / max(1.0, abs(left), abs(right))
-    return round(left * scale), round(right * scale)
-
-
-TURN_WHILE_GOING = 0.5
-"""How much turn is set while a key for forward or back is held, too.
-
-With a full turn one side would stop; half of one leaves a curve that can be steered.
-"""
-
-
-class Heading(Enum):
-    """Forward and turn of a key; forward and right are positive."""
-
-    FORWARD = 1, 0
-    BACK = -1, 0
-    LEFT = 0, -1
-    RIGHT = 0, 1
-
-
-def keys_setpoint(held: Iterable[Heading]) -> tuple[float, float]:
-    """Return forward and turn of the held keys, -1 to 1 each.
-
-    Two keys for the same heading count once, opposite ones cancel.
-    """
-    headings = set(held)
-    forward, turn = (sum(heading.value[way] for heading in headings) for way in (0, 1))
-    return float(forward), turn * (TURN_WHILE_GOING if forward else 1.0)

@@ -9,7 +9,8 @@ from tests.support.simulator import StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.driving.requests import SetMotor, SetpointRequest, setpoints_in
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.motors import FIRST_CEILING, GROWTH, MomentaryDrive, Motors
+from trex_gui.devices.trex.model.momentary_drive import GROWTH, MomentaryDrive
+from trex_gui.devices.trex.model.motors import FIRST_CEILING, Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive

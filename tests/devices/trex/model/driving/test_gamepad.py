@@ -106,25 +106,6 @@ def test_full_stick_gives_the_ceiling_speed(setup: GamepadSetup) -> None:
     setup.wait_for_speeds(-40, -40)
 
 
-def test_raised_ceiling_does_not_speed_up_a_held_stick(
-    setup: GamepadSetup, virtual_time: VirtualRuntime
-) -> None:
-    setup.motors.set_ceiling(40)
-    setup.pads.press(HOLD)
-    setup.pads.move(Y, 1.0)
-    setup.wait_for_speeds(-40, -40)
-    setup.motors.set_ceiling(FULL_SCALE)
-    virtual_time.advance(0.1)  # the gamepad is polled meanwhile
-    assert setup.speeds() == (-40, -40)
-    setup.pads.release(HOLD)
-    setup.qtbot.waitUntil(lambda: brakes(setup))
-    setup.pads.move(Y, 0.0)
-    setup.qtbot.waitUntil(lambda: setup.seen(Y) == 0.0)
-    setup.pads.press(HOLD)
-    setup.pads.move(Y, 1.0)
-    setup.wait_for_speeds(-FULL_SCALE, -FULL_SCALE)
-
-
 def test_linked_motors_ignore_the_turn_axis(setup: GamepadSetup) -> None:
     setup.motors.set_linked(True)
     setup.pads.press(HOLD)

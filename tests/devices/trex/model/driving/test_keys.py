@@ -2,7 +2,7 @@
 
 import pytest
 
-from trex_gui.devices.trex.model.motors import TURN_WHILE_GOING, Heading, keys_setpoint
+from trex_gui.devices.trex.model.momentary_drive import TURN_WHILE_GOING, Heading, keys_setpoint
 
 KEYS = {"W": Heading.FORWARD, "S": Heading.BACK, "A": Heading.LEFT, "D": Heading.RIGHT}
 

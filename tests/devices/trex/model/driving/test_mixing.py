@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.model.motors import grown, mix
+from trex_gui.devices.trex.model.momentary_drive import grown, mix
 from trex_gui.devices.trex.simulator.channel_control import motor_values
 
 SHARE = st.floats(-1, 1, allow_nan=False)

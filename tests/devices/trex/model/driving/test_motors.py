@@ -15,7 +15,8 @@ from trex_gui.devices.trex.driving.requests import (
     SetMotors,
     SetpointRequest,
 )
-from trex_gui.devices.trex.model.motors import LOCKOUT, MomentaryDrive, Motors, remember_lockout
+from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
+from trex_gui.devices.trex.model.motors import LOCKOUT, Motors, remember_lockout
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.driving import Drive
 

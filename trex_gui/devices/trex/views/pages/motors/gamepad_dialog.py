@@ -7,7 +7,7 @@ from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QGroupBox, QLabel, QWidget
 
 from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
-from trex_gui.devices.trex.model.motors import mix
+from trex_gui.devices.trex.model.momentary_drive import mix
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.bars import OutputBar
 from trex_gui.gamepad.pads import Pad, PadState

@@ -13,7 +13,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.motors import Heading, MomentaryDrive, Motors, keys_setpoint
+from trex_gui.devices.trex.model.momentary_drive import Heading, MomentaryDrive, keys_setpoint
+from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.ui.widgets.behaviour import PressMonitor
 
 _HEADINGS: dict[int, Heading] = {

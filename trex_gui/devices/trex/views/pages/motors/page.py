@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QGroupBox, QWidget
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs, drive_status
 from trex_gui.devices.trex.model.drive_texts import channel_text, report_text, setpoint_text
-from trex_gui.devices.trex.model.motors import MomentaryDrive
+from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
