@@ -155,6 +155,18 @@ def test_single_serial_port_is_preferred(make: Make, computer: list[ListPortInfo
     assert preferred.url == "/dev/ttyUSB0"
 
 
+def test_only_usb_adapter_comes_first_and_is_preferred(
+    make: Make, computer: list[ListPortInfo]
+) -> None:
+    """Many computers have serial ports of their own that lead nowhere."""
+    adapter = port("/dev/ttyUSB0")
+    adapter.vid, adapter.pid = 0x10C4, 0xEA60
+    computer += [port("/dev/ttyS0"), port("/dev/ttyS1"), adapter]
+    ports = make()
+    assert urls(ports) == ["/dev/ttyUSB0", "/dev/ttyS0", "/dev/ttyS1", ""]
+    assert ports.preferred == ports.find("/dev/ttyUSB0")
+
+
 def test_no_port_is_preferred_among_several(make: Make, computer: list[ListPortInfo]) -> None:
     computer += [port("/dev/ttyUSB0"), port("/dev/ttyUSB1")]
     assert make().preferred is None

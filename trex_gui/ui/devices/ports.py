@@ -68,10 +68,12 @@ class Ports(QObject):
 
     @property
     def preferred(self) -> Port | None:
-        """The port to offer first: the one used last, or the only serial one."""
+        """The port to offer first: the one used last, the only USB adapter or the only port."""
         serial = [port for port in self.entries if port.kind is PortKind.SERIAL]
+        adapters = [port for port in serial if port.adapter]
         last = self.find(self._store.text(_LAST))
-        return last or (serial[0] if len(serial) == 1 else None)
+        only = next((ports[0] for ports in (adapters, serial) if len(ports) == 1), None)
+        return last or only
 
     @property
     def last_used(self) -> Port | None:
@@ -89,7 +91,7 @@ class Ports(QObject):
                 _label(port.device, port.description),
                 " ".join(str(part) for part in (port.vid, port.pid, port.serial_number) if part),
             )
-            for port in sorted(list_ports.comports())
+            for port in sorted(sorted(list_ports.comports()), key=lambda port: not port.vid)
         ]
         present = {port.url for port in entries}
         entries += [
