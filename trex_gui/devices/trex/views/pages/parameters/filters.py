@@ -12,7 +12,7 @@ from PySide6.QtCore import (
     Slot,
 )
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
 from trex_gui.ui.preferences import Preferences
@@ -112,6 +112,10 @@ class ParameterFilters(QWidget):
         self._group = combo_box(
             self, "parameterGroup", self.tr("Group of parameters"), on_change=self._on_changed
         )
+        self._group.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self._group.setMinimumContentsLength(12)  # leaves room for the words
         self._modified = check_box(
             self,
             "modifiedOnly",

@@ -91,7 +91,7 @@ class ParametersPage(QWidget):
             text = self.tr("Stored, but not active until the board is switched off and on: {0}.")
             return text.format(", ".join(waiting))
         return self.tr(
-            "Double-click a value to change it. Nothing is written until you click Apply."
+            "Click a value and type, or double-click it. Nothing is written until you click Apply."
         )
 
     @Slot(object)

@@ -14,6 +14,7 @@ from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter, ParameterFilters
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
+from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Sign
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -45,7 +46,11 @@ class ParameterTable(QWidget):
         self._findings = FindingsList(linter, beside)
         column(row(*tools, 1), self._help, self._findings, 1, into=beside, margins=0)
         panel = ScrollBox(beside, self)
-        panel.setMinimumWidth(_PANEL * self.fontMetrics().averageCharWidth())
+        follow_theme(
+            panel,
+            "width",
+            lambda: panel.setMinimumWidth(_PANEL * self.fontMetrics().averageCharWidth()),
+        )
         below = row((self._view, 5), (panel, 2))
         column(self._filters, (below, 1), into=self, margins=0)
 

@@ -47,7 +47,7 @@ from trex_gui.devices.trex.views.pages.parameters.editors import (
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.builders import action, flat_table
 
 _PRESS = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space, Qt.Key.Key_Select}
@@ -244,11 +244,15 @@ class ParameterView(QTableView):
         self.setWordWrap(False)
         self.horizontalHeader().setStretchLastSection(True)
         self._set_up_menu()
+        follow_theme(self, "columns", self._fit_columns)
 
         rows.modelAboutToBeReset.connect(self._keep_typed)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        self._fit_columns()
+
+    def _fit_columns(self) -> None:
         room = self.viewport().width() // self.fontMetrics().averageCharWidth()
         name = min(max(room - 2 * _VALUE, _NAME[0]), _NAME[1])
         self._fit_column(ParameterColumn.NAME, name)
