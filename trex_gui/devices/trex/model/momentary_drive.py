@@ -33,7 +33,7 @@ class MomentaryDrive(QObject):
         self.joint = False
         self._direction = 0.0, 0.0  # forward and turn
         self._speeds = 0.0, 0.0
-        self._grown_at = 0.0
+        self._grown_at = -math.inf
         self._timer = new_timer(self, _GROWTH_MS, self._grow)
         motors.holder_changed.connect(self._on_holder_changed)
 
@@ -52,15 +52,13 @@ class MomentaryDrive(QObject):
         if not self._motors.acquire(self.name):
             return False
         self._direction = forward, turn
-        if not self._timer.isActive():
-            self._grown_at = now() - _GROWTH_MS / 1000
-            self._timer.start()
+        self._timer.start()
         self._grow()
         return True
 
     @Slot()
     def _grow(self) -> None:
-        """Go on towards the direction; a timer that is late makes no jump."""
+        """Go on towards the direction; neither a late timer nor a first step makes a jump."""
         forward, turn = self._direction
         ceiling = self._motors.ceiling_in_force
         goal: tuple[float, float] = mix(forward, turn if self.can_turn else 0.0, ceiling)

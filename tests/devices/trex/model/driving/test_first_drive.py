@@ -114,7 +114,7 @@ def test_speeds_grow_along_a_ramp(pad: Pad, virtual_time: VirtualRuntime) -> Non
     assert pad.speeds == (FULL_SCALE, FULL_SCALE)
     for moment, drives in pad.sent:
         assert drives[1] == drives[2], "straight on"
-        assert drives[1].signed == pytest.approx(GROWTH * (moment - began), abs=4)
+        assert drives[1].signed == pytest.approx(GROWTH * (moment - began), abs=6)
     steps = [after[1].signed - before[1].signed for (_, before), (_, after) in pairwise(pad.sent)]
     assert min(steps) > 0
     assert max(steps) <= 5
@@ -135,16 +135,23 @@ def test_speed_falls_at_once_and_reverses_from_zero(pad: Pad, virtual_time: Virt
     pad.drive.steer(0.5, 0.0)
     assert pad.speeds == (64, 64)
     pad.drive.steer(-1.0, 0.0)
-    assert -5 <= pad.speeds[0] < 0
+    assert -5 <= pad.speeds[0] <= 0
     virtual_time.advance(0.5)
-    assert pad.speeds[0] == pytest.approx(-GROWTH / 2, abs=5)
+    assert pad.speeds[0] == pytest.approx(-GROWTH / 2, abs=6)
+
+
+def test_hand_that_moves_fast_speeds_up_no_faster(pad: Pad, virtual_time: VirtualRuntime) -> None:
+    for step in range(1, 101):  # as a mouse reports it
+        pad.drive.steer(step / 100, 0.0)
+        virtual_time.advance(0.001)
+    assert max(pad.speeds) <= GROWTH * 0.1 + 5
 
 
 def test_late_timer_makes_no_jump(pad: Pad, virtual_time: VirtualRuntime) -> None:
     pad.drive.steer(1.0, 0.0)
     virtual_time.sleep(0.5)  # the window hangs
     pad.drive.steer(1.0, 0.1)
-    assert max(pad.speeds) < 10
+    assert max(pad.speeds) <= 10
 
 
 @pytest.mark.parametrize("seconds", [0.0, 0.3, 2.0])
@@ -168,7 +175,7 @@ def test_release_and_stop_do_not_wait_for_the_ramp(
     virtual_time.advance(1.0)
     assert len(pad.sent) == sent, "nor after arming again"
     pad.drive.steer(1.0, 0.0)
-    assert 0 < pad.speeds[0] <= 5, "a new press begins at rest"
+    assert 0 <= pad.speeds[0] <= 5, "a new press begins at rest"
 
 
 def test_ceiling_that_changes_while_speeds_grow(qtbot: QtBot, virtual_time: VirtualRuntime) -> None:
