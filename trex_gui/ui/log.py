@@ -18,6 +18,7 @@ from trex_gui.ui.event_log import Event, EventLog
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
+from trex_gui.ui.theme.icons import clear_button
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
@@ -96,7 +97,7 @@ class LogPage(QWidget):
             QLineEdit(self), f"{key}LogSearch", accessible=self.tr("Search the log")
         )
         self._search.setPlaceholderText(self.tr("Search the log (Ctrl+F)"))
-        self._search.setClearButtonEnabled(True)
+        clear_button(self._search)
         self._problems = ui.check_box(
             self, f"{key}LogProblems", self.tr("O&nly problems"), on_toggle=self._fill
         )

@@ -7,6 +7,7 @@ from typing import Any, Generic
 from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QCheckBox,
     QDockWidget,
     QGroupBox,
@@ -19,6 +20,7 @@ from PySide6.QtWidgets import (
 from trex_gui.ui.devices.controller import DeviceController
 from trex_gui.ui.devices.simulator import DemoDevice, SnapshotT
 from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -278,7 +280,18 @@ class DemoDock(QDockWidget):
         self._width = self._width_before = 0
         # Whether the user wants to see it while the device is in use.
         self.wanted = self._store.flag(key, default=True)
+        for signal in (self.topLevelChanged, self.visibilityChanged):
+            # Queued: Qt sets its own icons after the signal.
+            signal.connect(self._show_icons, Qt.ConnectionType.QueuedConnection)
         self.hide()
+
+    @Slot()
+    def _show_icons(self) -> None:
+        """Replace the style's icons, which come back when the dock is moved out or in."""
+        for name, sign in (("floatbutton", "float"), ("closebutton", "clear")):
+            button = self.findChild(QAbstractButton, f"qt_dockwidget_{name}")
+            if button is not None:
+                set_icon(button, sign)
 
     def hold(self, view: QWidget) -> None:
         """Show `view`; it scrolls both ways on a small screen, where the pages need the room."""

@@ -49,7 +49,7 @@ from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.recent_files import RecentFile, RecentFiles
 from trex_gui.ui.runtime import now
-from trex_gui.ui.theme.icons import application_icon
+from trex_gui.ui.theme.icons import DialogIcons, application_icon
 from trex_gui.ui.theme.theme import restore_choices
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -159,6 +159,7 @@ class MainWindow(QMainWindow):
         app = QApplication.instance()
         if isinstance(app, QApplication):
             self._escape = EscapeWatch(app, self._manager, self)
+            self._dialog_icons = DialogIcons(app, self)
 
     def connect_to(self, port: Port) -> None:
         self._connection.connect_to(port)

@@ -2,10 +2,18 @@
 
 from functools import cache
 
-from PySide6.QtCore import QByteArray, QRectF, Qt
-from PySide6.QtGui import QAction, QColor, QIcon, QPainter, QPixmap
+from PySide6.QtCore import QByteArray, QObject, QRectF, Qt, Slot
+from PySide6.QtGui import QAction, QColor, QGuiApplication, QIcon, QPainter, QPixmap, QWindow
 from PySide6.QtSvg import QSvgRenderer
-from PySide6.QtWidgets import QAbstractButton, QLabel
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QDialog,
+    QDialogButtonBox,
+    QLabel,
+    QLineEdit,
+    QMessageBox,
+)
 
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.theme import follow_theme, theme
@@ -52,6 +60,45 @@ def set_sign(label: QLabel, name: str, color: str, room: int = 0) -> None:
         label.setPixmap(icon(name, color).pixmap(side, side))
 
     follow_theme(label, "sign", apply)
+
+
+class DialogIcons(QObject):
+    """Gives Qt's own dialogs our icons, as they come to the front.
+
+    Qt takes theirs from the desktop, which on some has one for each standard button, too.
+    """
+
+    def __init__(self, app: QGuiApplication, parent: QObject) -> None:
+        super().__init__(parent)
+        app.focusWindowChanged.connect(self._on_focus_window_changed)
+
+    @Slot(QWindow)
+    def _on_focus_window_changed(self, window: QWindow | None) -> None:
+        for widget in QApplication.topLevelWidgets():
+            if isinstance(widget, QDialog) and window and widget.windowHandle() is window:
+                for box in widget.findChildren(QDialogButtonBox):
+                    for button in box.buttons():
+                        button.setIcon(QIcon())
+                if isinstance(widget, QMessageBox) and widget.icon() in _SIGNS:
+                    name, color = _SIGNS[widget.icon()]
+                    widget.setIconPixmap(icon(name, color).pixmap(_SIGN_SIZE, _SIGN_SIZE))
+
+
+_SIGN_SIZE = 48
+_SIGNS = {
+    QMessageBox.Icon.Question: ("help", "info"),
+    QMessageBox.Icon.Information: ("info", "info"),
+    QMessageBox.Icon.Warning: ("warning", "warning"),
+    QMessageBox.Icon.Critical: ("error", "danger"),
+}
+
+
+def clear_button(editor: QLineEdit) -> None:
+    """Give an editor the button that clears it."""
+    editor.setClearButtonEnabled(True)
+    action = editor.findChild(QAction, "_q_qlineeditclearaction")
+    if action is not None:
+        set_icon(action, "clear")
 
 
 @cache

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLineEdit, QPushButton, QWidget
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.theme.icons import clear_button
 from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.traffic.table import RowDetails, TrafficTable, TrafficView
 from trex_gui.ui.widgets import builders as ui
@@ -48,7 +49,7 @@ class TrafficPage(QWidget):
             QLineEdit(self), f"{key}Search", accessible=self.tr("Search the traffic log")
         )
         self._search.setPlaceholderText(self.tr("Search bytes and meanings (Ctrl+F)"))
-        self._search.setClearButtonEnabled(True)
+        clear_button(self._search)
         self._polling = ui.check_box(
             self,
             f"{key}Polling",

@@ -31,7 +31,7 @@ from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.icons import clear_button, icon
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -275,7 +275,7 @@ class _SnapshotList(QWidget):
             QLineEdit(self), "snapshotSearch", accessible=self.tr("Search snapshots")
         )
         self._search.setPlaceholderText(self.tr("Search times, boards, adapters (Ctrl+F)"))
-        self._search.setClearButtonEnabled(True)
+        clear_button(self._search)
         self._view = ui.flat_table(QTableView(self), "snapshotView", self.tr("Snapshots"))
         # Before the view takes back what it selected.
         table.rowsAboutToBeRemoved.connect(self._on_rows_about_to_be_removed)

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
 from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.theme.icons import clear_button
 from trex_gui.ui.widgets.builders import check_box, combo_box, label, named, row
 
 _BOTH_MOTORS = "parameters/both_motors"
@@ -108,7 +109,7 @@ class ParameterFilters(QWidget):
             QLineEdit(self), "parameterSearch", accessible=self.tr("Search parameters")
         )
         self._words.setPlaceholderText(self.tr("Search names and descriptions (Ctrl+F)"))
-        self._words.setClearButtonEnabled(True)
+        clear_button(self._words)
         self._group = combo_box(
             self, "parameterGroup", self.tr("Group of parameters"), on_change=self._on_changed
         )
