@@ -10,9 +10,13 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.views.parameters import ParametersDriver
+from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.parameters import Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 SPECS = parameters_of("trexjr", "1.2")
 OLDER = parameters_of("trexjr", "1.0")
@@ -207,6 +211,16 @@ def test_arrow_keys_bring_the_first_heading_into_sight(parameters: ParametersDri
     while parameters.current != FIRST:
         parameters.press(Qt.Key.Key_Up)
     assert parameters.view.verticalScrollBar().value() == 0
+
+
+def test_first_heading_is_in_sight_in_a_table_that_is_opened_later(
+    parameters: ParametersDriver, qtbot: QtBot
+) -> None:
+    table = ParameterTable(parameters.draft, SettingsLinter(parameters.draft))
+    qtbot.addWidget(table)
+    table.resize(900, 300)
+    table.show()
+    assert WidgetDriver(table, qtbot).find_only(ParameterView).verticalScrollBar().value() == 0
 
 
 def test_name_leads_to_the_value(parameters: ParametersDriver) -> None:

@@ -120,7 +120,10 @@ class ParameterTable(QWidget):
     def _go_to_first(self) -> None:
         """Select what was searched for, or the first value, but remember the user's."""
         wanted = self._place
-        self._view.setCurrentIndex(self._rows.best_match())
+        found = self._rows.best_match()
+        self._view.setCurrentIndex(found)
+        if found.row() == 1:
+            self._view.scrollToTop()  # the heading as well, in a table without a height yet, too
         self._is_elsewhere = bool(wanted)
         self._place = wanted or self._place
 
