@@ -93,7 +93,7 @@ class MotorsPage(QWidget):
         drive = ui.row(self._pad, (controls, 1), spacing=16)
         ui.column(ceiling, (drive, 1), into=drive_box)
         gamepad = GamepadPanel(device, self)
-        ui.column(head, (drive_box, 1), self._options, self._stored, gamepad, into=self)
+        ui.column(head, (drive_box, 1), self._options, self._stored, gamepad, 0, into=self)
 
         for number, control in self._controls.items():
             control.speed_wanted.connect(partial(self._on_speed_wanted, number))
