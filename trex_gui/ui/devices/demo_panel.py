@@ -280,9 +280,8 @@ class DemoDock(QDockWidget):
         self._width = self._width_before = 0
         # Whether the user wants to see it while the device is in use.
         self.wanted = self._store.flag(key, default=True)
-        for signal in (self.topLevelChanged, self.visibilityChanged):
-            # Queued: Qt sets its own icons after the signal.
-            signal.connect(self._show_icons, Qt.ConnectionType.QueuedConnection)
+        # Queued: Qt sets its own icons after the signal.
+        self.visibilityChanged.connect(self._show_icons, Qt.ConnectionType.QueuedConnection)
         self.hide()
 
     @Slot()
