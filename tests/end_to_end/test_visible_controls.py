@@ -2,14 +2,16 @@
 
 from math import inf
 
-from PySide6.QtCore import QPoint
-from PySide6.QtGui import QImage
+from PySide6.QtCore import QPoint, QRect
+from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QAbstractItemView,
     QAbstractSpinBox,
     QCheckBox,
     QComboBox,
     QDialog,
+    QHeaderView,
     QLineEdit,
     QPlainTextEdit,
     QPushButton,
@@ -74,6 +76,20 @@ def contrast_of(control: QWidget) -> float:
     return outline_contrast(picture, QPoint(0, control.height() // 2))
 
 
+def contrast_of_box_in(view: QAbstractItemView) -> float:
+    """Return the contrast of an unticked box in a cell."""
+    option = QStyleOptionButton()
+    option.initFrom(view)
+    option.rect = QRect(0, 0, 14, 14)
+    option.state = QStyle.StateFlag.State_Enabled | QStyle.StateFlag.State_Off
+    picture = QImage(option.rect.size(), QImage.Format.Format_RGB32)
+    picture.fill(theme().color("base"))
+    with QPainter(picture) as painter:
+        box = QStyle.PrimitiveElement.PE_IndicatorItemViewItemCheck
+        view.style().drawPrimitive(box, option, painter, view)
+    return outline_contrast(picture, QPoint(0, 7), QPoint(7, 7))
+
+
 def controls_of(window: QWidget) -> list[QWidget]:
     """Return what can be used: unticked boxes, and editors and buttons with a frame."""
     return [
@@ -96,6 +112,9 @@ def test_controls_have_a_visible_outline_in_every_theme(window: WindowDriver) ->
     controls = controls_of(window.window)
     assert all(any(isinstance(control, kind) for control in controls) for kind in KINDS)
     assert len(window.find_all(QDialog)) > 8
+    views = window.find_all(QAbstractItemView)
+    views = [view for view in views if not isinstance(view, QHeaderView)]
+    assert len(views) > 8
     for scheme in SCHEMES[1:]:
         theme().set_scheme(scheme)
         weak = {
@@ -104,3 +123,4 @@ def test_controls_have_a_visible_outline_in_every_theme(window: WindowDriver) ->
             if (found := contrast_of(control)) < 3
         }
         assert weak == {}, scheme
+        assert min(contrast_of_box_in(view) for view in views) >= 3, scheme
