@@ -192,6 +192,7 @@ def test_keys_edit_and_search(parameters: ParametersDriver) -> None:
     QTest.keyClick(editor, Qt.Key.Key_Return)
     parameters.wait_for_value("serial_timeout", 20)
 
+    parameters.go_to(FIRST)
     parameters.focus_view()
     parameters.press(Qt.Key.Key_F, CONTROL)
     search = parameters.find(QLineEdit, "parameterSearch")
@@ -199,6 +200,7 @@ def test_keys_edit_and_search(parameters: ParametersDriver) -> None:
     QTest.keyClicks(search, "serial")
     assert parameters.current == "serial_timeout", "not what only mentions it"
     QTest.keyClick(search, Qt.Key.Key_Return)
+    assert parameters.view.hasFocus()
     QTest.keyClicks(parameters.view, "3")
     QTest.keyClick(parameters.editor("serial_timeout"), Qt.Key.Key_Return)
     parameters.wait_for_value("serial_timeout", 30)

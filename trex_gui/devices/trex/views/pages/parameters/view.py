@@ -154,7 +154,6 @@ class ParameterDelegate(UnitDelegate):
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
-        option.state &= ~QStyle.StateFlag.State_HasFocus  # has a frame of its own
         if index.data(Role.GROUP) is not None:
             option.state |= QStyle.StateFlag.State_Enabled
             option.backgroundBrush = option.palette.brush(QPalette.ColorRole.Button)
@@ -417,6 +416,8 @@ class ParameterView(QTableView):
 
     def _toggle_pin(self, key: str) -> None:
         self._model.toggle_pin(key)
+        if self._model.is_pinned(key):
+            self.scrollToTop()
         Preferences().set(_PINNED, ",".join(self._model.pinned))
 
     def _lines(self, key: str) -> list[str]:
