@@ -14,6 +14,7 @@ from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.parameters import Role
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
@@ -63,6 +64,36 @@ def test_all_rows_are_visible_on_a_large_screen(parameters: ParametersDriver) ->
     last = parameters.rows.index(parameters.rows.rowCount() - 1, 0)
     assert view.viewport().rect().contains(view.visualRect(last))
     assert view.horizontalScrollBar().maximum() == 0
+
+
+@pytest.mark.parametrize("width", [706, 1200, 3800])  # that of 1024×600 beside the demo first
+def test_no_value_is_cut(parameters: ParametersDriver, width: int) -> None:
+    parameters.table.resize(width, 350)
+    view = parameters.view
+    for key, wire in (
+        ("motor1_acceleration", 116),
+        ("motor2_acceleration", 116),
+        ("required_channels", 31),
+        ("uart_settings", LineSettings(115200, stop_bits=2).to_wire()),
+    ):
+        parameters.model.edit(key, wire)
+        parameters.go_to(key)
+        cell = parameters.cell(key)
+        assert view.sizeHintForIndex(cell).width() <= view.visualRect(cell).width(), key
+    assert view.horizontalScrollBar().maximum() == 0
+    character = view.fontMetrics().averageCharWidth()
+    assert 22 * character <= view.columnWidth(ParameterColumn.NAME) <= 44 * character
+
+
+def test_width_that_the_user_gives_a_column_stays(parameters: ParametersDriver) -> None:
+    view = parameters.view
+    view.resize(1000, 400)
+    value = view.columnWidth(ParameterColumn.MOTOR1)
+    wide = view.columnWidth(ParameterColumn.NAME) + 57
+    view.setColumnWidth(ParameterColumn.NAME, wide)
+    view.resize(1900, 400)
+    assert view.columnWidth(ParameterColumn.NAME) == wide
+    assert view.columnWidth(ParameterColumn.MOTOR1) > value
 
 
 def test_motors_are_side_by_side_and_other_values_span_both(parameters: ParametersDriver) -> None:

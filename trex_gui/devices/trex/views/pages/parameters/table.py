@@ -19,7 +19,7 @@ from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Sign
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
-_PANEL = 36
+_PANEL = 33
 """Least width of the texts beside the table, in average characters."""
 
 

@@ -52,8 +52,8 @@ from trex_gui.ui.widgets.builders import action, flat_table
 
 _PRESS = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space, Qt.Key.Key_Select}
 _CLICKS = {QEvent.Type.MouseButtonRelease, QEvent.Type.MouseButtonDblClick}
-_NAME, _VALUE = (24, 44), 22
-"""Widths in average characters: least and greatest of the names, least of the values."""
+_NAME, _VALUE = (22, 44), 30
+"""Widths in average characters: least and greatest of the names, and of the longest value."""
 
 _PINNED = "parameters/pinned"
 _ICON = 16
@@ -143,8 +143,7 @@ class ParameterDelegate(UnitDelegate):
         if (
             isinstance(event, QMouseEvent)
             and event.type() in _CLICKS
-            and index.data(Role.RESET) is not None
-            and _reset_place(option.rect).contains(event.position().toPoint())
+            and self._reset_place(option, index).contains(event.position().toPoint())
         ):
             self._model.reset(str(index.data(Role.KEY)))
             return True
@@ -184,23 +183,25 @@ class ParameterDelegate(UnitDelegate):
         super().paint(painter, option, index)
         if index.column() == ParameterColumn.NAME:
             return
-        if index.data(Role.RESET) is not None:
+        place = self._reset_place(option, index)
+        if not place.isEmpty():
             mode = QIcon.Mode.Normal
             if not option.state & QStyle.StateFlag.State_Enabled:
                 mode = QIcon.Mode.Disabled
             elif option.state & QStyle.StateFlag.State_Selected:
                 mode = QIcon.Mode.Selected
-            place = _reset_place(option.rect)
             icon("default").paint(painter, place, Qt.AlignmentFlag.AlignCenter, mode)
         if option.state & QStyle.StateFlag.State_HasFocus:
             painter.setPen(QPen(option.palette.color(QPalette.ColorRole.HighlightedText), 2))
             painter.drawRect(option.rect.adjusted(2, 2, -2, -2))
 
-
-def _reset_place(cell: QRect) -> QRect:
-    place = QRect(0, 0, _ICON, _ICON)
-    place.moveCenter(QPoint(cell.right() - _ICON, cell.center().y()))
-    return place
+    def _reset_place(self, option: QStyleOptionViewItem, index: Index) -> QRect:
+        """Return where the icon is that resets a value; empty without one, or room for it."""
+        place, cell = QRect(0, 0, _ICON, _ICON), option.rect
+        place.moveCenter(QPoint(cell.right() - _ICON, cell.center().y()))
+        if index.data(Role.RESET) is None:
+            return QRect()
+        return place if self.sizeHint(option, index).width() < cell.width() - 2 * _ICON else QRect()
 
 
 def _embolden(option: QStyleOptionViewItem) -> None:
@@ -252,16 +253,17 @@ class ParameterView(QTableView):
         self._fit_columns()
 
     def _fit_columns(self) -> None:
-        room = self.viewport().width() // self.fontMetrics().averageCharWidth()
-        name = min(max(room - 2 * _VALUE, _NAME[0]), _NAME[1])
+        room, character = self.viewport().width(), self.fontMetrics().averageCharWidth()
+        least, most = (each * character for each in _NAME)
+        name = min(max(room - 2 * _VALUE * character, least), most)
         self._fit_column(ParameterColumn.NAME, name)
-        self._fit_column(ParameterColumn.MOTOR1, max((room - name) // 2, _VALUE))
+        self._fit_column(ParameterColumn.MOTOR1, (room - name) // 2)
 
-    def _fit_column(self, column: ParameterColumn, characters: int) -> None:
+    def _fit_column(self, column: ParameterColumn, width: int) -> None:
         """Give a column this width, unless the user has given it another one."""
         present = self.columnWidth(column)
         if self._fitted.get(column, present) == present:
-            self.setColumnWidth(column, characters * self.fontMetrics().averageCharWidth())
+            self.setColumnWidth(column, width)
             self._fitted[column] = self.columnWidth(column)
 
     def arrange(self) -> None:
