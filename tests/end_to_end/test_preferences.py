@@ -18,15 +18,19 @@ SMALL = QSize(1024, 600)
 FRAME = QSize(16, 48)
 
 
-def test_windows_fit_a_small_screen_in_every_font_size(
+def test_windows_fit_a_small_screen_in_large_fonts(
     monkeypatch: pytest.MonkeyPatch, window: WindowDriver
 ) -> None:
     monkeypatch.setattr(QScreen, "availableGeometry", lambda _: QRect(QPoint(), SMALL))
     QTest.keyClick(window.window, Qt.Key.Key_Comma, Qt.KeyboardModifier.ControlModifier)
     dialog = window.dialog("preferencesDialog")
     for kind, stop in (("trex", "stopButton"), ("aracna", "aracnaStopButton")):
+        dialog.select("fontSizeBox", 150)
         window.connect_to_demo(kind)
-        for percent in FONT_SIZES:
+        if kind == "trex":
+            window.device.parameters.edit("serial_timeout", 15)
+            window.motors.arm()
+        for percent in (150, *FONT_SIZES[::5]):
             dialog.select("fontSizeBox", percent)
             window.wait_for_files()
             for widget in (window.window, dialog.root):
@@ -38,6 +42,8 @@ def test_windows_fit_a_small_screen_in_every_font_size(
                 assert height <= SMALL.height() - FRAME.height(), case
             button = window.button(stop)
             assert button.height() >= button.fontMetrics().height()
+        window.press_escape()
+        window.device.draft.discard_edits()
         window.disconnect()
     assert theme().font_size == FONT_SIZES[-1]
 

@@ -132,7 +132,9 @@ class ActionBar(QWidget):
         )
         self._state = ui.named(Note(1, self), "motorStateLabel")
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        self._unapplied = ui.label(self, "unappliedLabel", self.tr("There are unapplied changes."))
+        self._unapplied = ui.label(
+            self, "unappliedLabel", self.tr("There are unapplied changes."), wrap=True
+        )
         set_text_color(self._unapplied, "dirty")
         self._apply = ui.button(
             self,
