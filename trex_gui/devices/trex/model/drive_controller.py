@@ -220,6 +220,8 @@ class DriveController(QObject):
             }
             known = replace(state, parameters=parameters, calibrations=calibrations)
             self._board = replace(self._board, state=known)
+            if ParameterKey.DEVICE_NUMBER in parameters:
+                self._motors.take_board(str(_identity_of(self._board)), is_renamed=True)
 
     def _identify(self, report: Connected) -> bool:
         """Compare the board at the line with the one that was driven, and with those lost.
@@ -248,8 +250,9 @@ class DriveController(QObject):
     @Slot(object)
     def _on_read(self, report: Connected) -> None:
         is_back = self._identify(report)
-        self._motors.take_board(str(_identity_of(report)))
-        if report.occasion is not ReadReason.RELOADED:
+        is_reloaded = report.occasion is ReadReason.RELOADED
+        self._motors.take_board(str(_identity_of(report)), is_renamed=is_reloaded)
+        if not is_reloaded:
             if report.may_move or self._motors.armed:  # while armed, setpoints may be queued
                 reason = ""
                 if report.occasion is ReadReason.SETTING_CHANGED:

@@ -129,13 +129,21 @@ class Motors(QObject):
 
     # --- Options ------------------------------------------------------------------------
 
-    def take_board(self, board: str) -> None:
-        """Use the ceiling that was chosen for a board, else `FIRST_CEILING`."""
-        if board != self.board:
-            self.board = board
-            chosen = self._store.integer(self._ceiling_key, 0, 0, FULL_SCALE)
-            self.is_first_drive = not chosen
-            self._limit_to(chosen or FIRST_CEILING)
+    def take_board(self, board: str, *, is_renamed: bool = False) -> None:
+        """Use the ceiling that was chosen for a board, else `FIRST_CEILING`.
+
+        One that is only renamed keeps its ceiling, whatever was chosen for a board of that name.
+        """
+        if board == self.board:
+            return
+        self.board = board
+        if is_renamed:
+            self._store.set(self._ceiling_key, 0 if self.is_first_drive else self.ceiling)
+            self.options_changed.emit()
+            return
+        chosen = self._store.integer(self._ceiling_key, 0, 0, FULL_SCALE)
+        self.is_first_drive = not chosen
+        self._limit_to(chosen or FIRST_CEILING)
 
     def set_ceiling(self, speed: int) -> None:
         """Send no greater speed to this board, now and later; faster motors are slowed down to it.

@@ -104,6 +104,32 @@ def test_ceiling_falls_back_when_another_board_takes_over(qtbot: QtBot) -> None:
     assert motors.ceiling == FULL_SCALE
 
 
+@pytest.mark.parametrize("chosen", [FIRST_CEILING, 60])
+def test_new_device_number_changes_no_ceiling(
+    device: Device, start_simulator: StartSimulator, qtbot: QtBot, chosen: int
+) -> None:
+    """The ceiling of another board may be remembered for that number."""
+    fast, slow = (
+        ConnectionSettings(start_simulator("--unpaced", "--device", number).url)
+        for number in ("9", "8")
+    )
+    connect(device, fast, qtbot)
+    motors = device.motors
+    motors.set_ceiling(FULL_SCALE)
+    connect(device, slow, qtbot)
+    if chosen != FIRST_CEILING:
+        motors.set_ceiling(chosen)
+    motors.arm()
+    device.parameters.edit("device_number", 9)
+    device.apply()
+    qtbot.waitUntil(lambda: not device.draft.pending and not device.applying)
+    assert motors.ceiling_in_force == chosen
+    device.reload()
+    connect(device, slow, qtbot)
+    assert motors.ceiling == motors.ceiling_in_force == chosen
+    assert motors.is_first_drive is (chosen == FIRST_CEILING)
+
+
 # --- Growing ----------------------------------------------------------------------------
 
 
