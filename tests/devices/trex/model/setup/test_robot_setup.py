@@ -18,7 +18,7 @@ from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring,
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.ui.runtime import now
+from trex_gui.ui.runtime import now, runtime
 
 
 @pytest.fixture
@@ -277,6 +277,31 @@ def test_other_model_on_the_line_gets_no_answers_of_the_first(
     assert setup.preset is None
     assert not setup.movements
     assert not setup.rises
+
+
+@pytest.mark.parametrize("number", [7, 9])
+def test_other_robot_that_comes_after_a_silence_gets_no_answers(robot: Robot, number: int) -> None:
+    setup, simulator = robot.setup, robot.simulator
+    setup.note_movement(1, Movement.LEFT_FORWARD)
+    setup.rises.update({1: True, 2: True})
+    simulator.do("line mute on")
+    robot.wait(lambda: not robot.device.is_connected)
+    simulator.do(f"eeprom device_number {number}")
+    simulator.do("line mute off")
+    robot.wait(lambda: robot.device.is_connected)
+    assert bool(setup.movements) is bool(setup.rises) is (number == 7)
+
+
+def test_hanging_window_lets_no_pulse_go_on(robot: Robot) -> None:
+    robot.arm()
+    assert robot.setup.pulses.start(1)
+    robot.wait(lambda: robot.speeds() == (WEAK, 0))
+    runtime().sleep(0.7)
+    assert robot.speeds() == (0, 0)
+    robot.wait(lambda: not robot.device.motors.armed)
+    robot.pass_time(2)
+    assert robot.speeds() == (0, 0)
+    assert robot.setup.pulses.motor == 0
 
 
 # --- The other steps --------------------------------------------------------------------

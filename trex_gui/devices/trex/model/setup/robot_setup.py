@@ -5,6 +5,7 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
@@ -62,6 +63,7 @@ class RobotSetup(QObject):
         self._device = device
         self._learning = learning
         self._model = device.parameters.model_key
+        self._silent: DeviceState | None = None  # the board that does not respond
 
         learning.edited.connect(self._take_learned)
         learning.stored.connect(self._take_learned)
@@ -246,8 +248,17 @@ class RobotSetup(QObject):
     @Slot()
     def _on_link_changed(self) -> None:
         """Forget what is known of another board, perhaps another robot."""
-        if self._device.link is ConnectionState.DISCONNECTED:
-            self._forget()
+        state = self._device.state
+        match self._device.link:
+            case ConnectionState.DISCONNECTED:
+                self._silent = None
+                self._forget()
+            case ConnectionState.NOT_RESPONDING:
+                self._silent = state
+            case ConnectionState.CONNECTED:
+                before, self._silent = self._silent, None
+                if before and state and not may_be_same_board(before, state):
+                    self._forget()
         self.changed.emit()
 
     @Slot()
