@@ -179,6 +179,10 @@ def test_board_in_rc_mode_is_explained_and_followed(assistant: Assistant) -> Non
     robot.simulator.do("jumper mode rc")
     robot.simulator.do("power cycle")
     assistant.wait_for_text("setupModeCheck", "started in RC mode")
+    assert "would drive the motors" in assistant.text("setupMixCheck")
+    go_to(assistant, assistant.root, SetupStep.STICKS)
+    assert not assistant.is_enabled("setupForwardButton")
+    assert not assistant.is_enabled("setupRightButton")
     go_to(assistant, assistant.root, SetupStep.MOTORS)
     assert "in RC mode" in assistant.text("setupPulseNote")
     for name in ("setupWheelsFree", "setupRunButton", "setupHold1", "setupHold2"):

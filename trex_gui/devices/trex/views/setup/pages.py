@@ -199,6 +199,11 @@ class JumperPage(QWidget):
 
     def _mix_result(self, is_mixed: bool) -> tuple[bool | None, str]:
         seen = self._setup.is_mixed
+        if seen is not is_mixed and self._device.rejects_settings:
+            return None, self.tr(
+                "The mix jumper is checked in serial mode: here a pushed stick would drive the "
+                "motors."
+            )
         if seen is None:
             return None, self.tr(
                 "The mix jumper is not known: no command reads it. Push a stick one way, and the "
@@ -297,8 +302,9 @@ class SticksPage(QWidget):
             self.tr("Both sticks are fully &forward now"),
         )
         self._forward.setText(one if self._is_one else two)
+        can_push = self._device.is_connected and not self._device.rejects_settings
         for button in (self._forward, self._right):
-            button.setEnabled(self._device.is_connected)
+            button.setEnabled(can_push)
         self._known.show_note("\n".join(self._lines()), alarming=bool(self._unclear))
 
     def _lines(self) -> list[str]:
