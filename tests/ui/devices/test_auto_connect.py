@@ -79,3 +79,18 @@ def test_other_adapters_and_ports_in_use_are_left_alone(
     monkeypatch.setattr(auto_connect, "holder_of", lambda _: "minicom (process 7)")
     plug(used, computer, *here)
     assert used.device.link is ConnectionState.DISCONNECTED
+
+
+def test_typed_address_is_connected_when_its_adapter_appears(
+    used: WindowDriver, computer: list[ListPortInfo]
+) -> None:
+    """A typed address is in the list all the time."""
+    set_automatic(True)
+    here = list(computer)
+    plug(used, computer)
+    used.program.ports.add_typed(here[0].device)
+    used.program.connect_automatically()
+    used.wait_for_files()
+    assert used.device.link is ConnectionState.DISCONNECTED
+    plug(used, computer, *here)
+    used.wait(lambda: used.device.link is ConnectionState.CONNECTED)

@@ -41,7 +41,7 @@ class AutoConnect(QObject):
         self._ports = ports
         self._manager = manager
         self._connect_to = connect_to
-        self._present: Collection[str] = ()
+        self._present: Collection[tuple[str, str]] = ()
 
     def start(self) -> None:
         """Count what is plugged in now as plugged in just now."""
@@ -50,9 +50,9 @@ class AutoConnect(QObject):
 
     @Slot()
     def _on_ports_changed(self) -> None:
-        before, self._present = self._present, {port.url for port in self._ports.entries}
+        before, self._present = self._present, set(map(_plugged, self._ports.entries))
         last = self._ports.last_used
-        if last is not None and last.url not in before and connects_automatically():
+        if last is not None and _plugged(last) not in before and connects_automatically():
             in_background(
                 self, partial(holder_of, last.url), partial(self._connect, last), lambda _: None
             )
@@ -60,3 +60,8 @@ class AutoConnect(QObject):
     def _connect(self, port: Port, holder: str | None) -> None:
         if holder is None and self._manager.is_idle and port == self._ports.last_used:
             self._connect_to(port)
+
+
+def _plugged(port: Port) -> tuple[str, str]:
+    """What changes when another adapter gets the same address, or a typed address its adapter."""
+    return port.url, port.adapter
