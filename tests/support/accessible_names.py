@@ -41,7 +41,7 @@ def nameless(root: QWidget) -> list[str]:
     """Return the widgets without an accessible name; names by buddy or text count."""
     found = []
     for widget in [root, *root.findChildren(QWidget)]:
-        if is_part(widget) or not takes_part(widget) or not widget.window().isVisible():
+        if not takes_part(widget) or not widget.window().isVisible() or is_part(widget):
             continue
         interface = QAccessible.queryAccessibleInterface(widget)
         name = interface.text(QAccessible.Text.Name) if interface is not None else ""

@@ -25,7 +25,6 @@ from trex_gui.ui.plotting.marks import (
 )
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
 from trex_gui.ui.widgets.bar import MINUS
-from trex_gui.ui.widgets.behaviour import FocusFramed
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.labels import Muted
 
@@ -38,7 +37,7 @@ _NEAR_MARK = 6  # pixels
 FloatsT = TypeVar("FloatsT", float, Floats)
 
 
-class TracePlot(FocusFramed):
+class TracePlot(QWidget):
     """Curves on up to two axes, limits, events, a cursor and a mark.
 
     Curves of the source's first unit are on the left axis, all others on the right one, drawn in
@@ -92,7 +91,7 @@ class TracePlot(FocusFramed):
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._readout = Readout(self._canvas)
-        column(self._marks, (self._canvas, 1), into=self, margins=1, spacing=0)  # for the focus
+        column(self._marks, (self._canvas, 1), into=self, margins=0, spacing=0)
 
         self._canvas.hovered.connect(self._on_hovered)
         self._canvas.unhovered.connect(lambda: self.set_cursor(None))

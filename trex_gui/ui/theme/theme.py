@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication, QPushButton, QToolButton, QToolTip, 
 
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.theme.focus_frame import FocusFrame
 
 Scheme = Literal["system", "light", "dark", "high_contrast"]
 SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark", "high_contrast")
@@ -97,6 +98,7 @@ class Theme(QObject):
         self.scheme = "light"
         self._colours = read_colours("light")
         self._app: QApplication | None = None
+        self._focus_frame: FocusFrame | None = None
 
     def color(self, name: str) -> QColor:
         """Return a named colour, or a palette role by its name in the file, as a copy."""
@@ -124,6 +126,7 @@ class Theme(QObject):
         hints, once = app.styleHints(), Qt.ConnectionType.UniqueConnection
         hints.colorSchemeChanged.connect(self._show, once)
         hints.accessibility().contrastPreferenceChanged.connect(self._show, once)
+        self._focus_frame = self._focus_frame or FocusFrame(app)
         self._show()
 
     def set_scheme(self, choice: Scheme) -> None:

@@ -1,0 +1,77 @@
+"""A frame around what got the focus from the keyboard: Fusion hardly shows it."""
+
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Slot
+from PySide6.QtGui import QPalette, QRegion
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QWidget
+from shiboken6 import Shiboken
+
+_WIDTH = 2  # pixels, beside the widget
+_CHANGES = {QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.ParentChange}
+
+
+class FocusFrame(QObject):
+    """Frames the widget with the focus, above all else in its window.
+
+    With `QFocusFrame` PySide takes the widget for a child of the frame, to be deleted with it.
+    """
+
+    def __init__(self, app: QApplication) -> None:
+        super().__init__(app)
+        self._watched: list[QWidget] = []  # the widget, and what it is in up to the window
+        self._frame: QWidget | None = None
+        app.focusChanged.connect(self._on_focus_changed)
+
+    @Slot(QWidget, QWidget)
+    def _on_focus_changed(self, _before: QWidget | None, focused: QWidget | None) -> None:
+        self._end()
+        if focused is None or focused.isWindow() or QApplication.mouseButtons():
+            return
+        if focused.window().windowType() is Qt.WindowType.Popup:  # a menu or a list
+            return
+        parent: QWidget | None = focused
+        while parent is not None:
+            parent.installEventFilter(self)
+            self._watched.append(parent)
+            parent = None if parent.isWindow() else parent.parentWidget()
+        self._frame = frame = QWidget(self._watched[-1])
+        frame.setObjectName("focusFrame")
+        frame.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        frame.setAutoFillBackground(True)
+        frame.setBackgroundRole(QPalette.ColorRole.Highlight)
+        self._place()
+
+    def _end(self) -> None:
+        for each in self._watched:
+            if Shiboken.isValid(each):
+                each.removeEventFilter(self)
+        self._watched.clear()
+        if self._frame is not None and Shiboken.isValid(self._frame):
+            self._frame.hide()
+            self._frame.deleteLater()
+        self._frame = None
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        del watched
+        if event.type() in _CHANGES:
+            self._place()
+        return False
+
+    def _place(self) -> None:
+        frame = self._frame
+        if frame is None or not all(map(Shiboken.isValid, (frame, *self._watched))):
+            return
+        window = self._watched[-1]
+        inside = _place_of(self._watched[0], window)
+        around = inside.adjusted(-_WIDTH, -_WIDTH, _WIDTH, _WIDTH)
+        ring = QRegion(around) - QRegion(inside)
+        for each in self._watched:
+            if isinstance(each.parentWidget(), QAbstractScrollArea):  # it shows a part
+                ring &= QRegion(_place_of(each, window))
+        frame.setGeometry(around)
+        frame.setMask(ring.translated(-around.topLeft()))
+        frame.setVisible(not ring.isEmpty())  # an empty mask is none
+        frame.raise_()
+
+
+def _place_of(widget: QWidget, window: QWidget) -> QRect:
+    return QRect(widget.mapTo(window, QPoint()), widget.size())
