@@ -275,6 +275,8 @@ VALID: dict[str, object] = {
     "transcript/polling": True,
     "aracna/transcript/polling": False,
     "parameters/both_motors": True,
+    "parameters/name_width": 321,
+    "parameters/value_width": 123,
     "demo/visible": True,
     "export/light_background": False,
     "settings/folder": "/tmp",

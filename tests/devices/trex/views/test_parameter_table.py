@@ -85,7 +85,9 @@ def test_no_value_is_cut(parameters: ParametersDriver, width: int) -> None:
     assert 22 * character <= view.columnWidth(ParameterColumn.NAME) <= 44 * character
 
 
-def test_width_that_the_user_gives_a_column_stays(parameters: ParametersDriver) -> None:
+def test_width_that_the_user_gives_a_column_stays(
+    parameters: ParametersDriver, qtbot: QtBot
+) -> None:
     view = parameters.view
     view.resize(1000, 400)
     value = view.columnWidth(ParameterColumn.MOTOR1)
@@ -94,6 +96,14 @@ def test_width_that_the_user_gives_a_column_stays(parameters: ParametersDriver) 
     view.resize(1900, 400)
     assert view.columnWidth(ParameterColumn.NAME) == wide
     assert view.columnWidth(ParameterColumn.MOTOR1) > value
+
+    later = ParametersDriver(qtbot).view
+    assert later.columnWidth(ParameterColumn.NAME) == wide
+    later.resize(1000, 400)
+    narrow = later.columnWidth(ParameterColumn.MOTOR1)
+    later.resize(1900, 400)
+    assert later.columnWidth(ParameterColumn.NAME) == wide
+    assert later.columnWidth(ParameterColumn.MOTOR1) > narrow
 
 
 def test_motors_are_side_by_side_and_other_values_span_both(parameters: ParametersDriver) -> None:

@@ -56,6 +56,12 @@ _NAME, _VALUE = (22, 44), 30
 """Widths in average characters: least and greatest of the names, and of the longest value."""
 
 _PINNED = "parameters/pinned"
+_WIDTHS = {
+    ParameterColumn.NAME: "parameters/name_width",
+    ParameterColumn.MOTOR1: "parameters/value_width",
+}
+"""Columns whose width the user can choose, and where that is remembered; the last one stretches."""
+_WIDEST = 2000  # pixels
 _ICON = 16
 _ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter}
 _UNTOUCHED = "untouched"
@@ -244,6 +250,11 @@ class ParameterView(QTableView):
         self.setWordWrap(False)
         self.horizontalHeader().setStretchLastSection(True)
         self._set_up_menu()
+        for column, key in _WIDTHS.items():
+            if width := Preferences().integer(key, 0, 0, _WIDEST):
+                self.setColumnWidth(column, width)
+                self._fitted[column] = 0
+        self.horizontalHeader().sectionResized.connect(self._on_column_resized)
         follow_theme(self, "columns", self._fit_columns)
 
         rows.modelAboutToBeReset.connect(self._keep_typed)
@@ -263,8 +274,14 @@ class ParameterView(QTableView):
         """Give a column this width, unless the user has given it another one."""
         present = self.columnWidth(column)
         if self._fitted.get(column, present) == present:
-            self.setColumnWidth(column, width)
-            self._fitted[column] = self.columnWidth(column)
+            self._fitted[column] = max(width, self.horizontalHeader().minimumSectionSize())
+            self.setColumnWidth(column, self._fitted[column])
+
+    @Slot(int, int, int)
+    def _on_column_resized(self, index: int, _before: int, width: int) -> None:
+        column = ParameterColumn(index)
+        if column in _WIDTHS and 0 < width <= _WIDEST and width != self._fitted.get(column):
+            Preferences().set(_WIDTHS[column], width)
 
     def arrange(self) -> None:
         """Span headings, and values of the whole board; resume what was being typed."""
