@@ -146,7 +146,7 @@ class TimedTransport(VirtualTransport):
         super().write(data)
 
 
-@pytest.mark.parametrize("ahead", [0.0, 0.004, 0.1])
+@pytest.mark.parametrize("ahead", [0.0, 0.1])
 def test_reply_lost_after_arming_lets_no_timeout_fire(ahead: float) -> None:
     """Also the first one, and that of a check whether the stored timeout is the same."""
 
@@ -166,7 +166,7 @@ def test_reply_lost_after_arming_lets_no_timeout_fire(ahead: float) -> None:
 
     query = Framing().encode(GetParameter(parameter_number(ParameterKey.SERIAL_TIMEOUT)))
     start = opening(19200) + 1.0
-    transport, _ = run(start + 2.0)
+    transport, _ = run(start + 1.1)
     check = next(time for time, data in transport.written if data == query and time > start)
     _, reports = run(check + 1.0, check - ahead)
     fired = [
