@@ -50,7 +50,7 @@ class PaintedSlider(QSlider):
             self.paint_groove(painter, handle)
             self.style().drawComplexControl(slider, option, painter, self)
             self.paint_below(painter, handle)
-            if self.hasFocus():  # Fusion shows it after a key only, and thin
+            if self.hasFocus():  # after a click, too: arrow keys move it
                 painter.setPen(QPen(theme().color("highlight"), 2))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 painter.drawRoundedRect(handle.adjusted(1, 1, -1, -1), 2, 2)
