@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtTest import QTest
 
 from tests.support.held_line import before_storing
+from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import ComparisonDialog, ReviewDialog, SimulatedPower
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
@@ -180,6 +181,7 @@ def test_power_cycle_is_followed_until_settings_are_active(
     review.write()
     assert review.has("powerCyclePanel")
     assert "Motor Mode" in review.text("powerCycleTitle")
+    check_keyboard(review.root)
     assert "Waiting for the board to stop responding" in review.text("powerCycleResult")
     window.trigger("power")
     window.click("powerCycleCloseButton")

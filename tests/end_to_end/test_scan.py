@@ -5,6 +5,7 @@ import sys
 import pytest
 from PySide6.QtWidgets import QProgressBar, QToolButton
 
+from tests.support.keyboard import check_keyboard
 from tests.support.pages.find_dialog import FindBoardDialog
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
@@ -63,6 +64,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert dialog.text("findText0").startswith(f"TReX 1.2 on {url} at 57600 baud, device 7.")
     dialog.wait_for_end()
     assert dialog.text("findProgressText") == "1 board found."
+    check_keyboard(dialog.root)
     dialog.click("connectFound0")
     assert not dialog.root.isVisible()
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)

@@ -6,6 +6,7 @@ import pytest
 from PySide6.QtWidgets import QDialog, QMessageBox
 
 from tests.support.bad_files import BAD_FILES
+from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import ComparisonDialog, SettingsFiles, answer_questions
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
@@ -90,6 +91,7 @@ def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
     (snapshot,) = device.history.snapshots()
     files.files.open_file(snapshot.path)
     window.wait_for_files()
+    check_keyboard(files.load_dialog().root)
     files.load_dialog().click("takeChangesButton")
     assert device.parameters.pending == (("serial_timeout", 0),)
     apply(window)

@@ -3,7 +3,6 @@
 from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise
-from re import sub
 
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtGui import QKeySequence
@@ -110,12 +109,12 @@ def _repeated_letters(window: QWidget) -> Iterator[str]:
     if isinstance(window, QMainWindow):
         bar = window.menuBar()
         texts += [each.text() for each in bar.actions() if each.isVisible()]
-        shortcuts = []
-        for menu in bar.findChildren(QMenu):
-            actions = [each for each in menu.actions() if each.isVisible()]
-            yield from _clashes([(letter(each.text()), each.text()) for each in actions])
-            shortcuts += [(each.shortcut().toString(), each.text()) for each in actions]
-        yield from _clashes(shortcuts)
+        actions = [each for menu in bar.findChildren(QMenu) for each in menu.actions()]
+        shown = [each for each in actions if each.isVisible()]
+        yield from _clashes([(each.shortcut().toString(), each.text()) for each in shown])
+    for menu in window.findChildren(QMenu):
+        shown = [each for each in menu.actions() if each.isVisible()]
+        yield from _clashes([(letter(each.text()), each.text()) for each in shown])
     yield from _clashes([(letter(text), text) for text in texts])
 
 
@@ -129,7 +128,6 @@ def _without_letter(window: QWidget) -> Iterator[str]:
     widgets = list(shown_in(window))
     buttons = [each for each in widgets if isinstance(each, QAbstractButton)]
     texts = Counter(each.text().replace("&", "") for each in buttons)
-    names = Counter(_without_number(each) for each in buttons)
     for button in buttons:
         text = button.text()
         if _is_free(button) or text in _ENTER_AND_ESC or letter(text):
@@ -137,7 +135,7 @@ def _without_letter(window: QWidget) -> Iterator[str]:
         if not text:
             if not (button.toolTip() and button.accessibleName()):
                 yield f"no text, and no tool tip and accessible name: {button.objectName()}"
-        elif texts[text] == names[_without_number(button)] == 1:  # several rows have none
+        elif texts[text] == 1 and not button.objectName()[-1:].isdigit():  # rows have none
             yield f"no letter: {button.objectName()} {text}"
     for each in widgets:
         if isinstance(each, QLabel) and isinstance(each.buddy(), _INPUTS) and not _is_free(each):
@@ -146,10 +144,6 @@ def _without_letter(window: QWidget) -> Iterator[str]:
                 yield f"no letter: label {text}"
             if "&" in text and ";" in text:
                 yield f"the letter is that of a character entity: {text}"
-
-
-def _without_number(widget: QWidget) -> str:
-    return sub(r"\d", "", widget.objectName())
 
 
 def _is_free(widget: QWidget) -> bool:

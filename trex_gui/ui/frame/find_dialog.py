@@ -233,6 +233,7 @@ class FindDialog(ReusedDialog):
             rows.insert(boards, self._fold(rows[boards:]))
         for place, row in enumerate(rows):
             self._rows.insertWidget(place, row)
+        ui.tab_order(self._cancel, *rows)
 
     def _fold(self, rows: list[QWidget]) -> QToolButton:
         """Return a button that shows and hides some rows."""

@@ -13,11 +13,12 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from tests.support.keyboard import check_keyboard
 from tests.support.pads import PAD, HeldPads
 from tests.support.pages.gamepad_panel import GamepadPanelPage, Y
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import PartBar
+from trex_gui.devices.trex.views.pages.motors.gamepad_dialog import GamepadDialog, PartBar
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.gamepad.pads import HOW_TO_INSTALL, SdlPads
 from trex_gui.gamepad.profile import Axis, Style
@@ -132,7 +133,9 @@ def test_missing_pygame_shows_how_to_install_it(
     assert HOW_TO_INSTALL in driver.text("gamepadState")
 
 
-def test_every_control_has_an_object_and_accessible_name(set_up: Panel) -> None:
+def test_every_control_works_with_the_keyboard(set_up: Panel) -> None:
+    check_keyboard(set_up.find_only(GamepadDialog))
+    check_keyboard(set_up.root.window())
     controls = (QAbstractButton, QComboBox, QSpinBox, PartBar, Lamp)
     found = [each for each in set_up.find_all(QWidget) if isinstance(each, controls)]
     for each in found:

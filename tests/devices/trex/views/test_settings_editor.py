@@ -19,6 +19,7 @@ from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
 from tests.support.bad_files import BAD_FILES, BadFile
+from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import SettingsEditorWindow, answer_questions
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.core.files import load
@@ -192,6 +193,7 @@ def test_bad_files_open_as_text_with_findings(open_text: Open) -> None:
         assert not editor.text_page.isReadOnly(), bad.name
         rows = editor.findings("textFindings")
         assert describes(rows, bad), bad.name
+        check_keyboard(editor.root)
         assert rows == editor.findings(), bad.name
         assert not editor.editor.isWindowModified(), bad.name
         editor.editor.close_at_once()
@@ -250,6 +252,7 @@ def test_finding_shows_its_line_or_is_accepted(open_text: Open) -> None:
     assert rows[row][0] == "2"
     assert editor.tabs.tabText(FINDINGS) == f"Findings ({len(rows)})"
     editor.findings_table().setCurrentCell(row, 0)
+    check_keyboard(editor.root)
     WidgetDriver(editor.find(QWidget, "findingsPanel"), editor.qtbot).click("acceptFindingButton")
     assert editor.value_of("required_channels") == 0
     editor.wait(lambda: len(editor.findings()) == len(rows) - 1)
@@ -361,6 +364,7 @@ def test_files_are_compared_and_values_taken(editor: EditorDriver, tmp_path: Pat
     editor.wait_for_files()
     dialog = editor.compare_dialog()
     assert "3 settings differ, 0 match" in dialog.text("comparisonSummary")
+    check_keyboard(dialog.root)
     dialog.click("takeValuesButton")
     assert (editor.value_of("motor_mode"), editor.value_of("serial_timeout")) == (1, 5)
     assert "2 values copied from other.txt" in editor.banner

@@ -50,14 +50,14 @@ class LoadDialog(QDialog):
         self._findings = named(FindingsPanel(self, with_lines=False), "loadFindings")
         self._view = ComparisonView(self)
         self._foot = label(self, "loadFoot", wrap=True)
-        self._take = button(
-            self, "takeChangesButton", icon="edited", default=True, on_click=self._on_take_clicked
-        )
         self._edit = button(
             self,
             "editFileButton",
             self.tr("&Edit the file instead"),
             on_click=self._on_edit_clicked,
+        )
+        self._take = button(
+            self, "takeChangesButton", icon="edited", default=True, on_click=self._on_take_clicked
         )
         cancel = button(self, "cancelLoadButton", self.tr("Cancel"), on_click=self.close)
 

@@ -42,13 +42,13 @@ class FindingsPanel(QWidget):
         self._text = ""
 
         self._summary = label(self, "findingsSummary", wrap=True)
+        self._table = flat_table(QTableWidget(0, 4, self), "findingsTable", self.tr("Findings"))
         self._accept = button(
             self,
             "acceptFindingButton",
             self.tr("Acce&pt the proposal"),
             on_click=self._on_accept_clicked,
         )
-        self._table = flat_table(QTableWidget(0, 4, self), "findingsTable", self.tr("Findings"))
         self._table.setHorizontalHeaderLabels(
             [self.tr("Kind"), self.tr("Line"), self.tr("Setting"), self.tr("Message")]
         )
