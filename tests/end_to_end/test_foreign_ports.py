@@ -74,7 +74,7 @@ def test_program_that_may_take_the_replies_is_named(
 ) -> None:
     users: dict[str, str] = {}
     monkeypatch.setattr("trex_gui.ui.devices.connection.other_user_of", users.get)
-    text = f"cat (process 7) has {simulator.url} open, too, and may take replies. Close it there."
+    text = f"cat (process 7) also has {simulator.url} open and may take replies. Close it there."
     window.connect(simulator.url)
     simulator.do("line mute on")
     window.wait(lambda: window.device.link is ConnectionState.NOT_RESPONDING)

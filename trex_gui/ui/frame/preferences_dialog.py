@@ -67,7 +67,7 @@ class PreferencesDialog(ReusedDialog):
         self._automatic = ui.check_box(
             self,
             "automaticBox",
-            self.tr("Connect to the last board by &itself"),
+            self.tr("Connect to the last board automat&ically"),
             on_click=set_automatic,
         )
         explanation = Muted(

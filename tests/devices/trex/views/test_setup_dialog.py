@@ -1,6 +1,7 @@
 """The assistant in its window: no motor moves but by a held button, and every way out stops."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
@@ -118,6 +119,26 @@ def test_held_button_moves_its_motor_only(assistant: Assistant) -> None:
     assert {request.motor for request in assistant.requests[:2]} == {1}
     assistant.robot.simulator.do("fault 2 on")
     assistant.wait_for_text("setupPulseNote", "its driver shut down")
+
+
+def test_texts_follow_ceiling_and_line(assistant: Assistant) -> None:
+    """What they promise is what the board gets, and a timeout that the line cannot keep is said."""
+    assistant.click(DRIVERS[Driver.COMPUTER])
+    go_to(assistant, assistant.root, SetupStep.MOTORS)
+    assistant.click("setupMotor1Nothing")
+    assert "30 % instead of 20 %" in assistant.text("setupWiringNote")
+    assistant.robot.device.motors.set_ceiling(WEAK)
+    assistant.wait_for_text("setupWiringNote", "below the speed ceiling")
+
+    go_to(assistant, assistant.root, SetupStep.TIMEOUT)
+    assert assistant.text("setupTimeoutShort") == ""
+    settings = assistant.robot.device.settings
+    assert settings is not None
+    assistant.robot.device.connection.settings = replace(
+        settings, line=replace(settings.line, baud=1200)
+    )
+    assistant.setup.choose_timeout(1)
+    assert "0.1 s is short for 1200 baud" in assistant.text("setupTimeoutShort")
 
 
 def open_menu(assistant: Assistant) -> None:

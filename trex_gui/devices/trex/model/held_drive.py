@@ -23,7 +23,7 @@ def held_drive_blocker(device: Device, holder: str, *, is_driving: bool) -> str:
     if device.telemetry.serial_controls is False:
         return _tr("{0} A test needs serial control.").format(device.control_text)
     if motors.locked_for:
-        text = _tr("After a stop the motors are locked for {0:.0f} s more.")
+        text = _tr("After a stop the motors are locked for another {0:.0f} s.")
         return text.format(max(1.0, motors.locked_for))
     if not motors.armed:
         return _tr("Put the robot on blocks, then press Run motor.")

@@ -75,7 +75,7 @@ class MotorPulses(QObject):
         if self.cannot_drive:
             return self.cannot_drive
         if self._device.is_connected and not self.wheels_are_free:
-            return self.tr("Lift the robot so that its wheels turn freely, and confirm it here.")
+            return self.tr("Lift the robot so that its wheels turn freely, then confirm that here.")
         return held_drive_blocker(self._device, _HOLDER, is_driving=bool(self.motor))
 
     def confirm_wheels(self, free: bool) -> None:

@@ -85,7 +85,7 @@ class SetupDialog(ReusedDialog):
             "setupCloseButton",
             self.tr("&Close"),
             default=False,
-            tip=self.tr("Leave the assistant; changes that it made wait to be applied"),
+            tip=self.tr("Close the assistant; its changes stay until you apply or discard them"),
             on_click=self.close,
         )
         buttons = ui.row(stop, 1, self._back, self._skip, self._next, self._close)

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QButtonGroup, QGroupBox, QRadioButton, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import recent_fault_text
+from trex_gui.devices.trex.model.setup.pulses import STRONGER
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring, Side, Wiring
 from trex_gui.devices.trex.views.action_bar import RunButton, TimeoutNotice
@@ -28,7 +29,7 @@ class _MotorBox(QGroupBox):
         self._hold = ui.named(
             HoldButton(self.tr("Hold to pulse motor {0}").format(motor), self),
             f"setupHold{motor}",
-            tip=self.tr("Short weak pulses, only while it is held with the mouse or the space bar"),
+            tip=self.tr("Short, weak pulses while you hold it with the mouse or the space bar"),
         )
         self._hold.setMinimumHeight(2 * self.fontMetrics().height() + 4)
         ui.set_bold(self._hold)
@@ -99,7 +100,7 @@ class WiringPage(QWidget):
         self._again = ui.button(
             self,
             "setupAgainButton",
-            self.tr("&Exchanged: ask again"),
+            self.tr("Wir&es swapped: ask again"),
             icon="reload",
             default=False,
             tip=self.tr("Forget both answers and find out again which motor is which"),
@@ -136,11 +137,11 @@ class WiringPage(QWidget):
         for box in self._boxes:
             box.show_state(can_hold=not blocker)
         text = blocker or self.tr(
-            "Armed. Hold a button: its motor is driven forward in short weak pulses, the other one "
-            "stays at rest. Say below what turned."
+            "Armed. Hold a button: its motor is driven forward in short, weak pulses; the other "
+            "one stays at rest. Then say below what turned."
         )
         if pulses.motor:
-            text = self.tr("Motor {0} gets pulses. Release the button to stop it.")
+            text = self.tr("Motor {0} is driven in pulses. Release the button to stop it.")
             text = text.format(pulses.motor)
         if not blocker:
             text = recent_fault_text(self._device) or text
@@ -153,13 +154,18 @@ class WiringPage(QWidget):
     def _result_text(self, wiring: Wiring | None, rewiring: Rewiring | None) -> str:
         setup = self._setup
         if Movement.NOTHING in setup.movements.values():
+            if self._device.motors.ceiling < STRONGER:
+                return self.tr(
+                    "Nothing turned: the pulses stay below the speed ceiling of the Motors page. "
+                    "Raise it, or check the battery and the wires of this motor."
+                )
             return self.tr(
                 "Nothing turned: the next pulses are stronger (30 % instead of 20 %). If that does "
                 "not help, check the battery and the wires of this motor."
             )
         if wiring is None or rewiring is None:
             if len(setup.movements) == 2:
-                return self.tr("Both motors cannot drive the same wheel: hold both buttons again.")
+                return self.tr("Two motors cannot drive the same wheel: try both buttons again.")
             return ""
         if rewiring:
             return rewiring_text(setup.driver, rewiring)
@@ -171,8 +177,8 @@ class WiringPage(QWidget):
                 "answers are kept."
             )
         if setup.edits:
-            return self.tr("Settings correct this; no wire has to be changed.")
-        return self.tr("Nothing has to be changed: the wheels follow the sticks.")
+            return self.tr("Settings correct this; no wires have to be swapped.")
+        return self.tr("Nothing has to change: the wheels follow the sticks.")
 
 
 def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:
@@ -180,18 +186,18 @@ def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:
     texts = [_tr("Switch the motors' power off.")]
     if rewiring.exchange_motors:
         texts.append(
-            _tr("Exchange the pair of wires of motor 1 with that of motor 2 (keep their order).")
+            _tr("Swap the pair of wires of motor 1 with that of motor 2 (keep their order).")
         )
     for side in sorted(rewiring.reverse, key=lambda side: side.value):
-        left = _tr("Exchange the two wires of the left motor with each other.")
-        right = _tr("Exchange the two wires of the right motor with each other.")
+        left = _tr("Swap the two wires of the left motor.")
+        right = _tr("Swap the two wires of the right motor.")
         texts.append(left if side is Side.LEFT else right)
     if driver is Driver.COMPUTER:
         texts.append(
-            _tr("No setting does that for serial commands; your own program may do it instead.")
+            _tr("No setting does this for serial commands; your own program can do it instead.")
         )
     else:
-        texts.append(_tr("No setting of the board does that."))
+        texts.append(_tr("No setting of the board does this."))
     return " ".join(texts)
 
 

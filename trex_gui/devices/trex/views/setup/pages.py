@@ -9,6 +9,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QButtonGroup, QLabel, QRadioButton, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.drive_texts import timeout_warning_on
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
@@ -156,27 +157,27 @@ class JumperPage(QWidget):
                 JumperPlaces(self.tr("Later: to drive"), position, is_mixed),
             )
         mode = self.tr(
-            "Take the mode jumper off to set the board up: only then it takes settings. To drive, "
-            "put it at RC, or at analog for a stick of potentiometers. The board reads it when it "
-            "is switched on."
+            "Remove the mode jumper to set up the board: it accepts settings only without it. To "
+            "drive, put it on RC, or on analog for a joystick with potentiometers. The board reads "
+            "it when it is switched on."
         )
         mix = {
             Driver.ONE_STICK: self.tr(
                 "Put the mix jumper on: channel 2 drives forward and back, channel 1 turns. It "
-                "works at once."
+                "takes effect at once."
             ),
             Driver.TWO_STICKS: self.tr(
-                "Take the mix jumper off: channel 1 drives motor 1, channel 2 drives motor 2. It "
-                "works at once."
+                "Remove the mix jumper: channel 1 drives motor 1, channel 2 drives motor 2. It "
+                "takes effect at once."
             ),
             Driver.COMPUTER: self.tr(
-                "The mix jumper does not matter: it changes no serial command."
+                "The mix jumper does not matter: it has no effect on serial commands."
             ),
         }
         if driver is Driver.COMPUTER:
             mode = self.tr(
-                "Take the mode jumper off and leave it off: then the board takes settings and "
-                "serial commands. The board reads it when it is switched on."
+                "Remove the mode jumper and leave it off: the board then accepts settings and "
+                "serial commands. It reads the jumper when it is switched on."
             )
         self._text.setText(f"{mode}\n\n{mix[driver]}")
         self._mode.show_result(*self._mode_result())
@@ -192,8 +193,8 @@ class JumperPage(QWidget):
         if state.mode.is_serial:
             return True, self.tr("This board was started without the mode jumper (serial mode).")
         text = self.tr(
-            "This board was started in {0} mode. Switch it off, remove the mode jumper, and switch "
-            "it on: this is checked all the time."
+            "This board was started in {0} mode. Switch it off, remove the mode jumper and switch "
+            "it on again. This statement then updates by itself."
         )
         return False, text.format(state.mode.source.value)
 
@@ -201,18 +202,18 @@ class JumperPage(QWidget):
         seen = self._setup.is_mixed
         if seen is not is_mixed and self._device.rejects_settings:
             return None, self.tr(
-                "The mix jumper is checked in serial mode: here a pushed stick would drive the "
-                "motors."
+                "The mix jumper can be checked in serial mode only: in this mode a stick that you "
+                "push would drive the motors."
             )
         if seen is None:
             return None, self.tr(
-                "The mix jumper is not known: no command reads it. Push a stick one way, and the "
-                "values of the board show it."
+                "It is not known yet whether the mix jumper is on: no command reads it. Push a "
+                "stick to one side, and the board's values show it."
             )
         if seen is is_mixed:
             on, off = self.tr("The mix jumper is on."), self.tr("The mix jumper is off.")
             return True, on if seen else off
-        take = self.tr("The mix jumper is on: take it off, then push a stick again.")
+        take = self.tr("The mix jumper is on: remove it, then push a stick again.")
         put = self.tr("The mix jumper is off: put it on, then push a stick again.")
         return False, take if seen else put
 
@@ -234,9 +235,9 @@ class SticksPage(QWidget):
             self,
             text=self.tr(
                 "The board has to know the middle and the ends of each stick. Learning measures "
-                "them in two minutes, in a window of its own, and ends with a review. The motors "
-                "stay off meanwhile. It does not know how they are wired: do the next step after "
-                "it, not before."
+                "them in about two minutes, in a separate window, and ends with a review. The "
+                "motors stay off meanwhile. Learning cannot tell how they are wired, so do it "
+                "before the next step."
             ),
             wrap=True,
         )
@@ -252,7 +253,7 @@ class SticksPage(QWidget):
         pushed_text = ui.label(
             self,
             text=self.tr(
-                "Learned already? Then show which way the sticks go: push, hold, and click. In "
+                "Already learned? Then show which way the sticks go: push, hold and click. In "
                 "serial mode they move no motor."
             ),
             wrap=True,
@@ -313,11 +314,11 @@ class SticksPage(QWidget):
             names = {1: self.tr("Channel 1 (turns)"), 2: self.tr("Channel 2 (drives)")}
         texts = {
             None: self.tr("{0}: not known yet."),
-            True: self.tr("{0}: its value rises."),
-            False: self.tr("{0}: its value falls."),
+            True: self.tr("{0}: the value rises."),
+            False: self.tr("{0}: the value falls."),
         }
         if self._unclear:
-            texts[None] = self.tr("{0}: no stick is seen away from its middle. Push it fully.")
+            texts[None] = self.tr("{0}: the stick is still near its middle. Push it all the way.")
         return [texts[self._setup.rises.get(n)].format(name) for n, name in names.items()]
 
 
@@ -391,8 +392,8 @@ class LimitsPage(QWidget):
         if self._device.is_joint:
             return self.tr("In joint mode the board measures no current, so it cannot limit it.")
         text = self.tr(
-            "Set the current that your motors may draw for long; the figures of the samples are "
-            "examples. The limiter needs a ramp to work with."
+            "Set the current that your motors can draw continuously; the values of the samples are "
+            "examples. Speeds that are set at once, without a ramp, bypass the limit for a moment."
         )
         if preset is not None and preset.product != self._device.parameters.model_key:
             name = device_table().model(preset.product).name
@@ -430,8 +431,8 @@ class TimeoutPage(QWidget):
         text = ui.label(
             self,
             text=self.tr(
-                "When the cable falls out or the computer fails, only the board itself can notice "
-                "that and stop the motors. Without a serial timeout they run on at their last "
+                "If the cable falls out or the computer fails, only the board itself can notice "
+                "and stop the motors. Without a serial timeout they keep running at their last "
                 "speed."
             ),
             wrap=True,
@@ -447,8 +448,8 @@ class TimeoutPage(QWidget):
             suffix=self.tr(" s"),
             on_change=lambda seconds: setup.choose_timeout(round(10 * seconds)),
         )
-        now = ui.named(Muted(parent=self), "setupTimeoutNow")
-        self._now = now
+        self._now = now = ui.named(Muted(parent=self), "setupTimeoutNow")
+        self._short = ui.named(Note(2, self), "setupTimeoutShort")
         ui.column(
             text,
             ui.row(
@@ -460,12 +461,13 @@ class TimeoutPage(QWidget):
             ),
             Muted(
                 self.tr(
-                    "Let the computer send something at least twice in that time; a question for "
-                    "the status will do. 0.5 s is a good value for most robots."
+                    "Have the computer send something at least twice in that time; a status query "
+                    "will do. 0.5 s is a good value for most robots."
                 ),
                 self,
             ),
             now,
+            self._short,
             1,
             into=self,
             margins=0,
@@ -473,8 +475,11 @@ class TimeoutPage(QWidget):
         )
 
     def refresh(self) -> None:
+        seconds, settings = self._setup.timeout / 10, self._device.settings
         with QSignalBlocker(self._seconds):
-            self._seconds.setValue(self._setup.timeout / 10)
+            self._seconds.setValue(seconds)
+        warning = settings and timeout_warning_on(settings, seconds, is_guarded=True)
+        self._short.show_note(warning.text if warning else "", alarming=True)
         parameters, key = self._device.parameters, ParameterKey.SERIAL_TIMEOUT
         wire = parameters.stored_of(key)
         text = self.tr("The board stores: {0}.")
@@ -516,7 +521,7 @@ class ReviewPage(QWidget):
         pending = device.draft.pending
         text = self.tr("%n change(s) not applied yet.", "", pending)
         if not pending:
-            text = self.tr("No change is waiting: the board has everything.")
+            text = self.tr("No unapplied changes: the board stores everything.")
         self._pending.show_note(text)
         can_apply = device.is_writable and not device.rejects_settings and pending > 0
         self._apply.setEnabled(can_apply)
@@ -537,21 +542,19 @@ class ReviewPage(QWidget):
         if wiring is not None and (rewiring := wiring.rewiring(setup.driver)):
             texts.append(rewiring_text(setup.driver, rewiring))
         if setup.driver.uses_sticks:
-            source = self._device.calibrations.source.value
+            source = self._device.calibrations.source
             on, off = self.tr("put the mix jumper on"), self.tr("leave the mix jumper off")
             mix = on if setup.driver is Driver.ONE_STICK else off
-            texts.append(
-                self.tr(
-                    "Switch the board off, put the mode jumper at {0}, {1}, switch the transmitter "
-                    "on, and then the board. The motors stay off until the sticks are released "
-                    "(safe-start)."
-                ).format(source, mix)
-            )
+            start = self.tr("Switch the board off, put the mode jumper on {0}, {1}.")
+            rc = self.tr("Switch on the transmitter, then the board.")
+            on_again = rc if source is InputSource.RC else self.tr("Switch the board on.")
+            safe = self.tr("The motors stay off until the sticks are released (safe-start).")
+            texts.append(f"{start.format(source.value, mix)} {on_again} {safe}")
         else:
             texts.append(
                 self.tr(
-                    "Leave the mode jumper off. The Motors page of this window is a first computer "
-                    "to drive with."
+                    "Leave the mode jumper off. The first commands can come from the Motors page "
+                    "of this window."
                 )
             )
         texts.append(

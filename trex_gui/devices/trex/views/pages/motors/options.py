@@ -98,7 +98,7 @@ class SpeedCeiling(QWidget):
             self,
             tip=self.tr(
                 "Highest speed that this program sends to this board; full deflection of pad, "
-                "keys and gamepad gives this speed. Raising it makes no running motor faster."
+                "keys and gamepad gives this speed. Raising it does not speed up a running motor."
             ),
             apply=motors.set_ceiling,
         )
@@ -116,7 +116,7 @@ class SpeedCeiling(QWidget):
         self.setEnabled(bool(motors.board))
         text = self.tr("Remembered for this board.")
         if motors.is_first_drive:
-            text = self.tr("New board: raise this when its motors turn the right way.")
+            text = self.tr("New board: raise this once its motors turn the right way.")
         self._note.show_note(text if motors.board else "")
 
 
