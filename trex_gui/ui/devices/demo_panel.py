@@ -268,10 +268,7 @@ class DemoDock(QDockWidget):
     def __init__(
         self, name: str, key: str, use: DeviceController[Any], parent: QWidget | None = None
     ) -> None:
-        """Create a dock with an object name; `key` stores whether it is wanted.
-
-        Call `show_if_wanted` when `use` has changed.
-        """
+        """Create a dock with an object name; `key` stores whether it is wanted."""
         super().__init__(parent)
         self.setObjectName(name)
         self._key = key
@@ -282,6 +279,7 @@ class DemoDock(QDockWidget):
         self.wanted = self._store.flag(key, default=True)
         # Queued: Qt sets its own icons after the signal.
         self.visibilityChanged.connect(self._show_icons, Qt.ConnectionType.QueuedConnection)
+        use.changed.connect(self.show_if_wanted)
         self.hide()
 
     @Slot()
@@ -351,7 +349,7 @@ class DemoDock(QDockWidget):
 class DemoPanelBody(QWidget, Generic[SnapshotT]):
     """Polls a simulated device while visible, and shows its state.
 
-    A subclass calls `arrange` once, and provides the head and the texts for states.
+    A subclass calls `arrange` once, and provides the head and the text without a simulator.
     """
 
     def __init__(
@@ -359,12 +357,14 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         device: DemoDevice[SnapshotT],
         use: DeviceController[Any],
         state_name: str,
+        state_text: Callable[[SnapshotT], str],
         parent: QWidget | None = None,
     ) -> None:
         """Show `device`; the label with its state has the object name `state_name`."""
         super().__init__(parent)
         self._device = device
         self._use = use
+        self._state_text = state_text
         self._groups: Sequence[Rows[SnapshotT]] = ()
         self._reset: QPushButton | None = None
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
@@ -378,13 +378,11 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         controls = [control for group in groups for control in group.controls]
         ui.tab_order(*controls, reset)
         self._device.changed.connect(self.refresh)
+        self._use.changed.connect(self.refresh)
         self.refresh()
 
     def absent_text(self, *, starting: bool) -> str:
         """Describe a simulator that does not run, or is being started."""
-        raise NotImplementedError
-
-    def state_text(self, snapshot: SnapshotT) -> str:
         raise NotImplementedError
 
     def show_head(self, snapshot: SnapshotT | None) -> None:
@@ -412,7 +410,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
             self._state.show_note(self.absent_text(starting=starting), alarming=not starting)
             return
         todo = self._todo(snapshot)
-        self._state.show_note(todo or self.state_text(snapshot), alarming=bool(todo))
+        self._state.show_note(todo or self._state_text(snapshot), alarming=bool(todo))
         for group in self._groups:
             group.show_snapshot(snapshot)
 

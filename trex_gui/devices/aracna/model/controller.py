@@ -19,14 +19,14 @@ class AracnaController(DeviceController[PortSettings]):
     def __init__(
         self,
         plugin: DevicePlugin,
-        robot: Robot,
+        notifier: Notifier,
         ports: Ports,
         scanner: DeviceScanner,
-        timeouts: Timeouts | None = None,
+        timeouts: Timeouts,
     ) -> None:
-        settings = PortSettings("", LINE, timeouts=timeouts or Timeouts())
-        super().__init__(plugin, robot, ports, scanner, settings)
-        self.robot = robot
+        self.robot = robot = Robot(notifier)
+        super().__init__(plugin, robot, ports, scanner, PortSettings("", LINE, timeouts=timeouts))
+        robot.setParent(self)
         self.demo_robot = DemoRobot(self.simulator, self)
 
     @property
@@ -44,16 +44,3 @@ class AracnaController(DeviceController[PortSettings]):
 
     def stop_now(self, *, ending: bool = False) -> None:
         self.robot.halt_now(ending=ending)
-
-
-def make_controller(
-    plugin: DevicePlugin,
-    notifier: Notifier,
-    ports: Ports,
-    scanner: DeviceScanner,
-    timeouts: Timeouts,
-) -> AracnaController:
-    robot = Robot(notifier)
-    controller = AracnaController(plugin, robot, ports, scanner, timeouts)
-    robot.setParent(controller)
-    return controller

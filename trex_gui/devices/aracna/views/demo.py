@@ -35,13 +35,12 @@ class RobotPanel(DemoDock):
         super().__init__("aracnaDemoPanel", "aracna/demo_panel", controller, parent)
         self.setWindowTitle(self.tr("Demo Aracna"))
         self.hold(DemoRobotView(controller, self))
-        controller.changed.connect(self.show_if_wanted)
 
 
 class DemoRobotView(DemoPanelBody[RobotSnapshot]):
     def __init__(self, controller: AracnaController, parent: QWidget | None = None) -> None:
         robot = controller.demo_robot
-        super().__init__(robot, controller, "aracnaDemoState", parent)
+        super().__init__(robot, controller, "aracnaDemoState", state_text, parent)
         head = QWidget(self)
         tip = self.tr("The debug LED; it blinks while the firmware boots")
         self._lamp = named(Lamp("led_green", head), "aracnaDemoLed", tip=tip)
@@ -65,7 +64,6 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
             _cable_rows(robot, columns, self),
         )
         self.arrange(head, groups, repair)
-        controller.changed.connect(self.refresh)
 
     def sizeHint(self) -> QSize:
         """Hint at little more than the minimum width, which leaves the pages more room."""
@@ -75,9 +73,6 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
         if starting:
             return self.tr("The Demo Aracna is starting …")
         return self.tr("The Demo Aracna is not running. Press Connect.")
-
-    def state_text(self, snapshot: RobotSnapshot) -> str:
-        return state_text(snapshot)
 
     def show_head(self, snapshot: RobotSnapshot | None) -> None:
         is_lit = snapshot is not None and snapshot.led

@@ -160,13 +160,12 @@ class DemoPanel(DemoDock):
         super().__init__("demoPanel", "demo_panel/wanted", controller, parent)
         self.setWindowTitle(self.tr("Demo TReX"))
         self.hold(DemoBoardView(controller, self))
-        controller.changed.connect(self.show_if_wanted)
 
 
 class DemoBoardView(DemoPanelBody[DemoSnapshot]):
     def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
         board = controller.demo_board
-        super().__init__(board, controller, "demoState", parent)
+        super().__init__(board, controller, "demoState", state_text, parent)
         self._leds = named(Leds(self), "demoLeds", accessible=self.tr("LEDs of the board"))
         factory = button(
             self,
@@ -186,15 +185,11 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
             _cable_rows(board, columns, self),
         )
         self.arrange(self._leds, groups, factory)
-        controller.changed.connect(self.refresh)
 
     def absent_text(self, *, starting: bool) -> str:
         if starting:
             return self.tr("The simulated board is being started …")
         return self.tr("The simulated board is not running. Press Connect.")
-
-    def state_text(self, snapshot: DemoSnapshot) -> str:
-        return state_text(snapshot)
 
     def show_head(self, snapshot: DemoSnapshot | None) -> None:
         if snapshot is None:
