@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.settings.samples import factory
 from tests.support.pages.settings import ComparisonDialog
-from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
+from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
@@ -56,7 +56,8 @@ def cut_short(table: QTableView) -> list[str]:
             cell, text = table.visualRect(index), str(index.data())
             shown = cell.left() >= 0 and cell.right() < table.viewport().width()
             sign = TICK if column in {ComparisonColumn.SETTING, ComparisonColumn.OUTCOME} else 0
-            is_bold = column == ComparisonColumn.AFTER and index.data(ComparisonRole.CHANGED)
+            font = index.data(Qt.ItemDataRole.FontRole)
+            is_bold = font is not None and font.bold()
             metrics = QFontMetrics(bold if is_bold else table.font())
             room = QRect(0, 0, cell.width() - 6 - sign, 10_000)
             needed = metrics.boundingRect(room, Qt.TextFlag.TextWordWrap, text)

@@ -12,33 +12,21 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.trex.model.settings.comparison_table import (
     ComparisonColumn,
-    ComparisonRole,
     ComparisonTable,
     Index,
 )
 from trex_gui.devices.trex.settings.comparison import Comparison
-from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.widgets.builders import button, check_box, column, flat_table, label, row
 
 _ROW_MARGIN = 8
 
 
 class _Delegate(QStyledItemDelegate):
-    """Shows changes in bold, and signs for values that are stored or not."""
+    """Leaves room between the rows."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
         size = super().sizeHint(option, index)
         return QSize(size.width(), size.height() + _ROW_MARGIN)
-
-    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
-        super().initStyleOption(option, index)
-        if index.data(ComparisonRole.CHANGED) and index.column() == ComparisonColumn.AFTER:
-            font = option.font
-            font.setBold(True)
-            option.font = font
-        if index.column() == ComparisonColumn.OUTCOME and (sign := index.data(ComparisonRole.SIGN)):
-            option.icon = icon(sign)
-            option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
 
 
 class _Table(QTableView):

@@ -9,8 +9,6 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QLineEdit,
     QStackedWidget,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
     QTableView,
     QWidget,
 )
@@ -19,10 +17,8 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.files import load, save
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import (
-    Index,
     Listing,
     SnapshotColumn,
-    SnapshotRole,
     SnapshotTable,
 )
 from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory, Snapshot
@@ -31,7 +27,7 @@ from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.icons import clear_button, icon
+from trex_gui.ui.theme.icons import clear_button
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -249,16 +245,6 @@ class HistoryDialog(ReusedDialog):
         super().reject()
 
 
-class _Delegate(QStyledItemDelegate):
-    """Marks damaged snapshots."""
-
-    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
-        super().initStyleOption(option, index)
-        if index.column() == SnapshotColumn.BOARD and index.data(SnapshotRole.PROBLEM):
-            option.icon = icon("warning", "warning")
-            option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
-
-
 class _SnapshotList(QWidget):
     """A search field above the snapshots, of which one or several can be chosen."""
 
@@ -280,7 +266,6 @@ class _SnapshotList(QWidget):
         # Before the view takes back what it selected.
         table.rowsAboutToBeRemoved.connect(self._on_rows_about_to_be_removed)
         self._view.setModel(table)
-        self._view.setItemDelegate(_Delegate(self._view))
         self._view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self._view.setWordWrap(False)
         header = self._view.horizontalHeader()

@@ -16,6 +16,7 @@ from trex_gui.devices.trex.model.settings.comparison_table import (
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.ui.theme.icons import icon
 
 BEFORE = factory()
 
@@ -140,12 +141,13 @@ def test_renewing_keeps_persistent_indexes(table: ComparisonTable, qtbot: QtBot)
 def test_outcomes_add_a_column(table: ComparisonTable) -> None:
     table.set_outcomes({"serial_timeout": "", "motor1_acceleration": "the board refused it"})
     assert table.columnCount() == 5
+    sign = Qt.ItemDataRole.DecorationRole
     outcome = index(table, "serial_timeout", ComparisonColumn.OUTCOME)
     assert outcome.data().startswith("stored")
-    assert outcome.data(ComparisonRole.SIGN) == "ok"
+    assert outcome.data(sign).cacheKey() == icon("ok").cacheKey()
     refused = index(table, "motor1_acceleration", ComparisonColumn.OUTCOME)
     assert refused.data() == "the board refused it"
-    assert refused.data(ComparisonRole.SIGN) == "warning"
+    assert refused.data(sign).cacheKey() == icon("warning").cacheKey()
     table.renew(comparison(serial_timeout=5))
     assert table.columnCount() == 4
 

@@ -16,7 +16,6 @@ from tests.support.snapshots import ADAPTER, take
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.settings.snapshots import (
     SnapshotColumn,
-    SnapshotRole,
     SnapshotTable,
     row_edits,
 )
@@ -136,7 +135,7 @@ def test_damaged_header_is_shown_after_refresh(
     take(history).path.write_text("rubbish", encoding="utf-8")
     refresh(table)
     assert text(table, 0, SnapshotColumn.BOARD) == "damaged"
-    assert table.index(0, 0).data(SnapshotRole.PROBLEM)
+    assert table.index(0, SnapshotColumn.BOARD).data(Qt.ItemDataRole.DecorationRole)
     assert "cannot be restored" in table.index(0, 0).data(Qt.ItemDataRole.ToolTipRole)
 
 

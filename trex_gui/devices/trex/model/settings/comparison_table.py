@@ -12,12 +12,14 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
+from PySide6.QtGui import QFont
 
 from trex_gui.devices.trex.model.parameters.text import acceleration_text
 from trex_gui.devices.trex.model.settings.rows import renew_rows
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.parameters import ParameterKind
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, wire_text
+from trex_gui.ui.theme.icons import icon
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -35,10 +37,7 @@ class ComparisonColumn(IntEnum):
 
 
 class ComparisonRole(IntEnum):
-    CHANGED = Qt.ItemDataRole.UserRole
-    KEY = Qt.ItemDataRole.UserRole + 1
-    SIGN = Qt.ItemDataRole.UserRole + 2
-    """The icon of an outcome, `ok` or `warning`."""
+    KEY = Qt.ItemDataRole.UserRole
 
 
 class ComparisonTable(QAbstractTableModel):
@@ -163,12 +162,15 @@ class ComparisonTable(QAbstractTableModel):
             case Qt.ItemDataRole.CheckStateRole if self._is_tickable(index):
                 is_cleared = row.key in self._cleared
                 return Qt.CheckState.Unchecked if is_cleared else Qt.CheckState.Checked
-            case ComparisonRole.CHANGED:
-                return row.before != row.after
+            case Qt.ItemDataRole.FontRole if index.column() == ComparisonColumn.AFTER:
+                font = QFont()
+                font.setBold(row.before != row.after)
+                return font
+            case Qt.ItemDataRole.DecorationRole if index.column() == ComparisonColumn.OUTCOME:
+                outcome = self._outcomes.get(row.key)
+                return None if outcome is None else icon("warning" if outcome else "ok")
             case ComparisonRole.KEY:
                 return row.key
-            case ComparisonRole.SIGN if row.key in self._outcomes:
-                return "warning" if self._outcomes[row.key] else "ok"
         return None
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:

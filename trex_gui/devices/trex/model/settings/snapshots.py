@@ -34,6 +34,7 @@ from trex_gui.devices.trex.settings.history import (
     order_of,
 )
 from trex_gui.ui.files import in_background, start_in_background
+from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.translations import Plural
 from trex_gui.ui.workers.file_worker import ProgressCallback
 
@@ -49,10 +50,6 @@ class SnapshotColumn(IntEnum):
     BOARD = 2
     NUMBER = 3
     ADAPTER = 4
-
-
-class SnapshotRole(IntEnum):
-    PROBLEM = Qt.ItemDataRole.UserRole
 
 
 @dataclass(frozen=True, slots=True)
@@ -332,8 +329,8 @@ class SnapshotTable(QAbstractTableModel):
                 return self._cells(snapshot)[index.column()]
             case Qt.ItemDataRole.ToolTipRole:
                 return _tip(snapshot, self.problem_of(snapshot))
-            case SnapshotRole.PROBLEM:
-                return self.problem_of(snapshot)
+            case Qt.ItemDataRole.DecorationRole if index.column() == SnapshotColumn.BOARD:
+                return icon("warning", "warning") if self.problem_of(snapshot) else None
         return None
 
     def _cells(self, snapshot: Snapshot) -> tuple[str, ...]:
