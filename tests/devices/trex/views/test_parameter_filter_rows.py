@@ -40,7 +40,7 @@ def test_filter_passes_qt_model_tester(rows: ParameterFilter, qtmodeltester: Mod
 
 
 def test_unfiltered_rows_are_all_shown_in_order(rows: ParameterFilter) -> None:
-    assert set(shown(rows)) == of_tasks("ramp", "braking", "current", "pwm", "channels", "serial")
+    assert set(shown(rows)) == of_tasks("motors", "braking", "current", "pwm", "channels", "serial")
     assert shown(rows)[:2] == ["motor1_acceleration", "motor2_acceleration"]
 
 
@@ -63,7 +63,7 @@ def test_unmatched_words_leave_no_rows(rows: ParameterFilter) -> None:
     assert len(shown(rows)) == len(SPECS.readable) - 2
 
 
-@pytest.mark.parametrize("task", ["ramp", "pwm", "channels"])
+@pytest.mark.parametrize("task", ["motors", "pwm", "channels"])
 def test_selected_task_is_shown_alone(rows: ParameterFilter, task: str) -> None:
     rows.parameters.pin(["acceleration", "serial_timeout"])
     rows.narrow(task=task)
@@ -94,7 +94,7 @@ def test_not_default_filter_shows_changed_values(
 def test_filters_are_combined(rows: ParameterFilter, model: ParameterModel) -> None:
     model.edit("motor1_acceleration", 4)
     model.edit("device_number", 9)
-    rows.narrow(words="acceleration", task="ramp", modified_only=True)
+    rows.narrow(words="acceleration", task="motors", modified_only=True)
     assert shown(rows) == ["motor1_acceleration", "motor2_acceleration"]
 
 

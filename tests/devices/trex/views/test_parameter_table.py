@@ -21,7 +21,7 @@ from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 SPECS = parameters_of("trexjr", "1.2")
 OLDER = parameters_of("trexjr", "1.0")
-TASKS = ["ramp", "braking", "current", "pwm", "channels", "serial"]
+TASKS = ["motors", "braking", "current", "pwm", "channels", "serial"]
 FIRST = "motor1_acceleration"
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

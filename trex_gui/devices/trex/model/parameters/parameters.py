@@ -124,7 +124,7 @@ class ParameterModel(QAbstractTableModel):
         }
         self._titles = {
             _PINNED: self.tr("Pinned"),
-            "ramp": self.tr("Motors and speed ramp"),
+            "motors": self.tr("Motors and speed ramp"),
             "braking": self.tr("Braking"),
             "current": self.tr("Current"),
             "pwm": self.tr("PWM"),
