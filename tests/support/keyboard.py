@@ -75,8 +75,14 @@ def check_keyboard(window: QWidget, *, note: str = "") -> None:
         *_without_letter(window),
         *_out_of_order(window),
         *(f"no accessible name: {each}" for each in nameless(window)),
+        *(f"letter in a name: {name}" for name in _spoken(window) if letter(name)),
     ]
     assert not found, "\n".join([f"{window.objectName()} {note}", *found])
+
+
+def _spoken(window: QWidget) -> Iterator[str]:
+    for each in shown_in(window):
+        yield each.accessibleName()
 
 
 def shown_in(window: QWidget) -> Iterator[QWidget]:
