@@ -235,7 +235,7 @@ class ParameterView(QTableView):
         self._unfinished: tuple[str, str] | None = None  # parameter and text of a lost editor
         self._fitted: dict[ParameterColumn, int] = {}  # widths that no user has changed since
 
-        self._model.pin(Preferences().text(_PINNED).split(","))
+        self._model.pin(filter(None, Preferences().text(_PINNED).split(",")))
         flat_table(self, "parametersView", self.tr("Parameters"))
         self.setModel(rows)
         self.setItemDelegate(ParameterDelegate(self._model, self))
