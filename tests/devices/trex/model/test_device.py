@@ -303,6 +303,26 @@ def test_edits_survive_a_power_cycle(
     assert connected.device.parameters.pending == (("serial_timeout", 15),)
 
 
+@pytest.mark.parametrize("maximum", [0x3F, 0x40])
+def test_edits_that_another_board_may_get_are_mentioned(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice, maximum: int
+) -> None:
+    """The cable was moved to another board of the same model, or the board was switched off."""
+    device, texts = connected.device, list[str]()
+    device.notifier.delayed_info.connect(texts.append)
+    connected.edit("motor1_acceleration", 5)
+    quick_simulator.do("line mute on")
+    connected.until_link(ConnectionState.NOT_RESPONDING)
+    quick_simulator.do(f"eeprom motor1_pwm_maximum {maximum}")
+    quick_simulator.do("power cycle")
+    quick_simulator.do("line mute off")
+    connected.until_link(ConnectionState.CONNECTED)
+    assert device.draft.pending == 1
+    may_be_other = maximum != 0x3F
+    assert [text for text in texts if "still pending" in text] == texts
+    assert bool(texts) is may_be_other
+
+
 def test_mode_change_is_detected(
     connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:

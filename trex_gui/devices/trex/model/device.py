@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.reading import DeviceState, may_be_same_board
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
@@ -329,6 +329,11 @@ class Device(QObject):
     @Slot(object)
     def _on_read(self, report: Connected) -> None:
         state, occasion = report.state, report.occasion
+        is_other = occasion is ReadReason.OPENED or (
+            occasion.power_cycled
+            and self.state is not None
+            and not may_be_same_board(self.state, state)
+        )
         if state != self.state:
             reason = self.tr("Nothing was written: other settings were read from the board.")
             self._give_up_apply(reason)
@@ -345,14 +350,14 @@ class Device(QObject):
             self.notifier.delayed_info.emit(text.format(f"{before.product.name} {before.firmware}"))
         if occasion is not ReadReason.RELOADED:
             self._forget_quality()
+        if pending and is_same_kind and is_other:
+            text = self.tr(
+                "%n earlier change(s) still pending. Click Apply to write to this board.",
+                "",
+                pending,
+            )
+            self.notifier.delayed_info.emit(text)
         if occasion is ReadReason.OPENED:
-            if pending and is_same_kind:
-                text = self.tr(
-                    "%n earlier change(s) still pending. Click Apply to write to this board.",
-                    "",
-                    pending,
-                )
-                self.notifier.delayed_info.emit(text)
             self.telemetry.begin(state.signature.model.current_unit)
         self.telemetry.serial_controls = state.serial_controls
         self.edit_backup.leave_board()
