@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QGroupBox, QPushButton, QWidget
 
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.frame.workspace import Workspace
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets import builders as ui
 
@@ -41,20 +42,12 @@ class StartTexts:
 
 
 class StartPanel(QWidget):
-    """Leads to a first connection; `choose` presses an action of the menus by its key."""
+    """Leads to a first connection with the kind of device that a workspace is for."""
 
-    def __init__(
-        self,
-        device: str,
-        texts: StartTexts,
-        frame: MainWindow,
-        choose: Callable[[str], object],
-        parent: QWidget | None = None,
-    ) -> None:
-        """`device` is the key of the kind of device that the demo simulates."""
-        super().__init__(parent)
+    def __init__(self, texts: StartTexts, frame: MainWindow, workspace: Workspace) -> None:
+        super().__init__(workspace)
         self.setObjectName(f"{texts.prefix}startPanel")
-        self._device = device
+        self._device = workspace.key
         self._prefix = texts.prefix
         self._frame = frame
 
@@ -71,7 +64,11 @@ class StartPanel(QWidget):
             wrap=True,
         )
         find = self._button(
-            hardware, "startFind", self.tr("Find &my board…"), "find", partial(choose, "find")
+            hardware,
+            "startFind",
+            self.tr("Find &my board…"),
+            "find",
+            partial(workspace.trigger, "find"),
         )
         find.setToolTip(self.tr("Search every port and baud rate; no motor moves"))
         begin = ui.column(steps, self._none, *_left(*self._ports, find), 1)
@@ -82,7 +79,7 @@ class StartPanel(QWidget):
         demo = self._button(other, "startDemo", texts.demo, "run", self._connect_to_demo)
         demo.setToolTip(self.tr("A simulated board: nothing can be damaged"))
         opening = [
-            self._button(other, f"start_{key}", text, icon, partial(choose, key))
+            self._button(other, f"start_{key}", text, icon, partial(workspace.trigger, key))
             for key, text, icon in texts.files
         ]
         ui.row(demo, *opening, 1, into=other)

@@ -93,6 +93,7 @@ class Workspace(QWidget):
         self.docks: Sequence[QDockWidget] = ()
         self.pages = QTabWidget(self)
         self.pages.setDocumentMode(True)
+        self._actions: Mapping[str, QAction] = {}  # by key, once the menus are built
         self._infos: tuple[PageInfo, ...] = ()
         self._missing: set[int] = set()  # pages that are not made yet
 
@@ -156,7 +157,11 @@ class Workspace(QWidget):
         return {Menu.WINDOW: self.page_entries()}
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        """Use the actions by key, once the menus are built."""
+        self._actions = actions
+
+    def trigger(self, key: str) -> None:
+        """Do what an entry of the menus does, if it is enabled."""
+        self._actions[key].trigger()
 
     @property
     def device_name(self) -> str:

@@ -285,20 +285,19 @@ def double_spin_box(
     highest: float,
     *,
     decimals: int,
-    value: float | None = None,
     suffix: str = "",
     step: float = 1.0,
     tip: str = "",
     on_change: Handler | None = None,
 ) -> QDoubleSpinBox:
-    """Create what `spin_box` does, for numbers with decimals."""
+    """Create what `spin_box` does, for numbers with decimals; it shows `lowest`."""
     made = named(QDoubleSpinBox(parent), name, accessible=accessible, tip=tip)
     made.setDecimals(decimals)
     made.setRange(lowest, highest)
     made.setSingleStep(step)
     made.setSuffix(suffix)
     made.setKeyboardTracking(False)
-    made.setValue(lowest if value is None else value)
+    made.setValue(lowest)
     _connect(made.valueChanged, on_change)
     return made
 
@@ -362,7 +361,6 @@ def action(
     text: str,
     *,
     icon: str = "",
-    tip: str = "",
     shortcut: QKeySequence | QKeySequence.StandardKey | str = "",
     context: Qt.ShortcutContext = Qt.ShortcutContext.WindowShortcut,
     checkable: bool = False,
@@ -371,8 +369,6 @@ def action(
     """Create an action; a widget that shall have its shortcut needs `addAction` as well."""
     made = QAction(QIcon(), text, parent)
     made.setObjectName(name)
-    if tip:
-        made.setToolTip(tip)
     made.setShortcut(QKeySequence(shortcut))
     made.setShortcutContext(context)
     made.setCheckable(checkable)

@@ -81,7 +81,6 @@ class AracnaWorkspace(Workspace):
         self._controller = controller
         self.log.follow(robot.events)
         self.library = Library(robot)
-        self._actions: Mapping[str, QAction] = {}
         self._shown: tuple[Mapping[str, bool], bool] = ({}, False)
 
         tabs = self.pages
@@ -120,12 +119,12 @@ class AracnaWorkspace(Workspace):
         self.recordings.used.connect(partial(frame.recent.note, self.key, "recording"))
 
         controller.demo_robot.rejected.connect(self.notifier.error)
-        self._demo.wanted_changed.connect(self._on_demo_wanted)
         for signal in (
             controller.changed,
             robot.changed,
             robot.limits.changed,
             self.recordings.changed,
+            self._demo.wanted_changed,
         ):
             signal.connect(self._on_changed)
         self._undo_watch = self.library.undo.indexChanged.connect(self._on_changed)
@@ -155,13 +154,7 @@ class AracnaWorkspace(Workspace):
             ),
             prefix="aracna_",
         )
-        return StartPanel(
-            self.key,
-            texts,
-            self._frame,
-            lambda key: self._actions[key].trigger(),
-            self,
-        )
+        return StartPanel(texts, self._frame, self)
 
     def help_text(self) -> str:
         return help_text(self.menus(), self._actions)
@@ -228,9 +221,8 @@ class AracnaWorkspace(Workspace):
         }
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        self._actions = actions
+        super().take_actions(actions)
         self._demo.show_if_wanted()
-        self._on_demo_wanted()
         self._on_changed()
 
     @property
@@ -279,14 +271,10 @@ class AracnaWorkspace(Workspace):
         recording = self.recordings.recorder.recording
         text = self.tr("Stop &recording") if recording else self.tr("&Record…")
         self._actions["aracna_record"].setText(text)
+        self._actions["aracna_demo"].setChecked(self._demo.wanted)
         if (shown := (self.enabled_actions(), self.has_edits)) != self._shown:
             self._shown = shown
             self.actions_changed.emit()
-
-    @Slot()
-    def _on_demo_wanted(self) -> None:
-        if self._actions:
-            self._actions["aracna_demo"].setChecked(self._demo.wanted)
 
     # --- The end ------------------------------------------------------------------------
 

@@ -91,7 +91,6 @@ class TrexWorkspace(Workspace):
         self._frame = frame
         self._agreed: Settings | None = None  # settings shown that may be left as they are
         self._keeps_edits = True
-        self._actions: Mapping[str, QAction] = {}
         self.log.follow(device.events)
 
         tabs = self.pages
@@ -189,13 +188,7 @@ class TrexWorkspace(Workspace):
                 ("open_recording", tr("&Open recording…"), "plot"),
             ),
         )
-        start = StartPanel(
-            self.key,
-            texts,
-            self._frame,
-            lambda key: self._actions[key].trigger(),
-            self,
-        )
+        start = StartPanel(texts, self._frame, self)
         page = StatusPage(self._device, start, self)
         page.setup_requested.connect(self._set_up)
         return page
@@ -315,7 +308,7 @@ class TrexWorkspace(Workspace):
         }
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
-        self._actions = actions
+        super().take_actions(actions)
         self._demo.show_if_wanted()
         self._on_actions_changed()
 
