@@ -135,8 +135,7 @@ class FindDialog(ReusedDialog):
         """Open; the port that is chosen in the window is listed and searched first."""
         self._first = chosen
         self._on_ports_changed()
-        self.show()
-        self.activateWindow()
+        self.show_in_front()
         self._start.setFocus()
 
     def hideEvent(self, event: QHideEvent) -> None:

@@ -471,8 +471,7 @@ class HelpDialog(ReusedDialog):
         if text != self._shown:  # else it keeps its scroll position
             self._text.setHtml(text)
             self._shown = text
-        self.show()
-        self.activateWindow()
+        self.show_in_front()
         self._text.setFocus(Qt.FocusReason.PopupFocusReason)
 
 

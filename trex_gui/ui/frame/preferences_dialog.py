@@ -109,8 +109,7 @@ class PreferencesDialog(ReusedDialog):
 
     def open_preferences(self) -> None:
         self._show_choices()
-        self.show()
-        self.activateWindow()
+        self.show_in_front()
 
     @Slot()
     def _show_choices(self) -> None:

@@ -54,6 +54,10 @@ class ReusedDialog(QDialog):
             focused.clearFocus()
         super().setVisible(visible)
 
+    def show_in_front(self) -> None:
+        self.show()
+        self.activateWindow()
+
 
 def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") -> None:
     """Paint a text into an empty view; `short` instead where there is no room for all of it."""

@@ -158,7 +158,7 @@ def dialog(qtbot: QtBot, qapp: QApplication) -> Iterator[BenchTestDialog]:
     bench = Bench(device)
     dialog = BenchDialog(device, bench)
     qtbot.addWidget(dialog)
-    dialog.open_bench()
+    dialog.show_in_front()
     yield BenchTestDialog(dialog, device, bench, qtbot)
     dialog.close()
 

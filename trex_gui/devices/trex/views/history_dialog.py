@@ -131,8 +131,7 @@ class HistoryDialog(ReusedDialog):
         device.request_failed.connect(self._on_written)
 
     def open_history(self) -> None:
-        self.show()
-        self.activateWindow()
+        self.show_in_front()
         self._reading.start()
 
     @Slot()

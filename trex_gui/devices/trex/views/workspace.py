@@ -295,7 +295,7 @@ class TrexWorkspace(Workspace):
                 Entry("setup", tr("Set &up my robot…"), self._set_up, "", "settings"),
                 Entry("learn", tr("Lear&n channels…"), self._learn.learn, "", "calibrate"),
                 Entry("test_sticks", tr("&Test the sticks…"), self._learn.test),
-                Entry("bench", tr("&Bench test…"), self._bench.open_bench, "Ctrl+B", "plot"),
+                Entry("bench", tr("&Bench test…"), self._bench.show_in_front, "Ctrl+B", "plot"),
                 SEPARATOR,
                 Entry("defaults", tr("Restore factor&y defaults…"), factory),
                 Entry("serial_defaults", tr("Restore ser&ial defaults…"), serial),

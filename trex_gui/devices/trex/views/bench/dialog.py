@@ -125,10 +125,6 @@ class BenchDialog(ReusedDialog):
         self._fill_compare()
         self._on_changed()
 
-    def open_bench(self) -> None:
-        self.show()
-        self.activateWindow()
-
     def reject(self) -> None:
         """Esc stops the motors; the window stays open, so that no result is lost."""
 

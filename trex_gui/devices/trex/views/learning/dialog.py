@@ -126,24 +126,20 @@ class LearnDialog(ReusedDialog):
         if not self._is_learning:
             self._offers_test = False
             self._learning.begin(channels)
-        self._come_forward()
+        self.show_in_front()
 
     def test(self, channels: Sequence[int] = CHANNELS) -> None:
         """Test the sticks with the stored values; the motors are stopped first."""
         if not self._is_learning:
             self._offers_test = False
             self._learning.begin_test(channels)
-        self._come_forward()
+        self.show_in_front()
 
     @property
     def _is_learning(self) -> bool:
         """Whether measurements would be lost; a test is quickly repeated."""
         ended = {LearningStep.ENDED, LearningStep.FAILED}
         return not self._learning.is_test and self._learning.step not in ended
-
-    def _come_forward(self) -> None:
-        self.show()
-        self.activateWindow()
 
     def event(self, event: QEvent) -> bool:
         """Let Esc close the dialog, too; the window's own watch for it has stopped the motors."""

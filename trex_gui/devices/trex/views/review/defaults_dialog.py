@@ -89,8 +89,7 @@ class DefaultsDialog(ReusedDialog):
             self._changes(), self.tr("Now"), self.tr("Factory default"), with_ticks=True
         )
         self._describe()
-        self.show()
-        self.activateWindow()
+        self.show_in_front()
 
     def _changes(self) -> Comparison:
         shown = self._device.draft.shown

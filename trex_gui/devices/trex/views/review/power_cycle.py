@@ -143,5 +143,4 @@ class PowerCycleDialog(ReusedDialog):
         """Begin a power cycle and show its steps, if a board is connected."""
         if self._device.is_connected:  # not while the window closes
             self._cycle.begin()
-            self.show()
-            self.activateWindow()
+            self.show_in_front()

@@ -85,8 +85,7 @@ class ReviewDialog(ReusedDialog):
                 summary=self._summary(),
             )
             self._enter(_Phase.REVIEW)
-        self.show()
-        self.activateWindow()
+        self.show_in_front()
 
     def _changes(self) -> Comparison:
         stored, shown = self._device.draft.stored, self._device.draft.shown

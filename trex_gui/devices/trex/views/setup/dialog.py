@@ -97,8 +97,7 @@ class SetupDialog(ReusedDialog):
     def open_setup(self) -> None:
         if not self.isVisible():
             self.setup.begin()
-        self.show()
-        self.activateWindow()
+        self.show_in_front()
         self._on_changed()
 
     def reject(self) -> None:

@@ -100,8 +100,7 @@ class GamepadPanel(QGroupBox):
         if self._dialog is None:
             self._dialog = GamepadDialog(self.gamepad, self)
             self._dialog.finished.connect(self._attend)
-        self._dialog.show()
-        self._dialog.activateWindow()
+        self._dialog.show_in_front()
         self._attend()
 
     @Slot()
