@@ -503,9 +503,9 @@ class TrexWorkspace(Workspace):
             parameters.edit(key, line.to_wire())
             self.notifier.info.emit(
                 self.tr(
-                    "CRC-7 is one of the pending changes now. It takes effect when the board was "
-                    "switched off and on; this window follows. Other programs on this line have "
-                    "to use CRC-7, too."
+                    "CRC-7 is now one of the pending changes. It takes effect after the board is "
+                    "switched off and on; this window then follows. Other programs on this line "
+                    "have to use CRC-7, too."
                 )
             )
             self._review.review()
