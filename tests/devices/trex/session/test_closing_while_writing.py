@@ -47,7 +47,6 @@ CLOSED = {
     "by way of the factory's line": BY_WAY_OF_FACTORY,
 }
 ALL = tuple(CLOSED.values())
-every_case = pytest.mark.parametrize("name", CLOSED)
 
 
 @dataclass
@@ -112,8 +111,8 @@ def moments(case: Case) -> tuple[float, ...]:
 # --- What is told -----------------------------------------------------------------------
 
 
-@every_case
-def test_close_reports_each_setting_as_stored_or_skipped(name: str) -> None:
+@pytest.mark.parametrize("name", CLOSED)
+def test_close_reports_each_setting_and_parts_no_pair(name: str) -> None:
     counts = set()
     for moment in moments(CLOSED[name]):
         writing = closed_at(CLOSED[name], moment)
@@ -127,21 +126,16 @@ def test_close_reports_each_setting_as_stored_or_skipped(name: str) -> None:
         }
         assert writing.reports[-1][1] == Closed(None)
         counts.add(len(untried))
-    assert len(counts) > 1 or name == "CRC off"  # it is a pair alone, which is not parted
-
-
-@every_case
-def test_line_settings_and_polynomial_stay_together(name: str) -> None:
-    for moment in moments(CLOSED[name]):
-        writing = closed_at(CLOSED[name], moment)
-        stored, case = writing.attempt.stored, writing.attempt.case
+        # Line settings and polynomial stay together.
         pair = tuple(stored[key] for key in PAIR)
-        whole = [tuple(values[key] for key in PAIR) for values in (case.before, case.after)]
+        after = writing.attempt.case.after
+        whole = [tuple(values[key] for key in PAIR) for values in (before, after)]
         assert pair in whole
         notes = [writing.results[key].error is None for key in PAIR]
         assert notes == [pair == whole[1]] * 2
         writing.attempt.board.power_cycle()
         require_reachable(writing.attempt)
+    assert len(counts) > 1 or name == "CRC off"  # it is a pair alone, which is not parted
 
 
 def test_skipped_settings_can_be_written_later() -> None:
