@@ -7,12 +7,13 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.devices.aracna import recordings
 from tests.devices.aracna.recordings import open_recording, read_all, records, write
 from tests.devices.trex.recording import samples
+from tests.support.matrix import examples
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.devices.aracna.recording import Header, Record, StoppedResponding, sample_kinds
@@ -37,7 +38,7 @@ def rows(folder: Path, *what: Record) -> list[dict[str, str]]:
         return list(csv.DictReader(file))
 
 
-@settings(deadline=None)  # files on a disk that is shared with other tests
+@examples(40)
 @given(what=st.lists(records, max_size=60))
 def test_every_record_is_read_as_written(folder: Path, what: list[Record]) -> None:
     path = folder / "any.trexrec"

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.devices.trex.recording.samples import (
@@ -18,6 +18,7 @@ from tests.devices.trex.recording.samples import (
     records,
     write,
 )
+from tests.support.matrix import examples
 from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.core.recording.store import CHUNK, RecordingWriter
 from trex_gui.devices.trex.client.telemetry import Currents
@@ -39,7 +40,7 @@ def ten_seconds(folder: Path) -> tuple[bytes, list[Record]]:
     return (folder / "ten.trexrec").read_bytes(), what
 
 
-@settings(deadline=None)  # files on a disk that is shared with other tests
+@examples(40)
 @given(what=st.lists(records, max_size=60), step=st.integers(1, 20))
 def test_every_record_is_read_as_written(folder: Path, what: list[Record], step: int) -> None:
     path = folder / "any.trexrec"
@@ -115,7 +116,7 @@ def test_committed_records_survive_a_crash(tmp_path: Path) -> None:
     writer.close()
 
 
-@settings(deadline=None, max_examples=30)  # files on a disk that is shared with other tests
+@examples(30)
 @given(share=st.floats(0, 1))
 def test_power_failure_keeps_records_up_to_the_last_sync(folder: Path, share: float) -> None:
     """The log may end anywhere; the main file is complete up to the last sync."""
@@ -210,7 +211,7 @@ def test_device_files_are_not_replaced(name: str) -> None:
 # --- Damaged and foreign files ------------------------------------------------------------
 
 
-@settings(deadline=None)  # files on a disk that is shared with other tests
+@examples(40)
 @given(share=st.floats(0, 1))
 def test_cut_file_is_read_as_far_as_possible(
     folder: Path, ten_seconds: tuple[bytes, list[Record]], share: float
@@ -238,7 +239,7 @@ def test_cut_file_keeps_its_intact_samples(
     assert len(found) > len(what) // 4
 
 
-@settings(deadline=None)  # files on a disk that is shared with other tests
+@examples(100)
 @given(share=st.floats(0, 1), bits=st.integers(1, 255), second=st.floats(0, 1))
 def test_flipped_bytes_raise_only_recording_errors(
     folder: Path,

@@ -81,7 +81,7 @@ def test_exported_text_matches_golden_file(name: str, text: str, tmp_path: Path)
     assert_matches_golden(without_version(text), HERE / "golden" / f"{name}.txt", tmp_path)
 
 
-@examples(30)
+@examples(15)
 @given(settings=any_settings(), line=any_link())
 def test_exported_text_is_short_ascii_lines_without_gaps(
     settings: Settings, line: ConnectionSettings
