@@ -217,6 +217,25 @@ def test_acceleration_may_be_typed_as_time_to_full_speed(parameters: ParametersD
         assert parameters.model.value_of(key) == 127, typed
 
 
+def test_arrows_of_acceleration_step_through_the_times(parameters: ParametersDriver) -> None:
+    """Up to a longer time; beyond the longest there is no step to no ramp at all."""
+    editor = parameters.open_with_keys("motor1_acceleration")
+    assert isinstance(editor, AccelerationEditor)
+    for start, steps, wire in (
+        (10, 1, 9),
+        (10, -1, 11),
+        (2, 10, 1),
+        (1, 1, 1),
+        (126, -1, 127),
+        (127, -1, 0),
+        (0, 1, 127),
+        (0, -1, 0),
+    ):
+        editor.setValue(start)
+        editor.stepBy(steps)
+        assert editor.value() == wire, (start, steps)
+
+
 def test_acceleration_has_one_spelling(parameters: ParametersDriver) -> None:
     key = "motor1_acceleration"
     parameters.model.edit(key, 25)

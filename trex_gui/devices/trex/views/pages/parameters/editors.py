@@ -29,6 +29,10 @@ from trex_gui.ui.widgets.builders import NoWheelComboBox, check_box, combo_box, 
 _TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(?:(ms|s)\b.*)?", re.IGNORECASE)
 _FREQUENCY = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(k?)(?:hz)?", re.IGNORECASE)
 _TOLERANCE = 1.01
+_BOTH_WAYS = (
+    QAbstractSpinBox.StepEnabledFlag.StepUpEnabled
+    | QAbstractSpinBox.StepEnabledFlag.StepDownEnabled
+)
 
 
 class NumberEditor(UnitSpinBox):
@@ -53,7 +57,7 @@ class AccelerationEditor(NumberEditor):
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
         self.setToolTip(
-            self.tr("{0}; or speed steps, such as {1}").format(
+            self.tr("{0}, or the nearest the board can store; or speed steps, such as {1}").format(
                 acceleration_range(spec), spec.text(25)
             )
         )
@@ -75,6 +79,17 @@ class AccelerationEditor(NumberEditor):
                 )
             )
         return acceleration_wire(seconds)
+
+    def stepBy(self, steps: int) -> None:
+        """Step through the times: up is a longer one, and no ramp is the shortest."""
+        most = self.maximum()
+        place = (most + 1 - self.value() if self.value() else 0) + steps
+        place = min(max(place, 0), most)
+        self.setValue(most + 1 - place if place else 0)
+        self.selectAll()
+
+    def stepEnabled(self) -> QAbstractSpinBox.StepEnabledFlag:  # noqa: N802 # of Qt
+        return _BOTH_WAYS
 
 
 class FrequencyEditor(UnitSpinBox):
@@ -115,8 +130,7 @@ class FrequencyEditor(UnitSpinBox):
         self.selectAll()
 
     def stepEnabled(self) -> QAbstractSpinBox.StepEnabledFlag:  # noqa: N802 # of Qt
-        flags = QAbstractSpinBox.StepEnabledFlag
-        return flags.StepUpEnabled | flags.StepDownEnabled
+        return _BOTH_WAYS
 
 
 class ChoiceEditor(NoWheelComboBox):
