@@ -193,7 +193,9 @@ class ActionBar(QWidget):
     def _state_text(self) -> str:
         motors, link = self._device.motors, self._device.link
         if motors.armed:
-            return self.tr("Armed. Setpoint: {0}").format(motors.text or self.tr("none"))
+            if not motors.text:
+                return self.tr("Armed. Drive them on the Motors page.")
+            return self.tr("Armed. Setpoint: {0}").format(motors.text)
         if self._device.may_move:
             if link in {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}:
                 return self.tr("Stopping …")
