@@ -9,8 +9,8 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
-from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent, QTextCursor
-from PySide6.QtWidgets import QLineEdit, QPlainTextEdit, QWidget
+from PySide6.QtGui import QGuiApplication, QShowEvent, QTextCursor
+from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import save
@@ -18,7 +18,6 @@ from trex_gui.ui.event_log import Event, EventLog
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
-from trex_gui.ui.theme.icons import clear_button
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
@@ -93,11 +92,9 @@ class LogPage(QWidget):
         self._log = log
         self._key = key
         self._notifier = notifier
-        self._search = ui.named(
-            QLineEdit(self), f"{key}LogSearch", accessible=self.tr("Search the log")
+        self._search = ui.search_field(
+            self, f"{key}LogSearch", self.tr("Search the log"), self.tr("Search the log (Ctrl+F)")
         )
-        self._search.setPlaceholderText(self.tr("Search the log (Ctrl+F)"))
-        clear_button(self._search)
         self._problems = ui.check_box(
             self, f"{key}LogProblems", self.tr("O&nly problems"), on_toggle=self._fill
         )
@@ -127,7 +124,6 @@ class LogPage(QWidget):
         above = ui.row((self._search, 1), self._problems, copy, save_button)
         self.rows = ui.column(above, (self._text, 1), into=self)
 
-        QShortcut(QKeySequence.StandardKey.Find, self, self._search.setFocus)
         self._search.textChanged.connect(self._fill)
         log.added.connect(self._on_added)
 

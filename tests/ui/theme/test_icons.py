@@ -5,15 +5,16 @@ from PySide6.QtGui import QAction, QColor, QPixmap
 from PySide6.QtWidgets import (
     QAbstractButton,
     QDockWidget,
-    QLineEdit,
     QMessageBox,
     QStyle,
+    QWidget,
 )
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WindowDriver
-from trex_gui.ui.theme.icons import clear_button, icon
+from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.builders import search_field
 
 
 def picture(pixmap: QPixmap) -> list[QColor]:
@@ -37,9 +38,9 @@ def test_message_box_has_our_icon_and_none_on_its_buttons(window: WindowDriver) 
 
 @pytest.mark.parametrize("scheme", ["dark", "high_contrast"])
 def test_button_that_clears_an_editor_follows_the_theme(qtbot: QtBot, scheme: str) -> None:
-    editor = QLineEdit()
-    qtbot.addWidget(editor)
-    clear_button(editor)
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    editor = search_field(parent, "", "", "")
     theme().set_scheme("dark" if scheme == "dark" else "high_contrast")
     (action,) = editor.findChildren(QAction)
     assert picture(action.icon().pixmap(16, 16)) == picture(icon("clear").pixmap(16, 16))

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QLabel,
-    QLineEdit,
     QMessageBox,
 )
 
@@ -91,14 +90,6 @@ _SIGNS = {
     QMessageBox.Icon.Warning: ("warning", "warning"),
     QMessageBox.Icon.Critical: ("error", "danger"),
 }
-
-
-def clear_button(editor: QLineEdit) -> None:
-    """Give an editor the button that clears it."""
-    editor.setClearButtonEnabled(True)
-    action = editor.findChild(QAction, "_q_qlineeditclearaction")
-    if action is not None:
-        set_icon(action, "clear")
 
 
 @cache

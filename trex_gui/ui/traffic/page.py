@@ -4,13 +4,12 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtGui import QGuiApplication, QHideEvent, QKeySequence, QShortcut, QShowEvent
-from PySide6.QtWidgets import QLineEdit, QPushButton, QWidget
+from PySide6.QtGui import QGuiApplication, QHideEvent, QKeySequence, QShowEvent
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.icons import clear_button
 from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.traffic.table import RowDetails, TrafficTable, TrafficView
 from trex_gui.ui.widgets import builders as ui
@@ -45,11 +44,10 @@ class TrafficPage(QWidget):
         self._table = TrafficTable(traffic, self)
         self._saver = FileSaver(self, finishing_ms=_SAVE_TIMEOUT_MS)
 
-        self._search = ui.named(
-            QLineEdit(self), f"{key}Search", accessible=self.tr("Search the traffic log")
+        hint = self.tr("Search bytes and meanings (Ctrl+F)")
+        self._search = ui.search_field(
+            self, f"{key}Search", self.tr("Search the traffic log"), hint
         )
-        self._search.setPlaceholderText(self.tr("Search bytes and meanings (Ctrl+F)"))
-        clear_button(self._search)
         self._polling = ui.check_box(
             self,
             f"{key}Polling",
@@ -80,7 +78,6 @@ class TrafficPage(QWidget):
             above.addWidget(button)
         ui.column(above, (self._view, 1), self._details, self._summary, into=self)
 
-        QShortcut(QKeySequence.StandardKey.Find, self, self._on_find)
         copying = ui.action(
             self._view,
             f"{key}CopyAction",
@@ -201,11 +198,6 @@ class TrafficPage(QWidget):
     def _show_current(self) -> None:
         index = self._view.currentIndex()
         self._details.show_row(self._table.rows[index.row()] if index.isValid() else None)
-
-    @Slot()
-    def _on_find(self) -> None:
-        self._search.setFocus()
-        self._search.selectAll()
 
     # --- Copy and save ------------------------------------------------------------------
 

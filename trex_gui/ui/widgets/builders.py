@@ -6,7 +6,15 @@ from math import inf
 from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QObject, Qt, SignalInstance
-from PySide6.QtGui import QAction, QIcon, QKeySequence, QMouseEvent, QShowEvent, QWheelEvent
+from PySide6.QtGui import (
+    QAction,
+    QIcon,
+    QKeySequence,
+    QMouseEvent,
+    QShortcut,
+    QShowEvent,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -19,6 +27,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLayout,
+    QLineEdit,
     QProgressBar,
     QPushButton,
     QSizePolicy,
@@ -222,6 +231,23 @@ def label(
         set_bold(made)
     if buddy is not None:
         made.setBuddy(buddy)
+    return made
+
+
+def search_field(parent: QWidget, name: str, accessible: str, hint: str) -> QLineEdit:
+    """Create a field with a button that clears it; Ctrl+F leads there while `parent` is seen."""
+    made = named(QLineEdit(parent), name, accessible=accessible)
+    made.setPlaceholderText(hint)
+    made.setClearButtonEnabled(True)
+    clear = made.findChild(QAction, "_q_qlineeditclearaction")
+    if clear is not None:
+        set_icon(clear, "clear")
+
+    def find() -> None:
+        made.setFocus()
+        made.selectAll()
+
+    QShortcut(QKeySequence.StandardKey.Find, parent, find)
     return made
 
 

@@ -7,7 +7,6 @@ from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, Qt, QUrl, S
 from PySide6.QtGui import QDesktopServices, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QLineEdit,
     QStackedWidget,
     QTableView,
     QWidget,
@@ -27,7 +26,6 @@ from trex_gui.devices.trex.views.snapshot_pane import SnapshotPane
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import new_timer
-from trex_gui.ui.theme.icons import clear_button
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -256,11 +254,8 @@ class _SnapshotList(QWidget):
         self._vacant: int | None = None  # the row of what was chosen and is gone
         self._is_fitted = False
 
-        self._search = ui.named(
-            QLineEdit(self), "snapshotSearch", accessible=self.tr("Search snapshots")
-        )
-        self._search.setPlaceholderText(self.tr("Search times, boards, adapters (Ctrl+F)"))
-        clear_button(self._search)
+        hint = self.tr("Search times, boards, adapters (Ctrl+F)")
+        self._search = ui.search_field(self, "snapshotSearch", self.tr("Search snapshots"), hint)
         self._view = ui.flat_table(QTableView(self), "snapshotView", self.tr("Snapshots"))
         # Before the view takes back what it selected.
         table.rowsAboutToBeRemoved.connect(self._on_rows_about_to_be_removed)
@@ -274,7 +269,6 @@ class _SnapshotList(QWidget):
 
         ui.column(self._search, (self._view, 1), self._none, into=self, margins=0)
 
-        QShortcut(QKeySequence.StandardKey.Find, self.window(), self._search.setFocus)
         self.delete_key = QShortcut(QKeySequence.StandardKey.Delete, self._view)
         self.delete_key.setContext(Qt.ShortcutContext.WidgetShortcut)
         self._search.textChanged.connect(table.set_words)

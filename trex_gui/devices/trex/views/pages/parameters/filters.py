@@ -11,13 +11,11 @@ from PySide6.QtCore import (
     Signal,
     Slot,
 )
-from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QComboBox, QWidget
 
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Role
 from trex_gui.ui.preferences import Preferences
-from trex_gui.ui.theme.icons import clear_button
-from trex_gui.ui.widgets.builders import check_box, combo_box, label, named, row
+from trex_gui.ui.widgets.builders import check_box, combo_box, label, row, search_field
 
 _BOTH_MOTORS = "parameters/both_motors"
 
@@ -105,11 +103,8 @@ class ParameterFilters(QWidget):
         self._rows = rows
         self._store = Preferences()
 
-        self._words = named(
-            QLineEdit(self), "parameterSearch", accessible=self.tr("Search parameters")
-        )
-        self._words.setPlaceholderText(self.tr("Search names and descriptions (Ctrl+F)"))
-        clear_button(self._words)
+        hint = self.tr("Search names and descriptions (Ctrl+F)")
+        self._words = search_field(self, "parameterSearch", self.tr("Search parameters"), hint)
         self._group = combo_box(
             self, "parameterGroup", self.tr("Group of parameters"), on_change=self._on_changed
         )
@@ -152,7 +147,6 @@ class ParameterFilters(QWidget):
         layout.addSpacing(layout.spacing())
         layout.addWidget(both)
 
-        QShortcut(QKeySequence.StandardKey.Find, self, self._on_find)
         self._words.textChanged.connect(self._on_changed)
         self._words.returnPressed.connect(self.entered)
         rows.modelReset.connect(self._on_reset)
@@ -171,11 +165,6 @@ class ParameterFilters(QWidget):
         self._count.setVisible(shown < total)
         text = self.tr("None of {1} matches") if shown == 0 else self.tr("{0} of {1}")
         self._count.setText(text.format(shown, total))
-
-    @Slot()
-    def _on_find(self) -> None:
-        self._words.setFocus()
-        self._words.selectAll()
 
     @Slot()
     def _on_reset(self) -> None:
