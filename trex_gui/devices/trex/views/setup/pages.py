@@ -6,7 +6,7 @@ from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtWidgets import QButtonGroup, QLabel, QRadioButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import timeout_warning_on
@@ -504,8 +504,7 @@ class ReviewPage(QWidget):
             default=False,
             on_click=self.apply_requested,
         )
-        self._tasks: QVBoxLayout = ui.column(spacing=8)
-        self._labels: list[QLabel] = []
+        self._tasks = ui.label(self, "setupTasks", wrap=True)
         ui.column(
             ui.row((self._pending, 1), self._apply),
             ui.label(self, text=self.tr("Then, by hand:"), bold=True),
@@ -525,17 +524,10 @@ class ReviewPage(QWidget):
         self._pending.show_note(text)
         can_apply = device.is_writable and not device.rejects_settings and pending > 0
         self._apply.setEnabled(can_apply)
-        tasks = [f"{number}. {task}" for number, task in enumerate(self._texts(), 1)]
-        if tasks != [label.text() for label in self._labels]:
-            for label in self._labels:
-                self._tasks.removeWidget(label)
-                label.hide()
-                label.deleteLater()
-            self._labels = [ui.label(self, "setupTask", text, wrap=True) for text in tasks]
-            for label in self._labels:
-                self._tasks.addWidget(label)
+        tasks = enumerate(self._task_texts(), 1)
+        self._tasks.setText("\n\n".join(f"{number}. {task}" for number, task in tasks))
 
-    def _texts(self) -> list[str]:
+    def _task_texts(self) -> list[str]:
         setup = self._setup
         texts = []
         wiring = setup.wiring
