@@ -130,7 +130,8 @@ def test_decoded_units_are_those_of_board_model() -> None:
 
 def test_polls_are_distinguished_from_user_requests() -> None:
     polled = [b"\x82", b"\x86\x1f", b"\x8f", b"\xff", b"\x80\x07\x04"]
-    requested = [b"\x81", b"\x9f\x07", b"\xc2\x00", b"\xaf\x07\x0f\x55\x2a", b"\x80\x07\x42\x00"]
+    polled += [b"\x9f\x07", b"\x80\x07\x1f\x08"]  # serial timeout, shutdown on UART errors
+    requested = [b"\x81", b"\x9f\x0e", b"\xc2\x00", b"\xaf\x07\x0f\x55\x2a", b"\x80\x07\x42\x00"]
     assert all(map(TrexDecoder().is_routine, polled))
     assert not any(map(TrexDecoder().is_routine, requested))
 

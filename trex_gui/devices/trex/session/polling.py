@@ -36,7 +36,16 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.session.messages import Batch
+
+SAFETY_PARAMETERS = (
+    ParameterKey.SERIAL_TIMEOUT,
+    MotorParameter.CURRENT_LIMIT.of(1),
+    ParameterKey.UART_ERROR_SHUTDOWN,
+    MotorParameter.CURRENT_LIMIT.of(2),
+)
+"""What decides how the board protects motors by itself; read again all the time."""
 
 
 class Topic(IntEnum):

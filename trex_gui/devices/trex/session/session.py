@@ -50,7 +50,7 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexRequestError,
 )
 from trex_gui.devices.trex.protocol.line_settings import baud_rates
-from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
@@ -66,7 +66,13 @@ from trex_gui.devices.trex.session.messages import (
     Write,
     Written,
 )
-from trex_gui.devices.trex.session.polling import Polling, SampleBatcher, Topic, poll
+from trex_gui.devices.trex.session.polling import (
+    SAFETY_PARAMETERS,
+    Polling,
+    SampleBatcher,
+    Topic,
+    poll,
+)
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 log = logging.getLogger(__name__)
@@ -74,14 +80,8 @@ log = logging.getLogger(__name__)
 _STALE_READS = 3
 _STALE_READ_INTERVAL = 2.0  # seconds; telemetry goes on between two of these readings
 
-_SAFETY_PARAMETERS = (
-    ParameterKey.SERIAL_TIMEOUT,
-    MotorParameter.CURRENT_LIMIT.of(1),
-    ParameterKey.UART_ERROR_SHUTDOWN,
-    MotorParameter.CURRENT_LIMIT.of(2),
-)
 _SAFETY_READ_INTERVAL = 0.25
-"""Seconds between two queries of `_SAFETY_PARAMETERS` in turn, so each is read every second. At
+"""Seconds between two queries of `SAFETY_PARAMETERS` in turn, so each is read every second. At
 1200 baud they take a tenth of the line."""
 
 
@@ -122,7 +122,7 @@ class TrexSession:
         # How often to read again what the board may store otherwise than `_state` says, and when:
         self._stale_reads = 0
         self._stale_read_at = -math.inf
-        self._safety_keys = itertools.cycle(_SAFETY_PARAMETERS)
+        self._safety_keys = itertools.cycle(SAFETY_PARAMETERS)
         self._safety_read_at = -math.inf
         self._is_guarded = False
         self._port_rates: frozenset[int] | None = None

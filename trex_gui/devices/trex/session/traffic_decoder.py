@@ -4,7 +4,7 @@ from functools import lru_cache
 
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
-from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.commands import GetParameter, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import describe, describe_reply, is_refusal
 from trex_gui.devices.trex.protocol.framing import (
@@ -17,9 +17,13 @@ from trex_gui.devices.trex.protocol.framing import (
     Reply,
     ReplyParser,
 )
+from trex_gui.devices.trex.protocol.parameters import parameter_number
+from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS
 
 _POLLED = frozenset(range(0x82, 0x90)) | {0xFF}
 """Command bytes of the values that a session polls, and of the null command."""
+
+_READ_AGAIN = frozenset(map(parameter_number, SAFETY_PARAMETERS))
 
 
 class TrexDecoder(Decoder):
@@ -36,9 +40,14 @@ class TrexDecoder(Decoder):
         return data.hex(" ").upper()
 
     def is_routine(self, sent: bytes) -> bool:
-        if sent[0] == EXPANDED_START:
-            return len(sent) > 2 and sent[2] | 0x80 in _POLLED
-        return sent[0] in _POLLED
+        command, data = sent[0], sent[1:]
+        if command == EXPANDED_START:
+            if len(sent) < 3:
+                return False
+            command, data = sent[2] | 0x80, sent[3:]
+        if command in GetParameter.opcodes and data:
+            return data[0] in _READ_AGAIN
+        return command in _POLLED
 
     def is_whole(self, transaction: Transaction) -> bool:
         """Whether the reply has its size, behind its echo if there is one."""
