@@ -1,6 +1,7 @@
 """What is exported as text: the templates, the tables, and what may not stand in code."""
 
 import ast
+import itertools
 import re
 import subprocess
 import sys
@@ -121,21 +122,17 @@ def test_exported_python_parses_in_3_8_and_has_all_values(
     assert calibrations == settings.calibrations
 
 
-@pytest.mark.parametrize("expanded", [False, True])
-@pytest.mark.parametrize("crc", [False, True])
-@pytest.mark.parametrize("number", [11, 12])
-def test_exported_python_passes_ruff(
-    expanded: bool, crc: bool, number: int, tmp_path: Path
-) -> None:
-    line = link(expanded=expanded, crc=crc)
-    settings = settings_for(line, device_number=number)
-    path = tmp_path / file_name(settings, Language.PYTHON)
-    path.write_text(export_code(settings, line, Language.PYTHON), encoding="ascii")
+def test_exported_python_passes_ruff(tmp_path: Path) -> None:
+    every = itertools.product((False, True), (False, True), (11, 12))
+    for index, (expanded, crc, number) in enumerate(every):
+        line = link(expanded=expanded, crc=crc)
+        text = export_code(settings_for(line, device_number=number), line, Language.PYTHON)
+        (tmp_path / f"board_{index}.py").write_text(text, encoding="ascii")
     ruff = [sys.executable, "-m", "ruff"]
     style = ["--isolated", "--no-cache", "--line-length", "100", "--target-version", "py38"]
     for command in (
-        [*ruff, "check", "--select", "A,B,C4,E,F,I,N,PIE,RET,RUF,SIM,UP,W", *style, str(path)],
-        [*ruff, "format", "--diff", *style, str(path)],
+        [*ruff, "check", "--select", "A,B,C4,E,F,I,N,PIE,RET,RUF,SIM,UP,W", *style, str(tmp_path)],
+        [*ruff, "format", "--diff", *style, str(tmp_path)],
     ):
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout
