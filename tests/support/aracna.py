@@ -1,11 +1,9 @@
 """A simulated Aracna, as a process of its own and in virtual time."""
 
-from collections.abc import Collection
 from typing import Any
 
-from tests.support.guardian import VirtualGuardian
 from tests.support.simulator import SimulatorProcess
-from trex_gui.core.transport.settings import SerialFormat
+from tests.support.transport import SimulatedTransport
 from trex_gui.devices.aracna.simulator.control import control
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 
@@ -20,63 +18,6 @@ class AracnaProcess(SimulatorProcess):
         super().__init__("--aracna", *arguments)
 
 
-class AracnaTransport:
-    """The host's end of a simulated wire; time passes only while somebody reads or waits.
-
-    Attributes:
-        line: the wire, and the robot at its other end.
-        sent: all that was written.
-        closed: whether it was closed.
-        fail: what every access raises; `None` while the line is there.
-    """
-
-    latency = 0.005
-    is_configurable = True
-
-    def __init__(self, line: AracnaLine) -> None:
-        self.line = line
-        self.sent = bytearray()
-        self.closed = False
-        self.fail: Exception | None = None
-
-    def clock(self) -> float:
-        return self.line.now
-
-    def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
-        return None
-
-    def reconfigure(self, line: SerialFormat) -> None:
-        self._may_fail()
-        self.line.host = line
-
-    def write(self, data: bytes) -> None:
-        self._may_fail()
-        self.sent += data
-        self.line.send(data)
-
-    def read(self, size: int, seconds: float) -> bytes:
-        self._may_fail()
-        return self.line.read(size, seconds)
-
-    def discard(self) -> bytes:
-        return self.line.receive()
-
-    def wait(self, seconds: float) -> None:
-        if seconds > 0:
-            self.line.advance(seconds)
-
-    def start_guardian(self, silence: float) -> VirtualGuardian:
-        self.guardian = VirtualGuardian()
-        return self.guardian
-
-    def close(self) -> None:
-        self.closed = True
-
-    def _may_fail(self) -> None:
-        if self.fail:
-            raise self.fail
-
-
 class AracnaStage:
     """A robot and its wire in virtual time.
 
@@ -86,7 +27,7 @@ class AracnaStage:
 
     def __init__(self, *, booted: bool = True, **options: Any) -> None:
         self.line = AracnaLine(**options)
-        self.transport = AracnaTransport(self.line)
+        self.transport = SimulatedTransport(self.line)
         if booted:
             self.line.advance(BOOT + options.get("boot_loader", 0.0))
             self.line.receive()

@@ -1,11 +1,10 @@
 """A board, its wire and a session in virtual time."""
 
 from collections import deque
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 
-from tests.support.guardian import VirtualGuardian
+from tests.support.transport import SimulatedTransport
 from trex_gui.core.session import Close
-from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Report, Request
@@ -13,54 +12,7 @@ from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 
-
-class VirtualTransport:
-    """The host's end of a simulated wire; time passes only while somebody reads or waits."""
-
-    latency = 0.005
-    is_configurable = True
-
-    def __init__(self, line: TrexLine) -> None:
-        self.line = line
-        self.sent = bytearray()
-        self.closed = False
-        self.fail: Exception | None = None
-
-    def clock(self) -> float:
-        return self.line.now
-
-    def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
-        return None
-
-    def reconfigure(self, line: SerialFormat) -> None:
-        if self.fail:
-            raise self.fail
-        self.line.host = line
-
-    def write(self, data: bytes) -> None:
-        if self.fail:
-            raise self.fail
-        self.sent += data
-        self.line.send(data)
-
-    def read(self, size: int, seconds: float) -> bytes:
-        if self.fail:
-            raise self.fail
-        return self.line.read(size, seconds)
-
-    def discard(self) -> bytes:
-        return self.line.receive()
-
-    def wait(self, seconds: float) -> None:
-        if seconds > 0:
-            self.line.advance(seconds)
-
-    def start_guardian(self, silence: float) -> VirtualGuardian:
-        self.guardian = VirtualGuardian()
-        return self.guardian
-
-    def close(self) -> None:
-        self.closed = True
+VirtualTransport = SimulatedTransport[TrexLine]
 
 
 class Script:
