@@ -349,7 +349,7 @@ class DemoDock(QDockWidget):
 class DemoPanelBody(QWidget, Generic[SnapshotT]):
     """Polls a simulated device while visible, and shows its state.
 
-    A subclass calls `arrange` once, and provides the head and the text without a simulator.
+    A subclass calls `arrange` once, and provides the head.
     """
 
     def __init__(
@@ -381,10 +381,6 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         self._use.changed.connect(self.refresh)
         self.refresh()
 
-    def absent_text(self, *, starting: bool) -> str:
-        """Describe a simulator that does not run, or is being started."""
-        raise NotImplementedError
-
     def show_head(self, snapshot: SnapshotT | None) -> None:
         """Update the head; `None` while the simulator does not run."""
         raise NotImplementedError
@@ -407,7 +403,10 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         self.show_head(snapshot)
         if snapshot is None:
             starting = self._use.starting or self._use.port is not None
-            self._state.show_note(self.absent_text(starting=starting), alarming=not starting)
+            text = self.tr("The Demo {0} is not running. Press Connect.")
+            if starting:
+                text = self.tr("The Demo {0} is starting …")
+            self._state.show_note(text.format(self._use.plugin.name), alarming=not starting)
             return
         todo = self._todo(snapshot)
         self._state.show_note(todo or self._state_text(snapshot), alarming=bool(todo))

@@ -348,7 +348,7 @@ def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel:
     assert action.isEnabled()
     assert action.isChecked()
     assert not window.is_enabled("demoInput1"), "the simulator is being started"
-    assert "is being started" in window.text("demoState")
+    assert "is starting" in window.text("demoState")
     connector.leave()
     assert panel.isHidden()
 

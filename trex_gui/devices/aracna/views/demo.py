@@ -69,11 +69,6 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
         """Hint at little more than the minimum width, which leaves the pages more room."""
         return QSize(self.minimumSizeHint().width() + _EXTRA_WIDTH, super().sizeHint().height())
 
-    def absent_text(self, *, starting: bool) -> str:
-        if starting:
-            return self.tr("The Demo Aracna is starting …")
-        return self.tr("The Demo Aracna is not running. Press Connect.")
-
     def show_head(self, snapshot: RobotSnapshot | None) -> None:
         is_lit = snapshot is not None and snapshot.led
         text = self.tr("LED: on") if is_lit else self.tr("LED: off")

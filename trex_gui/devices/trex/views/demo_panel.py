@@ -186,11 +186,6 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
         )
         self.arrange(self._leds, groups, factory)
 
-    def absent_text(self, *, starting: bool) -> str:
-        if starting:
-            return self.tr("The simulated board is being started …")
-        return self.tr("The simulated board is not running. Press Connect.")
-
     def show_head(self, snapshot: DemoSnapshot | None) -> None:
         if snapshot is None:
             self._leds.show_patterns(("off", "off"), ("", ""), ("", ""))
