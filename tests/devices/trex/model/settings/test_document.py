@@ -221,7 +221,7 @@ def test_edit_of_a_sample_changes_one_line(path: Path) -> None:
     assert len(changed_lines(before, document.text)) == 2
 
 
-@examples(40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(20, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(before=any_settings(), after=any_settings())
 def test_edited_document_text_parses_to_its_settings(
     qapp: QApplication, before: Settings, after: Settings
