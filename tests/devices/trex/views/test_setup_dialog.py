@@ -19,6 +19,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.setup.pulses import WEAK
 from trex_gui.devices.trex.model.setup.robot_setup import SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
+from trex_gui.devices.trex.views.learning.dialog import StepStrip
 from trex_gui.devices.trex.views.setup.dialog import SetupDialog
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import HoldButton
@@ -99,6 +100,17 @@ def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Dri
         assistant.click("setupNextButton")
     check_keyboard(assistant.root)
     assert (SetupStep.TIMEOUT in seen) is (driver is Driver.COMPUTER)
+    strip = assistant.find_only(StepStrip)
+    assert "– Which motor is which" in strip.text()  # its wires or the sticks are left to do
+    assert "✓ Ramps and limits" in strip.text()
+    assert "Not done: " in strip.accessibleName()
+    assert ("wires of the right motor" in assistant.text("setupOpenMotors")) is (
+        driver is not Driver.TWO_STICKS
+    )
+    assert assistant.find(QWidget, "setupOpenSticks").isVisible() is driver.uses_sticks
+    assistant.click("setupGoToMotorsButton")
+    assert assistant.find(QWidget, "setupWiringPage").isVisible()
+    go_to(assistant, assistant.root, SetupStep.REVIEW)
     assert assistant.robot.device.draft.pending > 0
     assert assistant.is_enabled("setupApplyButton")
     while assistant.is_enabled("setupBackButton"):

@@ -6,10 +6,13 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.ui.devices.connection import ConnectionState
 
 
-def held_drive_blocker(device: Device, holder: str, *, is_driving: bool) -> str:
+def held_drive_blocker(
+    device: Device, holder: str, *, is_driving: bool, wheels_are_free: bool = False
+) -> str:
     """Return why no motor can be driven now and what to do, for the user; empty if one can.
 
-    `holder` is the name by which the motors will be acquired, `is_driving` whether it drives now.
+    `holder` is the name by which the motors will be acquired, `is_driving` whether it drives now,
+    `wheels_are_free` whether the user has confirmed that the wheels are off the ground.
     """
     motors = device.motors
     drives = [motors.drive(motor) for motor in (1, 2)]
@@ -25,6 +28,8 @@ def held_drive_blocker(device: Device, holder: str, *, is_driving: bool) -> str:
     if motors.locked_for:
         text = _tr("After a stop the motors are locked for another {0:.0f} s.")
         return text.format(max(1.0, motors.locked_for))
+    if not motors.armed and wheels_are_free:
+        return _tr("Press Run motor.")
     if not motors.armed:
         return _tr("Put the robot on blocks, then press Run motor.")
     if motors.holder not in {"", holder}:

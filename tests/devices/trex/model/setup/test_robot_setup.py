@@ -169,6 +169,75 @@ def test_learned_directions_are_taken_over(quick_simulator: SimulatedDevice, qtb
         assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 0b10}
 
 
+# --- What is still open -----------------------------------------------------------------
+
+
+def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> None:
+    setup, parameters = robot.setup, robot.device.parameters
+    setup.choose_driver(Driver.ONE_STICK)
+    robot.go_to(SetupStep.REVIEW)
+    all_open = [SetupStep.JUMPERS, SetupStep.STICKS, SetupStep.MOTORS, SetupStep.LIMITS]
+    assert setup.open_steps == all_open
+
+    setup.go_to(SetupStep.JUMPERS)
+    setup.next()
+    setup.next()  # nothing is known of the sticks
+    setup.note_movement(1, Movement.RIGHT_FORWARD)
+    setup.note_movement(2, Movement.LEFT_FORWARD)
+    setup.next()
+    setup.choose_preset(Preset.TANK)
+    setup.next()
+    assert setup.step is SetupStep.REVIEW
+    assert setup.open_steps == [SetupStep.STICKS, SetupStep.MOTORS]
+    setup.rises.update({1: True, 2: True})
+    assert setup.open_steps == [SetupStep.MOTORS]  # its edit waited for the sticks
+    setup.go_to(SetupStep.MOTORS)
+    setup.next()
+    setup.next()
+    assert parameters.value_of(ParameterKey.REVERSED_CHANNELS) == 1
+    assert setup.open_steps == []
+    robot.device.draft.undo.undo()
+    assert setup.open_steps == [SetupStep.MOTORS]
+    setup.choose_driver(Driver.TWO_STICKS)  # which needs other wires and another jumper
+    assert setup.open_steps == all_open[:3]
+    robot.device.disconnect_line()
+    robot.wait(lambda: setup.open_steps == all_open)
+
+
+@pytest.mark.parametrize("mix", ["on", "off"])
+def test_jumper_seen_to_be_wrong_leaves_its_step_open(robot: Robot, mix: str) -> None:
+    robot.simulator.do(f"jumper mix {mix}")
+    robot.push(2)
+    robot.wait(lambda: robot.setup.is_mixed is not None)
+    for driver in (Driver.ONE_STICK, Driver.TWO_STICKS, Driver.COMPUTER):
+        robot.setup.choose_driver(driver)
+        robot.go_to(SetupStep.JUMPERS)
+        robot.setup.next()
+        is_open = SetupStep.JUMPERS in robot.setup.open_steps
+        assert is_open is ((driver, mix) in {(Driver.ONE_STICK, "off"), (Driver.TWO_STICKS, "on")})
+
+
+def test_stop_says_why_it_was_made(robot: Robot) -> None:
+    reasons: list[str] = []
+    motors = robot.device.motors
+    motors.stop_requested.connect(lambda: reasons.append(motors.stop_reason))
+    for act in (
+        robot.setup.next,
+        robot.setup.leave,
+        lambda: robot.setup.pulses.confirm_wheels(False),
+    ):
+        robot.go_to(SetupStep.MOTORS)
+        robot.wait(lambda: not motors.locked_for)
+        robot.arm()
+        act()
+        assert not robot.setup.pulses.wheels_are_free
+    assert reasons == [
+        "Another step of the assistant was opened.",
+        "The assistant was closed.",
+        "The wheels may touch the ground.",
+    ]
+
+
 # --- Pulses -----------------------------------------------------------------------------
 
 
@@ -214,7 +283,7 @@ BLOCKERS: dict[str, tuple[Callable[[Robot], object], str]] = {
         "Lift the robot",
     ),
     "a stop has locked the motors": (lambda robot: robot.device.motors.press_stop(), "locked"),
-    "the motors are not armed": (lambda robot: robot.device.motors.stop(), "press Run motor"),
+    "the motors are not armed": (lambda robot: robot.device.motors.stop(), "Press Run motor"),
     "the other motor runs": (lambda robot: robot.device.motors.set_speed(2, 30), "motor 2 +30"),
     "another control is held": (lambda robot: robot.device.motors.acquire("pad"), "Another"),
 }

@@ -76,15 +76,26 @@ class MotorPulses(QObject):
             return self.cannot_drive
         if self._device.is_connected and not self.wheels_are_free:
             return self.tr("Lift the robot so that its wheels turn freely, then confirm that here.")
-        return held_drive_blocker(self._device, _HOLDER, is_driving=bool(self.motor))
+        return held_drive_blocker(
+            self._device,
+            _HOLDER,
+            is_driving=bool(self.motor),
+            wheels_are_free=self.wheels_are_free,
+        )
 
     def confirm_wheels(self, free: bool) -> None:
         """Take from the user whether the wheels are off the ground; if not, everything stops."""
         if free != self.wheels_are_free:
             self.wheels_are_free = free
             if not free:
-                self.stop(self.tr("The wheels may touch the ground."))
+                self._stop(self.tr("The wheels may touch the ground."))
             self.changed.emit()
+
+    def leave(self, reason: str) -> None:
+        """Stop and disarm all motors, and forget that the wheels are off the ground."""
+        self.wheels_are_free = False
+        self._stop(reason)
+        self.changed.emit()
 
     def start(self, motor: int, *, stronger: bool = False) -> bool:
         """Begin to drive motor 1 or 2 in pulses, and return whether it does."""
@@ -105,7 +116,7 @@ class MotorPulses(QObject):
         """Brake the motor; the motors stay armed."""
         self._motors.release(_HOLDER)
 
-    def stop(self, reason: str) -> None:
+    def _stop(self, reason: str) -> None:
         """Stop and disarm all motors, if any may move."""
         if self._motors.armed or self._device.may_move:
             self._motors.stop(reason)

@@ -1,6 +1,6 @@
 """The assistant that sets up a robot: its steps, and the edits that each one makes."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -64,6 +64,7 @@ class RobotSetup(QObject):
         self._learning = learning
         self._model = device.parameters.model_key
         self._silent: DeviceState | None = None  # the board that does not respond
+        self._completed: set[SetupStep] = set()  # left with `next`
 
         learning.edited.connect(self._take_learned)
         learning.stored.connect(self._take_learned)
@@ -96,14 +97,42 @@ class RobotSetup(QObject):
         return all(channel in self.rises for channel in _STICKS)
 
     @property
+    def open_steps(self) -> Sequence[SetupStep]:
+        """The steps that were not opened yet, were skipped, or have not got their result."""
+        return [
+            step for step in self.steps if step is not SetupStep.REVIEW and not self._is_done(step)
+        ]
+
+    def _is_done(self, step: SetupStep) -> bool:
+        device, driver = self._device, self.driver
+        match step:
+            case SetupStep.DRIVER:
+                return True
+            case SetupStep.JUMPERS if driver.uses_sticks and self.is_mixed is not None:
+                is_right = self.is_mixed is (driver is Driver.ONE_STICK)
+                return is_right and step in self._completed
+            case SetupStep.STICKS:
+                return self.knows_sticks
+            case SetupStep.MOTORS if device.is_connected and device.is_joint:
+                return True  # both outputs drive one motor
+            case SetupStep.MOTORS:
+                wiring = self.wiring
+                if wiring is None or wiring.rewiring(driver):
+                    return False
+                knows_enough = self.knows_sticks or not driver.uses_sticks
+                return knows_enough and not self._edits_of(step)
+        return step in self._completed and not self._edits_of(step)
+
+    @property
     def edits(self) -> Mapping[str, int]:
         """The wire values by key that `next` would change in this step."""
+        return {} if self.blocker else self._edits_of(self.step)
+
+    def _edits_of(self, step: SetupStep) -> Mapping[str, int]:
         parameters = self._device.parameters
-        if self.blocker:
-            return {}
         return {
             key: wire
-            for key, wire in self._wanted().items()
+            for key, wire in self._wanted(step).items()
             if parameters.can_edit(key) and parameters.value_of(key) != wire
         }
 
@@ -124,8 +153,8 @@ class RobotSetup(QObject):
             return text.format(device.state.mode.source.value)
         return ""
 
-    def _wanted(self) -> Mapping[str, int]:
-        match self.step:
+    def _wanted(self, step: SetupStep) -> Mapping[str, int]:
+        match step:
             case SetupStep.MOTORS:
                 return self._directions()
             case SetupStep.LIMITS:
@@ -155,6 +184,7 @@ class RobotSetup(QObject):
         if driver is not self.driver:
             self.driver = driver
             self.rises.clear()  # a stick's way to the right may be another one's way forward
+            self._completed.discard(SetupStep.JUMPERS)
             self.changed.emit()
 
     def note_pushed(self, channels: Iterable[int]) -> tuple[int, ...]:
@@ -174,6 +204,8 @@ class RobotSetup(QObject):
                 unclear.append(channel)
             else:
                 self.rises[channel] = offset > 0
+        for channel in unclear:
+            self.rises.pop(channel, None)
         self.changed.emit()
         return tuple(unclear)
 
@@ -209,9 +241,12 @@ class RobotSetup(QObject):
             with self._device.draft.one_edit(self.tr("Set up my robot")):
                 for key, wire in edits.items():
                     self._device.parameters.edit(key, wire, alone=True)
-        self.skip()
+        if self.step is not SetupStep.JUMPERS or not self._device.rejects_settings:
+            self._completed.add(self.step)
+        self._move(1)
 
     def skip(self) -> None:
+        self._completed.discard(self.step)
         self._move(1)
 
     def back(self) -> None:
@@ -219,22 +254,23 @@ class RobotSetup(QObject):
 
     def begin(self) -> None:
         """Start with the first step; the answers given so far are kept."""
-        self.step = SetupStep.DRIVER
-        self.changed.emit()
+        self.go_to(SetupStep.DRIVER)
 
     def leave(self) -> None:
         """Stop the motors; the pending edits stay."""
-        self.pulses.confirm_wheels(False)
-        self.pulses.stop(self.tr("The assistant was left."))
+        self.pulses.leave(self.tr("The assistant was closed."))
+
+    def go_to(self, step: SetupStep) -> None:
+        if self.step is SetupStep.MOTORS and step is not self.step:
+            self.pulses.leave(self.tr("Another step of the assistant was opened."))
+        self.step = step
+        self.changed.emit()
 
     def _move(self, by: int) -> None:
         steps = self.steps
         index = steps.index(self.step) + by
         if 0 <= index < len(steps):
-            if self.step is SetupStep.MOTORS:
-                self.leave()
-            self.step = steps[index]
-            self.changed.emit()
+            self.go_to(steps[index])
 
     # --- What has changed ---------------------------------------------------------------
 
@@ -274,4 +310,5 @@ class RobotSetup(QObject):
         """Forget the answers: a current limit, too, means something else to another model."""
         self.movements.clear()
         self.rises.clear()
+        self._completed.clear()
         self.preset = self.current_limit = None

@@ -1,6 +1,6 @@
 """The wizard that learns channels: beside the window, never in its way."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from PySide6.QtCore import QEvent, QSize, Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
@@ -31,15 +31,19 @@ class StepStrip(QLabel):
         super().__init__(parent)
         self._steps: Sequence[str] = ()
         self._now = 0
+        self._undone: Collection[str] = ()
         self.setTextFormat(Qt.TextFormat.RichText)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
         theme().changed.connect(self._fit)
 
-    def show_steps(self, steps: Sequence[str], now: int) -> None:
-        if (steps, now) != (self._steps, self._now):
-            self._steps, self._now = steps, now
-            self.setAccessibleName(steps[now])
+    def show_steps(self, steps: Sequence[str], now: int, undone: Collection[str] = ()) -> None:
+        """`undone`: steps that are not done although a later one is shown."""
+        if (steps, now, undone) != (self._steps, self._now, self._undone):
+            self._steps, self._now, self._undone = steps, now, undone
+            passed = [step for step in steps[:now] if step in undone]
+            text = self.tr("{0}. Not done: {1}.").format(steps[now], ", ".join(passed))
+            self.setAccessibleName(text if passed else steps[now])
             self._fit()
 
     def minimumSizeHint(self) -> QSize:
@@ -55,7 +59,7 @@ class StepStrip(QLabel):
     def _fit(self) -> None:
         muted = theme().color("muted").name()
         steps = [
-            f"✓ {step}"
+            f"{'–' if step in self._undone else '✓'} {step}"
             if number < self._now
             else f"<b>▸ {step}</b>"
             if number == self._now

@@ -48,7 +48,16 @@ class SetupDialog(ReusedDialog):
 
         self._strip = StepStrip(self)
         sticks = SticksPage(device, setup, learning, self)
-        review = ReviewPage(device, setup, self)
+        self._titles = {
+            SetupStep.DRIVER: self.tr("&Who drives"),
+            SetupStep.JUMPERS: self.tr("&Jumpers"),
+            SetupStep.STICKS: self.tr("&Sticks"),
+            SetupStep.MOTORS: self.tr("Which &motor is which"),
+            SetupStep.LIMITS: self.tr("&Ramps and limits"),
+            SetupStep.TIMEOUT: self.tr("Serial &timeout"),
+            SetupStep.REVIEW: self.tr("Review"),
+        }
+        review = ReviewPage(device, setup, self._titles, self)
         sticks.learn_requested.connect(self.learn_requested)
         review.apply_requested.connect(self.apply_requested)
         self._pages: dict[SetupStep, _Page] = {
@@ -88,6 +97,10 @@ class SetupDialog(ReusedDialog):
             tip=self.tr("Close the assistant; its changes stay until you apply or discard them"),
             on_click=self.close,
         )
+        for button in (self._skip, self._next):  # a second click must not hit another button
+            policy = button.sizePolicy()
+            policy.setRetainSizeWhenHidden(True)
+            button.setSizePolicy(policy)
         buttons = ui.row(stop, 1, self._back, self._skip, self._next, self._close)
         ui.column(self._strip, (self._stack, 1), self._edits, buttons, into=self, spacing=10)
 
@@ -116,16 +129,10 @@ class SetupDialog(ReusedDialog):
     def _on_changed(self) -> None:
         setup = self.setup
         step, steps = setup.step, setup.steps
-        titles = {
-            SetupStep.DRIVER: self.tr("Who drives"),
-            SetupStep.JUMPERS: self.tr("Jumpers"),
-            SetupStep.STICKS: self.tr("Sticks"),
-            SetupStep.MOTORS: self.tr("Which motor is which"),
-            SetupStep.LIMITS: self.tr("Ramps and limits"),
-            SetupStep.TIMEOUT: self.tr("Serial timeout"),
-            SetupStep.REVIEW: self.tr("Review"),
-        }
-        self._strip.show_steps([titles[each] for each in steps], steps.index(step))
+        titles = {each: self._titles[each].replace("&", "") for each in steps}
+        self._strip.show_steps(
+            list(titles.values()), steps.index(step), [titles[each] for each in setup.open_steps]
+        )
         self._pages[step].refresh()
         self._stack.setCurrentIndex(list(self._pages).index(step))
         is_last = step is SetupStep.REVIEW

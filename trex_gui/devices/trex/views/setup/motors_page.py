@@ -172,10 +172,13 @@ class WiringPage(QWidget):
         if not setup.driver.uses_sticks:
             return self.tr("Motor 1 drives the left wheel, motor 2 the right one, both forward.")
         if not setup.knows_sticks:
-            return self.tr(
-                "The directions of the sticks are not known yet. Go back to the sticks; your "
-                "answers are kept."
+            text = self.tr(
+                "No wires have to be swapped. Settings make the wheels follow the sticks, but "
+                "those settings depend on the directions of the sticks, which are not known yet: "
+                "go back to Sticks. Your answers are kept."
             )
+            swapped = self.tr("Motor 1 drives the right wheel, motor 2 the left one.")
+            return f"{swapped} {text}" if wiring.swapped else text
         if setup.edits:
             return self.tr("Settings correct this; no wires have to be swapped.")
         return self.tr("Nothing has to change: the wheels follow the sticks.")

@@ -6,14 +6,14 @@ from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QLabel, QRadioButton, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_texts import timeout_warning_on
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.model.setup.presets import LIMITS, Preset
-from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
+from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup, SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -487,14 +487,38 @@ class TimeoutPage(QWidget):
 
 
 class ReviewPage(QWidget):
-    """What is left to do: by Apply, and by hand."""
+    """What is left to do: in other steps, by Apply, and by hand."""
 
     apply_requested = Signal()
 
-    def __init__(self, device: Device, setup: RobotSetup, parent: QWidget) -> None:
+    def __init__(
+        self,
+        device: Device,
+        setup: RobotSetup,
+        titles: Mapping[SetupStep, str],
+        parent: QWidget,
+    ) -> None:
         super().__init__(parent)
         self._device = device
         self._setup = setup
+        self._open_title = ui.label(self, text=self.tr("Still open:"), bold=True)
+        self._open: dict[SetupStep, tuple[QAbstractButton, QLabel]] = {}
+        steps = ui.grid(margins=0, spacing=(12, 6), stretch=[(1, 1)])
+        for row, step in enumerate(titles):
+            if step not in {SetupStep.DRIVER, SetupStep.REVIEW}:
+                name = step.name.title()
+                go = ui.button(
+                    self,
+                    f"setupGoTo{name}Button",
+                    titles[step],
+                    default=False,
+                    tip=self.tr("Go to this step"),
+                    on_click=partial(setup.go_to, step),
+                )
+                reason = ui.label(self, f"setupOpen{name}", wrap=True)
+                steps.addWidget(go, row, 0)
+                steps.addWidget(reason, row, 1)
+                self._open[step] = go, reason
         self._pending = ui.named(Note(1, self), "setupPending")
         self._apply = ui.button(
             self,
@@ -506,6 +530,8 @@ class ReviewPage(QWidget):
         )
         self._tasks = ui.label(self, "setupTasks", wrap=True)
         ui.column(
+            self._open_title,
+            steps,
             ui.row((self._pending, 1), self._apply),
             ui.label(self, text=self.tr("Then, by hand:"), bold=True),
             self._tasks,
@@ -520,19 +546,46 @@ class ReviewPage(QWidget):
         pending = device.draft.pending
         text = self.tr("%n change(s) not applied yet.", "", pending)
         if not pending:
-            text = self.tr("No unapplied changes: the board stores everything.")
+            text = self.tr("All changes are stored.")
+        if not device.is_connected:
+            text = self.tr("No board is connected.")
         self._pending.show_note(text)
         can_apply = device.is_writable and not device.rejects_settings and pending > 0
         self._apply.setEnabled(can_apply)
+        still_open = self._setup.open_steps
+        self._open_title.setVisible(bool(still_open))
+        for step, (go, reason) in self._open.items():
+            if step in still_open:
+                reason.setText(self._reason(step))
+            for widget in (go, reason):
+                widget.setVisible(step in still_open)
         tasks = enumerate(self._task_texts(), 1)
         self._tasks.setText("\n\n".join(f"{number}. {task}" for number, task in tasks))
+
+    def _reason(self, step: SetupStep) -> str:
+        """Return why a step is not done, for the user."""
+        setup = self._setup
+        wiring = setup.wiring
+        if step is SetupStep.JUMPERS:
+            return self.tr("The jumpers are not as they have to be, or were not checked.")
+        if step is SetupStep.STICKS:
+            return self.tr("The directions of the sticks are not known.")
+        if step is not SetupStep.MOTORS:
+            return self.tr("Skipped, or its changes were undone.")
+        if wiring is None:
+            return self.tr("It is not known which motor drives which wheel.")
+        if rewiring := wiring.rewiring(setup.driver):
+            text = rewiring_text(setup.driver, rewiring)
+            return self.tr("{0} Then test the motors again.").format(text)
+        if setup.driver.uses_sticks and not setup.knows_sticks:
+            return self.tr("The settings for the motors wait for the directions of the sticks.")
+        return self.tr(
+            "The changes for the motors were not taken over: open the step and click Next."
+        )
 
     def _task_texts(self) -> list[str]:
         setup = self._setup
         texts = []
-        wiring = setup.wiring
-        if wiring is not None and (rewiring := wiring.rewiring(setup.driver)):
-            texts.append(rewiring_text(setup.driver, rewiring))
         if setup.driver.uses_sticks:
             source = self._device.calibrations.source
             on, off = self.tr("put the mix jumper on"), self.tr("leave the mix jumper off")
