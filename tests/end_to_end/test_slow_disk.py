@@ -88,9 +88,10 @@ def test_board_that_goes_away_while_the_snapshot_is_saved_gets_nothing(
     quick_simulator: VirtualSimulator,
     fault: str,
 ) -> None:
-    device = connected_window.device
+    device, begin = connected_window.device, now()
     quick_simulator.do(fault)
     review.wait(lambda: not device.applying)
+    assert now() < begin + SECONDS, "the snapshot was saved first"
     assert review.button("reviewCloseButton").text() == "Close"
     quick_simulator.do("line mute off" if "mute" in fault else "line plug")
     review.wait_for_files()

@@ -9,7 +9,7 @@ import pytest
 from trex_gui.core import files
 from trex_gui.ui.runtime import runtime
 
-SECONDS = 3.0
+SECONDS = 1.5
 
 
 class SlowDisk:
