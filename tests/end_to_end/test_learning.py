@@ -6,6 +6,7 @@ What the dialog shows is in tests/views/test_learning_dialog.py and test_stick_t
 from collections.abc import Callable
 
 import pytest
+from PySide6.QtWidgets import QDialog
 
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.learning import LearningDialog
@@ -64,6 +65,7 @@ def test_all_channels_are_learned_and_tested(
     # The test follows by itself.
     learning.wait_for_head("Push every stick")
     check_keyboard(learning.dialog)
+    assert not connected_window.find(QDialog, "reviewDialog").isVisible(), "its result is read"
     assert learning.device.draft.pending == 0
     for channel in CHANNELS:
         learning.assert_learned(channel)

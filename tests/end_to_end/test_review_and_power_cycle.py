@@ -1,6 +1,7 @@
 """Settings are reviewed before they are written and followed until they are active."""
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from tests.support.held_line import before_storing
@@ -100,6 +101,11 @@ def test_review_reports_stored_and_failed_settings(
     assert review.button("reviewCloseButton").text() == "Close"
     assert not review.has("writeButton")
     assert not review.has("powerCyclePanel"), "the timeout is active at once"
+
+    edit(window, serial_timeout=14)
+    review.open()  # it was not closed
+    QTest.keyClick(review.root.focusWidget() or review.root, Qt.Key.Key_Return)
+    review.wait(lambda: stored(simulator, "serial_timeout") == 14 and not device.applying)
     review.close()
 
     edit(window, serial_timeout=16)

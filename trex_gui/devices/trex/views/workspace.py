@@ -144,6 +144,7 @@ class TrexWorkspace(Workspace):
             learning.edited,
         ):
             reviewed.connect(self._review.review)
+        learning.stored.connect(self._review.close_if_verified)  # the test of the sticks follows
         self._defaults.reset_requested.connect(device.reset_to_factory)
         controller.demo_board.rejected.connect(self.notifier.error)
         device.applied.connect(self._on_applied)

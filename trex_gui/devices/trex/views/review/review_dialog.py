@@ -76,6 +76,8 @@ class ReviewDialog(ReusedDialog):
     def review(self) -> None:
         """Show what Apply would write, or the progress while it writes."""
         if self._phase is not _Phase.WRITING:
+            if self._phase is _Phase.DONE:
+                self.hide()  # its Close has the focus, and Enter is to write again
             self._problem = ""
             self._cycle.end()
             self._rows.show_comparison(
@@ -86,6 +88,12 @@ class ReviewDialog(ReusedDialog):
             )
             self._enter(_Phase.REVIEW)
         self.show_in_front()
+
+    @Slot()
+    def close_if_verified(self) -> None:
+        """Close a result that asks for nothing more."""
+        if self._phase is _Phase.DONE and not self._problem and self._power.isHidden():
+            self.close()
 
     def _changes(self) -> Comparison:
         stored, shown = self._device.draft.stored, self._device.draft.shown
