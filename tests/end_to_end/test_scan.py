@@ -143,9 +143,9 @@ def test_search_without_board_reports_why_none_was_found(
 
     dialog.root.close()
     window.click("bannerFind")
-    assert dialog.root.isVisible()
-    dialog.search(window, url)
+    assert dialog.is_searching(), "at once"
     dialog.wait_for_end()
+    assert not dialog.has("findText1"), "no other port"
     assert dialog.text("findText0").startswith(f"No TReX responds on {url} at any")
     assert not dialog.has("connectFound0")
     assert dialog.text("findProgressText") == "No board was found."

@@ -164,9 +164,16 @@ class ConnectionBar(QWidget):
 
     @Slot()
     def find_board(self) -> None:
+        self._open_search(at_once=False)
+
+    def find_now(self) -> None:
+        """Search the port that is shown."""
+        self._open_search(at_once=True)
+
+    def _open_search(self, *, at_once: bool) -> None:
         if self._dialog is None:
             self._dialog = FindDialog(self._manager, self._ports, self._unless_busy, self.window())
-        self._dialog.look(self._port_to_show())
+        self._dialog.look(self._port_to_show(), at_once=at_once)
 
     def close_dialogs(self) -> None:
         if self._dialog is not None:

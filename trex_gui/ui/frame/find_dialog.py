@@ -131,12 +131,17 @@ class FindDialog(ReusedDialog):
             into=self,
         )
 
-    def look(self, chosen: Port | None) -> None:
-        """Open; the port that is chosen in the window is listed and searched first."""
+    def look(self, chosen: Port | None, *, at_once: bool = False) -> None:
+        """Open; the port that is chosen in the window is listed and searched first.
+
+        `at_once`: search that port now, and no other.
+        """
         self._first = chosen
         self._on_ports_changed()
         self.show_in_front()
         self._start.setFocus()
+        if at_once and chosen in self._chosen and not self._scanner.running:
+            self._scanner.start([chosen])
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)

@@ -373,7 +373,7 @@ class MainWindow(QMainWindow):
     def _on_remedy_chosen(self, remedy: Remedy) -> None:
         match remedy:
             case Remedy.FIND:
-                self._connection.find_board()
+                self._connection.find_now()
             case Remedy.RECONNECT:
                 self._connection.reconnect()
             case Remedy.SET_UP_CRC:

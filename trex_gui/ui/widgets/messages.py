@@ -100,7 +100,7 @@ class Banner(_MessageRow):
         for remedy in remedies:
             match remedy:
                 case Remedy.FIND:
-                    name, text = "bannerFind", self.tr("Find now…")
+                    name, text = "bannerFind", self.tr("Find now")
                 case Remedy.RECONNECT:
                     name, text = "bannerReconnect", self.tr("Reconnect")
                 case CopyCommand():
