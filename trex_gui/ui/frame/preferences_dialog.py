@@ -18,8 +18,9 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import ElidedLabel, Muted
+from trex_gui.ui.widgets.placement import fitted
 
-_WIDTH = 440
+_WIDTH = 440  # pixels at a font size of 100 %
 _LEAST_PATH = "/home/someone/robots"
 
 
@@ -103,9 +104,10 @@ class PreferencesDialog(ReusedDialog):
             ui.row(reset, 1, buttons),
             into=self,
         )
-        self.resize(_WIDTH, self.sizeHint().height())
         buttons.rejected.connect(self.close)
         theme().changed.connect(self._show_choices)
+        theme().changed.connect(self._fit)
+        self._fit()
 
     def open_preferences(self) -> None:
         self._show_choices()
@@ -121,6 +123,14 @@ class PreferencesDialog(ReusedDialog):
         self._folder.setEnabled(folder is not None)
         self._folder.show_text(str(folder or file_questions.last_folder()))
         self._automatic.setChecked(connects_automatically())
+
+    @Slot()
+    def _fit(self) -> None:
+        self.layout().activate()  # else the rows inside it keep the heights they had
+        width = max(_WIDTH * theme().font_size // 100, self.minimumSizeHint().width())
+        self.resize(width, self.heightForWidth(width))
+        if self.isVisible():
+            self.setGeometry(fitted(self.geometry(), self.screen().availableGeometry()))
 
     @Slot(int)
     def _on_scheme_chosen(self, index: int) -> None:
