@@ -1,16 +1,19 @@
 import tomllib
 
 import pytest
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QPoint
 from PySide6.QtGui import QAction, QColor, QIcon, QPalette
-from PySide6.QtWidgets import QApplication, QPushButton, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QPushButton, QStyle, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.colours import contrast
 from tests.support.window import WidgetDriver
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.icons import application_icon, icon, set_icon
+from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import Scheme, read_colours, theme, tint
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.messages import Banner
 
 SHOWN = ("light", "dark", "high_contrast")
 
@@ -24,6 +27,7 @@ def needed(ordinary: float, scheme: str) -> float:
 def _light(qapp: QApplication) -> None:
     theme().install(qapp)
     theme().set_scheme("light")
+    theme().set_font_size(100)
 
 
 def tables(scheme: str) -> dict[str, dict[str, str]]:
@@ -277,3 +281,39 @@ def test_icon_of_a_highlighted_menu_row_has_the_colour_of_its_text(
     action = QAction("power")
     set_icon(action, "power")
     assert strongest(action.icon(), mode) == theme().color("highlighted_text")
+
+
+def test_frames_and_lines_of_menus_are_seen_in_high_contrast(qtbot: QtBot) -> None:
+    theme().set_scheme("high_contrast")
+    box, banner, menu = ui.GroupBox(), Banner(), QMenu()
+    use_theme_style(menu)
+    menu.addAction("one")
+    separator = menu.addSeparator()
+    menu.addAction("two")
+    for widget in (box, banner, menu):
+        qtbot.addWidget(widget)
+        widget.resize(120, 80)
+    middle = menu.actionGeometry(separator).center()
+    for widget, points in ((box, ()), (banner, ()), (menu, (middle,))):
+        picture = widget.grab().toImage()
+        for point in (QPoint(60, picture.height() - 1), *points):
+            assert contrast(picture.pixelColor(point), theme().color("window")) >= 3
+
+
+def test_check_marks_and_icons_of_buttons_grow_with_the_font(qtbot: QtBot) -> None:
+    window = QWidget()
+    qtbot.addWidget(window)
+    check, radio = ui.check_box(window, "", "text"), ui.radio_button(window, "", "text")
+    button = ui.button(window, "", "text", icon="stop")
+
+    def widths() -> list[int]:
+        metric = QStyle.PixelMetric
+        return [
+            check.style().pixelMetric(metric.PM_IndicatorWidth, None, check),
+            radio.style().pixelMetric(metric.PM_ExclusiveIndicatorWidth, None, radio),
+            button.iconSize().width(),
+        ]
+
+    before = widths()
+    theme().set_font_size(150)
+    assert widths() == [pytest.approx(1.5 * width, abs=1) for width in before]

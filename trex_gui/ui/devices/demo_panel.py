@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QCheckBox,
     QDockWidget,
-    QGroupBox,
     QLabel,
     QPushButton,
     QSizePolicy,
@@ -42,7 +41,7 @@ class Columns:
     ticks: tuple[str, ...] = ()
 
 
-class Rows(QGroupBox, Generic[SnapshotT]):
+class Rows(ui.GroupBox, Generic[SnapshotT]):
     """A group of rows.
 
     Its methods create controls and connect them to the device and, with `read`, to its state;

@@ -94,7 +94,7 @@ class PreferencesDialog(ReusedDialog):
         close = buttons.button(QDialogButtonBox.StandardButton.Close)
         close.setObjectName("preferencesClose")
         close.setDefault(True)
-        ui.column(
+        self._rows = ui.column(
             form,
             self._own_folder,
             ui.row((self._folder, 1), self._choose, margins=(22, 0, 0, 0)),
@@ -126,7 +126,7 @@ class PreferencesDialog(ReusedDialog):
 
     @Slot()
     def _fit(self) -> None:
-        self.layout().activate()  # else the rows inside it keep the heights they had
+        self._rows.activate()  # else the rows inside it keep the heights they had
         width = max(_WIDTH * theme().font_size // 100, self.minimumSizeHint().width())
         self.resize(width, self.heightForWidth(width))
         if self.isVisible():

@@ -7,7 +7,7 @@ from itertools import zip_longest
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Slot
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QGroupBox, QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.frame.main_window import MainWindow
@@ -51,7 +51,7 @@ class StartPanel(QWidget):
         self._prefix = texts.prefix
         self._frame = frame
 
-        hardware = QGroupBox(texts.title, self)
+        hardware = ui.GroupBox(texts.title, self)
         steps = ui.label(hardware, f"{texts.prefix}startSteps", texts.steps, wrap=True)
         self._ports = [
             self._button(hardware, "startPort", "", "connect", partial(self._on_port_clicked, at))
@@ -75,7 +75,7 @@ class StartPanel(QWidget):
         sketch = WiringSketch(texts, hardware)
         ui.row((sketch, 0, Qt.AlignmentFlag.AlignTop), (begin, 1), into=hardware)
 
-        other = QGroupBox(texts.none, self)
+        other = ui.GroupBox(texts.none, self)
         demo = self._button(other, "startDemo", texts.demo, "run", self._connect_to_demo)
         demo.setToolTip(self.tr("A simulated board: nothing can be damaged"))
         opening = [
@@ -85,7 +85,7 @@ class StartPanel(QWidget):
         ui.row(demo, *opening, 1, into=other)
 
         self._recent = ui.named(
-            QGroupBox(self.tr("Recent files"), self), f"{texts.prefix}startFiles"
+            ui.GroupBox(self.tr("Recent files"), self), f"{texts.prefix}startFiles"
         )
         self._files = [
             self._button(

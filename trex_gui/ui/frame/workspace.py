@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 from trex_gui.ui.log import Log
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.page import PlotPage
+from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -215,6 +216,7 @@ def fill_menu_bar(
     for title, entries in menus:
         menu = window.menuBar().addMenu(title)
         menu.setToolTipsVisible(True)
+        use_theme_style(menu)
         for entry in entries:
             if isinstance(entry, str):
                 menu.addSeparator()

@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from PySide6.QtCore import QByteArray, QObject, QRectF, Qt, Slot
+from PySide6.QtCore import QByteArray, QObject, QRectF, QSize, Qt, Slot
 from PySide6.QtGui import QAction, QColor, QGuiApplication, QIcon, QPainter, QPixmap, QWindow
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import (
@@ -18,6 +18,7 @@ from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.theme import follow_theme, theme
 
 _SIZES = (16, 24, 32, 48, 64)  # pixels; what lies between is scaled down from the next
+_BUTTON_ICON = 16  # pixels at a font size of 100 %, as in Fusion
 
 
 def icon(name: str, color: str = "icon") -> QIcon:
@@ -43,6 +44,9 @@ def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") 
             made = QIcon(made)
             for size in _SIZES:
                 made.addPixmap(made.pixmap(size, size, QIcon.Mode.Selected), QIcon.Mode.Active)
+        else:
+            side = _BUTTON_ICON * theme().font_size // 100
+            target.setIconSize(QSize(side, side))
         target.setIcon(made)
 
     follow_theme(target, "icon", apply)

@@ -36,6 +36,7 @@ _OUTLINED = (
     "QComboBox",
     "QLineEdit",
     "QListView",
+    "QMenu",
     "QPlainTextEdit",
     "QProgressBar",
     "QTableView",

@@ -24,12 +24,14 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDoubleSpinBox,
     QGridLayout,
+    QGroupBox,
     QHBoxLayout,
     QLabel,
     QLayout,
     QLineEdit,
     QProgressBar,
     QPushButton,
+    QRadioButton,
     QSizePolicy,
     QSpinBox,
     QSplitter,
@@ -41,8 +43,17 @@ from PySide6.QtWidgets import (
 
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import follow_theme, theme, tint
 from trex_gui.ui.widgets.behaviour import clear_corner, name_headers
+
+
+class GroupBox(QGroupBox):
+    """Its frame can be seen in each theme."""
+
+    def __init__(self, title: str = "", parent: QWidget | None = None) -> None:
+        super().__init__(title, parent)
+        use_theme_style(self)
 
 
 class NoWheelComboBox(QComboBox):
@@ -181,6 +192,12 @@ def tool_button(
     return _connected(made, icon, on_click, None)
 
 
+def radio_button(parent: QWidget, name: str, text: str, *, tip: str = "") -> QRadioButton:
+    made = named(QRadioButton(text, parent), name, tip=tip)
+    use_theme_style(made)
+    return made
+
+
 def check_box(
     parent: QWidget,
     name: str,
@@ -194,6 +211,7 @@ def check_box(
 ) -> QCheckBox:
     """Create a check box; `checked` is set before `on_toggle` is connected."""
     made = named(QCheckBox(text, parent), name, accessible=accessible, tip=tip)
+    use_theme_style(made)
     made.setChecked(checked)
     return _connected(made, "", on_click, on_toggle)
 

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 
 from trex_gui.ui.notifier import CopyCommand, Notifier, Remedies, Remedy
 from trex_gui.ui.theme.icons import set_sign
+from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import builders as ui
 
 
@@ -20,6 +21,7 @@ class _MessageRow(QFrame):
         super().__init__(parent)
         self.setObjectName(name)
         self.setFrameShape(QFrame.Shape.StyledPanel)
+        use_theme_style(self)
         self.setAutoFillBackground(True)
         self._sign = QLabel(self)
         self._text = ui.label(

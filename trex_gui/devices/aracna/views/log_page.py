@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QFormLayout, QGroupBox, QWidget
+from PySide6.QtWidgets import QFormLayout, QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.ui.devices.connection import ConnectionState
@@ -15,7 +15,7 @@ class RobotLogPage(LogPage):
     def __init__(self, robot: Robot, log: Log, parent: QWidget | None = None) -> None:
         super().__init__(log, "aracna", robot.notifier, parent)
         self._robot = robot
-        line = QGroupBox(self.tr("Line"), self)
+        line = ui.GroupBox(self.tr("Line"), self)
         self._traffic, self._failures = (
             ui.label(line, name, wrap=True, expand=True, selectable=True)
             for name in ("aracnaTrafficValue", "aracnaQualityValue")

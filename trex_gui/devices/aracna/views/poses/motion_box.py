@@ -7,7 +7,6 @@ from PySide6.QtGui import QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
-    QGroupBox,
     QHeaderView,
     QSpinBox,
     QStyledItemDelegate,
@@ -36,7 +35,7 @@ _Index = QModelIndex | QPersistentModelIndex
 _LINES = 5
 
 
-class MotionBox(QGroupBox):
+class MotionBox(ui.GroupBox):
     """Edits the sequences of a library, and shows the gaits."""
 
     shown = Signal()  # another item is current, or its steps have changed

@@ -1,7 +1,7 @@
 """The poses: a list, the positions of the current one, and what can be done with it."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtWidgets import QGroupBox, QSpinBox, QWidget
+from PySide6.QtWidgets import QSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.model.library import ItemKind, Library
@@ -15,7 +15,7 @@ from trex_gui.ui.widgets.behaviour import take_typed
 _ACROSS = 4
 
 
-class PoseBox(QGroupBox):
+class PoseBox(ui.GroupBox):
     """Edits the poses of a library."""
 
     pose_chosen = Signal(str)  # name of the current pose; empty for none

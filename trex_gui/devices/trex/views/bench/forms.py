@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
-from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QGroupBox, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.bench.run import LONGEST, SHORTEST, Profile, Shape
@@ -20,11 +20,11 @@ from trex_gui.ui.widgets import builders as ui
 _WIDEST = "127 per 100 ms (127 ms)"
 
 
-class PlanForm(QGroupBox):
+class PlanForm(ui.GroupBox):
     """Edits the plan of a bench; disabled while a test runs."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
-        super().__init__(parent)
+        super().__init__("", parent)
         self.setTitle(self.tr("Test"))
         self._bench = bench
         self._motors = device.motors
@@ -178,14 +178,14 @@ class PlanForm(QGroupBox):
         self._period.setToolTip(tips[shape])
 
 
-class TuningForm(QGroupBox):
+class TuningForm(ui.GroupBox):
     """Edits one motor's acceleration, brake duration, current limit and P.
 
     The edits are those of the Parameters page, and are reviewed before they are written.
     """
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
-        super().__init__(parent)
+        super().__init__("", parent)
         self._device = device
         self._bench = bench
         self._shown: tuple[str, tuple[str, ...]] | None = None

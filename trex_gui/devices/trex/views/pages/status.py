@@ -4,7 +4,6 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFormLayout,
-    QGroupBox,
     QHeaderView,
     QLabel,
     QTableWidget,
@@ -66,7 +65,7 @@ class StatusPage(QWidget):
         )
         text = self.tr("Who drives, jumpers, sticks, motors and limits, step by step.")
         lead = ui.row(self._set_up, (Muted(text, self._report), 1), spacing=10)
-        errors = QGroupBox(self.tr("Errors seen"), self)
+        errors = ui.GroupBox(self.tr("Errors seen"), self)
         self._table = self._error_table(errors)
         reset = ui.button(
             errors,
@@ -87,8 +86,8 @@ class StatusPage(QWidget):
         self._on_device_changed()
         self._on_errors_changed()
 
-    def _form(self, title: str, rows: dict[str, str]) -> QGroupBox:
-        box = QGroupBox(title, self)
+    def _form(self, title: str, rows: dict[str, str]) -> ui.GroupBox:
+        box = ui.GroupBox(title, self)
         form = QFormLayout(box)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         for key, text in rows.items():

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QFrame, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
+from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, grid, label, named, row, set_bold
 from trex_gui.ui.widgets.labels import Note, Sign
@@ -19,6 +20,7 @@ class PowerCyclePanel(QFrame):
         super().__init__(parent)
         self.setObjectName("powerCyclePanel")
         self.setFrameShape(QFrame.Shape.StyledPanel)
+        use_theme_style(self)
         self._cycle = cycle
         self._waiting: tuple[str, ...] = ()
 

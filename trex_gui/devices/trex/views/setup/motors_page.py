@@ -4,7 +4,7 @@ from functools import partial
 
 from PySide6.QtCore import QCoreApplication, Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QButtonGroup, QGroupBox, QRadioButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import recent_fault_text
@@ -18,11 +18,11 @@ from trex_gui.ui.widgets.behaviour import HoldButton, only_when_visible
 from trex_gui.ui.widgets.labels import Note
 
 
-class _MotorBox(QGroupBox):
+class _MotorBox(ui.GroupBox):
     """A button to hold for one motor, and what it moved."""
 
     def __init__(self, setup: RobotSetup, motor: int, parent: QWidget) -> None:
-        super().__init__(parent)
+        super().__init__("", parent)
         self.setTitle(self.tr("Motor {0}").format(motor))
         self._setup = setup
         self._motor = motor
@@ -47,7 +47,7 @@ class _MotorBox(QGroupBox):
         grid = ui.grid()
         for index, (movement, text) in enumerate(texts.items()):
             name = f"setupMotor{motor}{movement.name.title().replace('_', '')}"
-            answer = ui.named(QRadioButton(text, self), name)
+            answer = ui.radio_button(self, name, text)
             answer.setAccessibleName(f"{self.title()}: {text}")
             answer.clicked.connect(partial(setup.note_movement, motor, movement))
             grid.addWidget(answer, index // 2, index % 2)

@@ -42,7 +42,7 @@ class Choices(QWidget):
         column = ui.column(into=self, margins=0, spacing=2)
         for choice, (text, explanation) in texts.items():
             key = "Keep" if choice is None else choice.name.title().replace("_", "")
-            button = ui.named(QRadioButton(text, self), f"{name}{key}")
+            button = ui.radio_button(self, f"{name}{key}", text)
             ui.set_bold(button)
             button.clicked.connect(partial(self.chosen.emit, choice))
             group.addButton(button)

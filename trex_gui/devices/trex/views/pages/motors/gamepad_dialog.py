@@ -4,7 +4,7 @@ from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent
-from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QGroupBox, QLabel, QWidget
+from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QLabel, QWidget
 
 from trex_gui.devices.trex.model.gamepad import Gamepad, axis_text, button_text
 from trex_gui.devices.trex.model.momentary_drive import mix
@@ -170,10 +170,10 @@ class GamepadDialog(ReusedDialog):
         self._detecting = ""  # key of a row
 
         self._name = ui.label(self, "gamepadName")
-        live = ui.named(QGroupBox(self.tr("Live state"), self), "gamepadLive")
+        live = ui.named(ui.GroupBox(self.tr("Live state"), self), "gamepadLive")
         self._live = PadView(None, live)
         self._live_layout = ui.column(self._live, 1, into=live)
-        uses = QGroupBox(self.tr("Assignment"), self)
+        uses = ui.GroupBox(self.tr("Assignment"), self)
         self._style = ui.combo_box(
             uses,
             "gamepadStyleCombo",
@@ -246,7 +246,7 @@ class GamepadDialog(ReusedDialog):
         self._on_gamepad_changed()
         self._on_gamepad_moved()
 
-    def _lay_out_assignment(self, uses: QGroupBox) -> None:
+    def _lay_out_assignment(self, uses: ui.GroupBox) -> None:
         form = QFormLayout(uses)
         form.addRow(self.tr("St&icks:"), self._style)
         for key in ("first", "second"):

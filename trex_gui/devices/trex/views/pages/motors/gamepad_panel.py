@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
-from PySide6.QtWidgets import QGroupBox, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import Gamepad
@@ -13,13 +13,13 @@ from trex_gui.ui.widgets.builders import NoWheelComboBox
 from trex_gui.ui.widgets.labels import Note
 
 
-class GamepadPanel(QGroupBox):
+class GamepadPanel(ui.GroupBox):
     """Lets a gamepad drive only while this panel is visible."""
 
     def __init__(
         self, device: Device, parent: QWidget | None = None, *, source: PadSource | None = None
     ) -> None:
-        super().__init__(parent)
+        super().__init__("", parent)
         self.setObjectName("gamepadPanel")
         self.setTitle(self.tr("Gamepad"))
         self.gamepad = Gamepad(device, source or SdlPads(), self)

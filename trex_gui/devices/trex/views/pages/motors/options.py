@@ -5,7 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QGroupBox, QRadioButton, QSizePolicy, QSlider, QWidget
+from PySide6.QtWidgets import QSizePolicy, QSlider, QWidget
 
 from trex_gui.devices.trex.model.motors import LONGEST, Motors, remember_lockout
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
@@ -120,30 +120,32 @@ class SpeedCeiling(QWidget):
         self._note.show_note(text if motors.board else "")
 
 
-class Options(QGroupBox):
+class Options(ui.GroupBox):
     """Brake strength, lock and spring return are stored; the other options are not."""
 
     keys_toggled = Signal(bool)  # whether keys drive wherever the focus is
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__("", parent)
         self.setTitle(self.tr("Options"))
         self.setObjectName("motorsOptions")
         self._motors = motors
         self._joint = False
         self._store = Preferences()
 
-        accelerate = ui.named(
-            QRadioButton(self.tr("Accelerate along the board's ra&mp"), self),
+        accelerate = ui.radio_button(
+            self,
             "accelerateButton",
+            self.tr("Accelerate along the board's ra&mp"),
             tip=self.tr(
                 "The board ramps speeds at the Acceleration setting and pauses for the brake "
                 "duration before reversing"
             ),
         )
-        at_once = ui.named(
-            QRadioButton(self.tr("Se&t at once"), self),
+        at_once = ui.radio_button(
+            self,
             "setButton",
+            self.tr("Se&t at once"),
             tip=self.tr(
                 "Bypasses ramp and brake duration, and for a moment also the current limit"
             ),

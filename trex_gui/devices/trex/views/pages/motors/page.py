@@ -5,7 +5,7 @@ from html import escape
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QGroupBox, QWidget
+from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs, drive_status
@@ -64,7 +64,7 @@ class MotorsPage(QWidget):
         tip = self.tr("Let the controls of this page move the motors")
         run = RunButton(device, "motorsRunButton", tip, self)
         run.setText(run.text().replace("&", ""))  # the letter is that of the one below the pages
-        self._drive_box = drive_box = QGroupBox(self.tr("Drive"), self)
+        self._drive_box = drive_box = ui.GroupBox(self.tr("Drive"), self)
         ceiling = SpeedCeiling(device.motors, drive_box)
         self._pad = DrivePad(drive_box)
         self._controls = {
