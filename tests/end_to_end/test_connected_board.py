@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QSlider, QWidget
+from PySide6.QtWidgets import QSlider, QTableView, QWidget
 
 from tests.support.pages.parameters import ParametersPage
 from tests.support.program import trex
@@ -265,6 +265,8 @@ def test_unplugging_is_detected_and_reconnecting_brakes_motors(
     assert window.text("statusLabel") == "Connected to TReX 1.2."
     assert simulator.show()["motors"][0]["direction"] == "brake"
     assert "Not armed" in window.text("motorStateLabel")
+    table = window.open_page("parametersPage").find(QTableView, "parametersView")
+    assert table.rowAt(0) == 0, "its first heading is in sight"
 
 
 def test_board_that_does_not_reply_is_stopped(

@@ -99,7 +99,8 @@ class ParameterTable(QWidget):
             above = current.sibling(current.row() - 1, ParameterColumn.NAME)
             if not self._rows.keys_at(above.row()):
                 self._view.scrollTo(above)  # no key reaches a heading
-            self._view.scrollTo(current)
+            if current.row() > 1:
+                self._view.scrollTo(current)
         self._show_help()
 
     @Slot()
@@ -120,10 +121,7 @@ class ParameterTable(QWidget):
     def _go_to_first(self) -> None:
         """Select what was searched for, or the first value, but remember the user's."""
         wanted = self._place
-        found = self._rows.best_match()
-        self._view.setCurrentIndex(found)
-        if found.row() == 1:
-            self._view.scrollToTop()  # the heading as well, in a table without a height yet, too
+        self._view.setCurrentIndex(self._rows.best_match())
         self._is_elsewhere = bool(wanted)
         self._place = wanted or self._place
 
