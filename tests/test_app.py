@@ -62,6 +62,8 @@ def test_tour_writes_every_page_and_the_wizard(
 def tour_pages() -> list[str]:
     pages = ["status", "channels", "calibration", "motors", "currents", "parameters"]
     pages += [f"learn-{step}" for step in ("rest", "travel", "review", "test")]
+    setup_steps = ("driver", "jumpers", "sticks", "motors", "limits", "review")
+    pages += [f"setup-{step}" for step in setup_steps]
     pages += ["trexLog", "transcript"]
     robot_pages = ["aracnaRobot", "aracnaPoses", "aracnaLog", "aracnaTranscript"]
     pages += [*robot_pages, *(f"{page}-moving" for page in robot_pages), "aracnaRobot-stuck"]

@@ -1,4 +1,4 @@
-"""Screenshot tour of a TReX: its pages with running motors, and channel learning."""
+"""Screenshot tour of a TReX: its pages with running motors, learning, and the set-up assistant."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -6,6 +6,9 @@ from functools import partial
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.tour import Do, Tour
+
+_SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")
+"""Those of a robot that is driven with one stick, in their order."""
 
 _HOLD_S = 1.2
 """A stick that is held longer than a second is at an end."""
@@ -61,3 +64,9 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
     yield from hold(1850)
     yield from tour.look_at("learnDialog", "learn-test")
     yield partial(tour.press, "learnCancelButton")
+    yield partial(tour.choose, "setupAction")
+    for step in _SETUP_STEPS:
+        yield from tour.look_at("setupDialog", f"setup-{step}")
+        if step != _SETUP_STEPS[-1]:
+            yield partial(tour.press, "setupNextButton")
+    yield partial(tour.press, "setupCloseButton")
