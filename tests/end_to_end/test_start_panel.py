@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton, QSpinBox, QWidget
 from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
@@ -109,6 +109,15 @@ def test_panel_of_the_robot_leads_to_robots(
     panel = window.find(QWidget, "aracna_startPanel")
     assert panel.isVisible()
     assert "servo power" in window.text("aracna_startSteps")
+    assert not window.has("aracnaSlider1")
+    window.click("aracna_start_aracna_offline")
+    assert not panel.isVisible()
+    assert not window.is_enabled("aracnaMoveButton")
+    window.type_into("aracnaGoal1", "300")
+    window.connect_to_demo("aracna")
+    assert window.find(QSpinBox, "aracnaGoal1").value() == 300
+
+    window.disconnect()
     window.click("aracna_startDemo")
     window.wait(lambda: window.robot.link is ConnectionState.CONNECTED)
     assert not panel.isVisible()

@@ -87,8 +87,7 @@ class AracnaWorkspace(Workspace):
         tabs.setObjectName("aracnaTabs")
         tabs.setAccessibleName(self.tr("Pages"))
         self._frame = frame
-        page = RobotPage(robot, self._make_start_panel(), self)
-        self._controls = page.controls
+        self._page = page = RobotPage(robot, self._make_start_panel(), self)
         self._poses = PosesPage(robot, self.library, self)
         traffic = TrafficPage(
             robot.traffic, "aracnaTranscript", self.tr("a robot"), self.notifier, self
@@ -151,6 +150,7 @@ class AracnaWorkspace(Workspace):
             files=(
                 ("aracna_open", tr("Open pose fi&le…"), "open"),
                 ("aracna_open_recording", tr("Ope&n recording…"), "plot"),
+                ("aracna_offline", tr("Set &up goals and limits"), "settings"),
             ),
             prefix="aracna_",
         )
@@ -163,7 +163,7 @@ class AracnaWorkspace(Workspace):
 
     def menus(self) -> Menus:
         tr, keys = self.tr, QKeySequence.StandardKey
-        controls, robot = self._controls, self._robot
+        controls, robot = self._page.controls, self._robot
         files, undo = self._poses.files, self.library.undo
         record, open_recording = self.recordings.toggle, self.recordings.choose_and_open
         return {
@@ -195,6 +195,11 @@ class AracnaWorkspace(Workspace):
                     "plot",
                 ),
                 SEPARATOR,
+                Entry(
+                    "aracna_offline",
+                    tr("Set up &goals and limits without a robot"),
+                    self._set_up_offline,
+                ),
                 Entry("aracna_limits", tr("Reset the joints' &limits"), robot.limits.reset),
             ),
             tr("Pos&es"): (
@@ -246,12 +251,17 @@ class AracnaWorkspace(Workspace):
             "aracna_play": not robot.move_blocker,
             "aracna_end": not idle and robot.link is ConnectionState.CONNECTED,
             "aracna_record": recorder.recording or recorder.can_record,
+            "aracna_offline": robot.link is ConnectionState.DISCONNECTED,
             "aracna_limits": not robot.limits.are_factory,
             "aracna_capture": None not in robot.state.present,
             "aracna_undo": undo.canUndo(),
             "aracna_redo": undo.canRedo(),
             "aracna_demo": self._controller.demo_in_use,
         }
+
+    def _set_up_offline(self) -> None:
+        self.show_page("robot")
+        self._page.set_up_offline()
 
     def _play(self) -> None:
         self.show_page("poses")

@@ -34,11 +34,12 @@ class RobotPage(QWidget):
     """Sliders set the goals; the robot moves on Move, or while they are dragged."""
 
     def __init__(self, robot: Robot, start: QWidget, parent: QWidget | None = None) -> None:
-        """`start` is shown while nothing is connected."""
+        """`start` is shown while nothing is connected, until `set_up_offline`."""
         super().__init__(parent)
         self.setObjectName("aracnaRobotPage")
         self._robot = robot
         self._start = start
+        self._is_set_up_offline = False
         self._content = QWidget(self)
         self._sketch = Sketch(robot, self)
         table = JointTable(robot, self)
@@ -71,11 +72,18 @@ class RobotPage(QWidget):
         taken = margins.left() + margins.right() + self._right.minimumSize().width() + _GAP
         self._sketch.setVisible(self.width() - taken >= _MIN_SKETCH_WIDTH)
 
+    def set_up_offline(self) -> None:
+        """Show goals and limits instead of the start panel, until something was connected."""
+        self._is_set_up_offline = True
+        self._on_changed()
+
     @Slot()
     def _on_changed(self) -> None:
-        is_idle = self._robot.link is ConnectionState.DISCONNECTED
-        self._start.setVisible(is_idle)
-        self._content.setVisible(not is_idle)
+        is_connected = self._robot.link is not ConnectionState.DISCONNECTED
+        self._is_set_up_offline &= not is_connected
+        shows_joints = is_connected or self._is_set_up_offline
+        self._start.setVisible(not shows_joints)
+        self._content.setVisible(shows_joints)
         text, alarming = self._report_text()
         self._report.show_note(text, alarming=alarming)
 
@@ -83,7 +91,7 @@ class RobotPage(QWidget):
         """Return what the robot did not do as commanded, or what is unknown; and if it alarms."""
         state = self._robot.state
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
-            return "", False
+            return self.tr("No robot is connected; goals and limits can be set already."), False
         if state.stuck is not None:
             return stuck_text(state.stuck.motor), True
         faults = [missed_goals_text(state)] if state.missed_goals else []
