@@ -161,7 +161,7 @@ def test_escape_without_a_board_claims_nothing(window: WindowDriver) -> None:
     window.wait(window.window.isActiveWindow)
     QTest.keyClick(window.window.windowHandle(), Qt.Key.Key_Escape)
     assert not window.motors.locked_for
-    assert window.text("motorStateLabel") == "Motors: N/A"
+    assert window.text("motorStateLabel") == "No board is connected."
 
 
 def test_drag_continued_after_escape_drives_nothing(driving: DrivingWindow) -> None:

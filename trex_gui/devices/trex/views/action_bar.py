@@ -211,7 +211,7 @@ class ActionBar(QWidget):
             left = math.ceil(motors.locked_for)
             return self.tr("Stopped. Motors are locked for {0} s.").format(left)
         if link is not ConnectionState.CONNECTED:
-            return self.tr("Motors: N/A")
+            return self.tr("No board is connected.")
         if motors.stop_reason:
             return self.tr("Stopped. {0}").format(motors.stop_reason)
         if motors.is_available:

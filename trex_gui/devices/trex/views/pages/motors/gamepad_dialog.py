@@ -324,7 +324,8 @@ class GamepadDialog(ReusedDialog):
             old.hide()
             old.deleteLater()
             self._live.show()
-        self._name.setText(pad.name if pad is not None else self.tr("No gamepad is connected."))
+        absent = self.tr("No gamepad is connected. Plug one in or switch it on.")
+        self._name.setText(absent if pad is None else pad.name)
         for widget in (*self._rows.values(), self._style, self._dead_zone, self._expo):
             widget.setEnabled(pad is not None)
         self._defaults.setEnabled(pad is not None and profile != default_profile(pad))
