@@ -113,6 +113,7 @@ def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Dri
     go_to(assistant, assistant.root, SetupStep.REVIEW)
     assert assistant.robot.device.draft.pending > 0
     assert assistant.is_enabled("setupApplyButton")
+    assert assistant.root.focusWidget() is assistant.button("setupApplyButton")
     while assistant.is_enabled("setupBackButton"):
         assistant.click("setupBackButton")
     assert assistant.requests == []

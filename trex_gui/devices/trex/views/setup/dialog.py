@@ -136,6 +136,8 @@ class SetupDialog(ReusedDialog):
         self._pages[step].refresh()
         self._stack.setCurrentIndex(list(self._pages).index(step))
         is_last = step is SetupStep.REVIEW
+        if is_last and self.focusWidget() in {self._skip, self._next}:
+            self._pages[step].setFocus()  # Qt would move it to Close
         self._back.setEnabled(step is not SetupStep.DRIVER)
         self._skip.setVisible(step is not SetupStep.DRIVER and not is_last)
         self._next.setVisible(not is_last)

@@ -528,6 +528,7 @@ class ReviewPage(QWidget):
             default=False,
             on_click=self.apply_requested,
         )
+        self.setFocusProxy(self._apply)
         self._tasks = ui.label(self, "setupTasks", wrap=True)
         ui.column(
             self._open_title,
