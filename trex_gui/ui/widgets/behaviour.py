@@ -81,6 +81,13 @@ def name_headers(view: QAbstractItemView) -> None:
         header.setAccessibleName(_tr("Columns") if across else _tr("Rows"))
 
 
+def keep_room(widget: QWidget) -> None:
+    """Let a widget take its room in the layout while it is hidden, too."""
+    policy = widget.sizePolicy()
+    policy.setRetainSizeWhenHidden(True)
+    widget.setSizePolicy(policy)
+
+
 def _tr(text: str) -> str:
     return QCoreApplication.translate("header_names", text)
 

@@ -19,10 +19,12 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.setup.pulses import WEAK
 from trex_gui.devices.trex.model.setup.robot_setup import SetupStep
 from trex_gui.devices.trex.model.setup.wiring import Driver
+from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.learning.dialog import StepStrip
 from trex_gui.devices.trex.views.setup.dialog import SetupDialog
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import HoldButton
+from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 DRIVERS = {
     Driver.ONE_STICK: "setupDriverOneStick",
@@ -119,6 +121,38 @@ def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Dri
     assert assistant.requests == []
     assert assistant.robot.speeds() == (0, 0)
     assert assistant.robot.simulator.show()["parameters"]["motor1_acceleration"] == 0
+
+
+def test_stick_that_is_not_seen_is_named_beside_its_input(assistant: Assistant) -> None:
+    robot = assistant.robot
+    go_to(assistant, assistant.root, SetupStep.STICKS)
+    robot.push(1)
+    assistant.click("setupForwardButton")
+    assert "not known yet" in assistant.text("setupStick1Note")
+    assert "near its middle" in assistant.text("setupStick2Note")
+    assert "Is the transmitter on?" in assistant.text("setupStick2Note")
+    bar = assistant.find(ChannelBar, "setupChannel1Bar")
+    assistant.wait(lambda: bar.accessibleDescription().startswith("2000 µs"))
+    robot.simulator.do("channel 2 silent")
+    assistant.wait(lambda: robot.device.telemetry.raw_of(2) is None)
+    assistant.click("setupForwardButton")
+    assert "no signal arrives" in assistant.text("setupStick2Note")
+    robot.push(2)
+    assistant.click("setupForwardButton")
+    assert "the value rises" in assistant.text("setupStick2Note")
+
+
+def test_motors_need_no_scrolling_sideways_with_large_fonts(assistant: Assistant) -> None:
+    theme().set_font_size(150)
+    try:
+        go_to(assistant, assistant.root, SetupStep.MOTORS)
+        assistant.root.resize(900, 540)
+        page = assistant.find(QWidget, "setupWiringPage")
+        area = assistant.find(ScrollBox, "setupWiringPageArea")
+        assistant.wait(lambda: area.width() > 860)
+        assert page.minimumSizeHint().width() <= area.viewport().width()
+    finally:
+        theme().set_font_size(100)
 
 
 def test_held_button_moves_its_motor_only(assistant: Assistant) -> None:

@@ -17,6 +17,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import keep_room
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
 _GAP = 12
@@ -199,9 +200,7 @@ class EndSign(QWidget):
         self._name = name
         self._label = QLabel(name, self)
         self._sign = Sign(self)
-        policy = self._label.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._label.setSizePolicy(policy)
+        keep_room(self._label)
         ui.row(self._label, self._sign, into=self, margins=(0, 0, 4, 0), spacing=2)
         self.show_state(EndState.OPEN)
 

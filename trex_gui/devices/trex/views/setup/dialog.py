@@ -20,7 +20,7 @@ from trex_gui.devices.trex.views.setup.pages import (
     TimeoutPage,
 )
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import ReusedDialog, only_when_visible
+from trex_gui.ui.widgets.behaviour import ReusedDialog, keep_room, only_when_visible
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -98,9 +98,7 @@ class SetupDialog(ReusedDialog):
             on_click=self.close,
         )
         for button in (self._skip, self._next):  # a second click must not hit another button
-            policy = button.sizePolicy()
-            policy.setRetainSizeWhenHidden(True)
-            button.setSizePolicy(policy)
+            keep_room(button)
         buttons = ui.row(stop, 1, self._back, self._skip, self._next, self._close)
         ui.column(self._strip, (self._stack, 1), self._edits, buttons, into=self, spacing=10)
 

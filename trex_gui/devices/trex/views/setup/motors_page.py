@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.setup.wiring import Driver, Movement, Rewiring,
 from trex_gui.devices.trex.views.action_bar import RunButton, TimeoutNotice
 from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import HoldButton, only_when_visible
+from trex_gui.ui.widgets.behaviour import HoldButton, keep_room, only_when_visible
 from trex_gui.ui.widgets.labels import Note
 
 
@@ -44,16 +44,14 @@ class _MotorBox(ui.GroupBox):
         }
         self._answers = {}
         self._group = QButtonGroup(self)
-        grid = ui.grid()
-        for index, (movement, text) in enumerate(texts.items()):
+        for movement, text in texts.items():
             name = f"setupMotor{motor}{movement.name.title().replace('_', '')}"
             answer = ui.radio_button(self, name, text)
             answer.setAccessibleName(f"{self.title()}: {text}")
             answer.clicked.connect(partial(setup.note_movement, motor, movement))
-            grid.addWidget(answer, index // 2, index % 2)
             self._group.addButton(answer)
             self._answers[movement] = answer
-        ui.column(self._hold, question, grid, into=self)
+        ui.column(self._hold, question, *self._answers.values(), into=self, spacing=4)
 
         self._hold.hold_started.connect(self._on_hold_started)
         self._hold.hold_ended.connect(setup.pulses.release)
@@ -100,12 +98,13 @@ class WiringPage(QWidget):
         self._again = ui.button(
             self,
             "setupAgainButton",
-            self.tr("Wir&es swapped: ask again"),
+            self.tr("Wir&es swapped – test again"),
             icon="reload",
             default=False,
             tip=self.tr("Forget both answers and find out again which motor is which"),
             on_click=setup.forget_movements,
         )
+        keep_room(self._again)
         result = ui.row((self._result, 1), self._again, spacing=10)
         ui.column(
             ui.row((self._free, 1), self._run_place),
@@ -148,7 +147,7 @@ class WiringPage(QWidget):
         self._note.show_note(text, alarming=self._device.motors.armed)
         wiring = self._setup.wiring
         rewiring = wiring.rewiring(self._setup.driver) if wiring else None
-        self._again.setEnabled(bool(rewiring))
+        self._again.setVisible(bool(rewiring))
         self._result.show_note(self._result_text(wiring, rewiring), alarming=bool(rewiring))
 
     def _result_text(self, wiring: Wiring | None, rewiring: Rewiring | None) -> str:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from enum import Enum
 from functools import partial
+from itertools import chain
 from typing import TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
@@ -18,10 +19,12 @@ from trex_gui.devices.trex.model.setup.wiring import Driver
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
+from trex_gui.devices.trex.views.bars import ChannelBar
 from trex_gui.devices.trex.views.setup.motors_page import rewiring_text
 from trex_gui.devices.trex.views.setup.sketch import JumperPlaces, JumperSketch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
 ChoiceT = TypeVar("ChoiceT", bound=Enum | None)
@@ -207,8 +210,8 @@ class JumperPage(QWidget):
             )
         if seen is None:
             return None, self.tr(
-                "It is not known yet whether the mix jumper is on: no command reads it. Push a "
-                "stick to one side, and the board's values show it."
+                "It is not known yet whether the mix jumper is on: the board cannot be asked. Push "
+                "a stick to one side, and the answer appears here."
             )
         if seen is is_mixed:
             on, off = self.tr("The mix jumper is on."), self.tr("The mix jumper is off.")
@@ -236,8 +239,8 @@ class SticksPage(QWidget):
             text=self.tr(
                 "The board has to know the middle and the ends of each stick. Learning measures "
                 "them in about two minutes, in a separate window, and ends with a review. The "
-                "motors stay off meanwhile. Learning cannot tell how they are wired, so do it "
-                "before the next step."
+                "motors stay off meanwhile. Learn before you go on: the next step, which motor is "
+                "which, needs the directions of the sticks."
             ),
             wrap=True,
         )
@@ -272,18 +275,31 @@ class SticksPage(QWidget):
             default=False,
             on_click=lambda: self._note((1,)),
         )
-        self._known = ui.named(Note(3, self), "setupSticksNote")
+        self._wiring = Muted(parent=self)
+        self._bars = {
+            channel: ui.named(
+                ChannelBar(self),
+                f"setupChannel{channel}Bar",
+                accessible=self.tr("Raw input of channel {0}").format(channel),
+            )
+            for channel in (1, 2)
+        }
+        self._known = {
+            channel: ui.named(Note(1, self), f"setupStick{channel}Note") for channel in self._bars
+        }
         ui.column(
             learn_text,
             ui.row(self._learn, (self._blocker, 1), 1),
             pushed_text,
             ui.row(self._forward, self._right, 1),
-            self._known,
+            self._wiring,
+            *chain.from_iterable(zip(self._known.values(), self._bars.values(), strict=True)),
             1,
             into=self,
             margins=0,
-            spacing=12,
+            spacing=10,
         )
+        device.telemetry.frame_due.connect(self._show_inputs)
 
     @property
     def _is_one(self) -> bool:
@@ -306,20 +322,53 @@ class SticksPage(QWidget):
         can_push = self._device.is_connected and not self._device.rejects_settings
         for button in (self._forward, self._right):
             button.setEnabled(can_push)
-        self._known.show_note("\n".join(self._lines()), alarming=bool(self._unclear))
+        self._wiring.setText(self._wiring_text())
+        device = self._device
+        for channel, bar in self._bars.items():
+            bar.set_connected(device.is_connected)
+            bar.set_source(device.calibrations.source)
+            bar.set_calibration(device.calibrations.stored(channel))
+            is_unclear = channel in self._unclear and channel not in self._setup.rises
+            self._known[channel].show_note(self._stick_text(channel), alarming=is_unclear)
+        self._show_inputs()
 
-    def _lines(self) -> list[str]:
+    @Slot()
+    @only_when_visible
+    def _show_inputs(self) -> None:
+        telemetry = self._device.telemetry
+        if telemetry.raw is not None:
+            for channel, bar in self._bars.items():
+                bar.set_raw(telemetry.raw_of(channel))
+
+    def _wiring_text(self) -> str:
+        text = self.tr("Channel 1 is for motor 1, channel 2 for motor 2.")
+        if self._is_one:
+            text = self.tr(
+                "Channel 1 is for left and right of the stick, channel 2 for forward and back."
+            )
+        if self._device.calibrations.source is InputSource.RC:
+            text = f"{text} {self.tr('Each is connected to an output of your receiver.')}"
+        return text
+
+    def _stick_text(self, channel: int) -> str:
+        """Return what is known of the direction of a stick, or why it could not be seen."""
         names = {1: self.tr("Channel 1 (motor 1)"), 2: self.tr("Channel 2 (motor 2)")}
         if self._is_one:
             names = {1: self.tr("Channel 1 (turns)"), 2: self.tr("Channel 2 (drives)")}
         texts = {
-            None: self.tr("{0}: not known yet."),
+            None: self.tr("{0}: its direction is not known yet."),
             True: self.tr("{0}: the value rises."),
             False: self.tr("{0}: the value falls."),
         }
-        if self._unclear:
+        if channel in self._unclear:
             texts[None] = self.tr("{0}: the stick is still near its middle. Push it all the way.")
-        return [texts[self._setup.rises.get(n)].format(name) for n, name in names.items()]
+            if self._device.telemetry.raw_of(channel) is None:
+                texts[None] = self.tr("{0}: no signal arrives.")
+        text = texts[self._setup.rises.get(channel)].format(names[channel])
+        is_rc = self._device.calibrations.source is InputSource.RC
+        if channel in self._unclear and channel not in self._setup.rises and is_rc:
+            text = f"{text} {self.tr('Is the transmitter on?')}"
+        return text
 
 
 class LimitsPage(QWidget):
@@ -392,14 +441,14 @@ class LimitsPage(QWidget):
         if self._device.is_joint:
             return self.tr("In joint mode the board measures no current, so it cannot limit it.")
         text = self.tr(
-            "Set the current that your motors can draw continuously; the values of the samples are "
+            "Set the current that your motors can draw continuously; the values above are only "
             "examples. Speeds that are set at once, without a ramp, bypass the limit for a moment."
         )
         if preset is not None and preset.product != self._device.parameters.model_key:
             name = device_table().model(preset.product).name
             other = self.tr(
-                "This sample is for a {0}, whose current limit does not fit this board: yours is "
-                "kept."
+                "This example was made for a {0}, which measures current in other units. Your "
+                "board keeps its current limit."
             )
             text = f"{other.format(name)} {text}"
         return text
@@ -415,7 +464,7 @@ class LimitsPage(QWidget):
         if limit is None:
             return text
         amps = parameters.spec_of(LIMITS[0]).text(limit)
-        return f"{text} {self.tr('Current limit of the sample: {0}.').format(amps)}"
+        return f"{text} {self.tr('Example of a current limit: {0}.').format(amps)}"
 
     @Slot(float)
     def _on_limit_changed(self, amps: float) -> None:
