@@ -252,6 +252,7 @@ def test_board_in_rc_mode_is_explained_and_followed(assistant: Assistant) -> Non
     assert not assistant.is_enabled("setupForwardButton")
     assert not assistant.is_enabled("setupRightButton")
     go_to(assistant, assistant.root, SetupStep.MOTORS)
+    assert assistant.root.focusWidget() is assistant.button("setupSkipButton"), "not Close"
     assert "in RC mode" in assistant.text("setupPulseNote")
     for name in ("setupWheelsFree", "setupRunButton", "setupHold1", "setupHold2"):
         assert not assistant.is_enabled(name)
@@ -261,6 +262,7 @@ def test_board_in_rc_mode_is_explained_and_followed(assistant: Assistant) -> Non
     assert not assistant.is_enabled("setupNextButton")
     assistant.click("setupSkipButton")
     assert not assistant.is_enabled("setupApplyButton")
+    assert assistant.root.focusWidget() is not assistant.button("setupApplyButton")
     assert robot.device.draft.pending == 0
     assistant.click("setupBackButton")
 

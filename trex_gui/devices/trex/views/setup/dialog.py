@@ -57,7 +57,7 @@ class SetupDialog(ReusedDialog):
             SetupStep.TIMEOUT: self.tr("Serial &timeout"),
             SetupStep.REVIEW: self.tr("Review"),
         }
-        review = ReviewPage(device, setup, self._titles, self)
+        self._review = review = ReviewPage(device, setup, self._titles, self)
         sticks.learn_requested.connect(self.learn_requested)
         review.apply_requested.connect(self.apply_requested)
         self._pages: dict[SetupStep, _Page] = {
@@ -134,10 +134,13 @@ class SetupDialog(ReusedDialog):
         self._pages[step].refresh()
         self._stack.setCurrentIndex(list(self._pages).index(step))
         is_last = step is SetupStep.REVIEW
-        if is_last and self.focusWidget() in {self._skip, self._next}:
-            self._pages[step].setFocus()  # Qt would move it to Close
+        had_focus = self.focusWidget() in {self._skip, self._next}
         self._back.setEnabled(step is not SetupStep.DRIVER)
         self._skip.setVisible(step is not SetupStep.DRIVER and not is_last)
+        if had_focus and is_last:  # Qt would move it to Close
+            self._review.focus_apply()
+        elif had_focus and setup.blocker:
+            self._skip.setFocus()
         self._next.setVisible(not is_last)
         self._next.setEnabled(not setup.blocker)
         text = setup.blocker or self._edits_text()

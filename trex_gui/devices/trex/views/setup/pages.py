@@ -577,7 +577,6 @@ class ReviewPage(QWidget):
             default=False,
             on_click=self.apply_requested,
         )
-        self.setFocusProxy(self._apply)
         self._tasks = ui.label(self, "setupTasks", wrap=True)
         ui.column(
             self._open_title,
@@ -590,6 +589,10 @@ class ReviewPage(QWidget):
             margins=0,
             spacing=12,
         )
+
+    def focus_apply(self) -> None:
+        if self._apply.isEnabled():
+            self._apply.setFocus()
 
     def refresh(self) -> None:
         device = self._device
