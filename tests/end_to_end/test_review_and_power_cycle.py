@@ -3,6 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
 from tests.support.held_line import before_storing
 from tests.support.keyboard import check_keyboard
@@ -104,7 +105,8 @@ def test_review_reports_stored_and_failed_settings(
 
     edit(window, serial_timeout=14)
     review.open()  # it was not closed
-    QTest.keyClick(review.root.focusWidget() or review.root, Qt.Key.Key_Return)
+    focused: object = review.root.focusWidget()  # `None` is possible, against Qt's stubs
+    QTest.keyClick(focused if isinstance(focused, QWidget) else review.root, Qt.Key.Key_Return)
     review.wait(lambda: stored(simulator, "serial_timeout") == 14 and not device.applying)
     review.close()
 
