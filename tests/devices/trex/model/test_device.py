@@ -18,6 +18,7 @@ from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.event_log import EventKind
 from trex_gui.ui.runtime import now
 
 LEARNED = Calibration(2400, 3700, 5100, 80)
@@ -422,6 +423,8 @@ def test_reconnect_stops_motors_that_ran_when_unplugged(
     quick_simulator.do("line unplug")
     connected.until_link(ConnectionState.DISCONNECTED)
     assert connected.device.may_move
+    last = connected.device.events.all[-1]
+    assert (last.kind, last.is_problem) == (EventKind.LINK, True), last.text
     assert speed(quick_simulator) == ("forward", 90)
     connected.connect(quick_simulator.do("line plug").split()[-1])
     assert speed(quick_simulator) == ("brake", 127)

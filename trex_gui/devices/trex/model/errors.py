@@ -168,10 +168,14 @@ class BoardEvents(EventLog):
         self.add(EventKind.LINK, self.tr("The board stopped responding"), is_problem=True)
 
     @Slot(object)
-    def _on_closed(self, _last: Closed | None) -> None:
+    def _on_closed(self, last: Closed | None) -> None:
         if self._was_read:
             self._was_read = False
-            self.add(EventKind.LINK, self.tr("Disconnected"))
+            may_move = last is not None and last.may_move
+            text = self.tr("Disconnected")
+            if may_move:
+                text = self.tr("Disconnected before a stop was confirmed: motors may still turn")
+            self.add(EventKind.LINK, text, is_problem=may_move)
 
     def note_status(self, latched: LatchedStatus) -> None:
         for bit, kind in _KINDS.items():
