@@ -44,6 +44,7 @@ from trex_gui.ui.program import Program
 from trex_gui.ui.runtime import use_runtime
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import ENGLISH, install_translations
+from trex_gui.ui.units import units
 
 # Several processes may share the computer: how long an example takes says nothing.
 hypothesis.settings.register_profile("gate", deadline=None, derandomize=True, max_examples=100)
@@ -129,8 +130,9 @@ def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
 
 @pytest.fixture(autouse=True)
 def _usual_scheme() -> Iterator[None]:
-    """Leave no colour scheme or font size of a test behind."""
+    """Leave no colour scheme, font size or order of units of a test behind."""
     yield
+    units().set_own_first(False)
     theme().set_font_size(100)
     if theme().choice != "system":
         theme().set_scheme("system")

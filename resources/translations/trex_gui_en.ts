@@ -12,35 +12,12 @@
     </message>
 </context>
 <context>
-    <name>CalibrationFields</name>
-    <message numerus="yes">
-        <source>= %n count(s)</source>
-        <translation>
-            <numerusform>= %n count</numerusform>
-            <numerusform>= %n counts</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>CalibrationPage</name>
     <message numerus="yes">
         <source>%n count(s)</source>
         <translation>
             <numerusform>%n count</numerusform>
             <numerusform>%n counts</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ChannelForm</name>
-    <message numerus="yes">
-        <source>%n count(s)
-was {0}</source>
-        <translation>
-            <numerusform>%n count
-was {0}</numerusform>
-            <numerusform>%n counts
-was {0}</numerusform>
         </translation>
     </message>
 </context>
@@ -65,6 +42,16 @@ was {0}</numerusform>
         <translation>
             <numerusform>%n value copied from {0}.</numerusform>
             <numerusform>%n values copied from {0}.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>CountEditor</name>
+    <message numerus="yes">
+        <source>%n count(s)</source>
+        <translation>
+            <numerusform>%n count</numerusform>
+            <numerusform>%n counts</numerusform>
         </translation>
     </message>
 </context>

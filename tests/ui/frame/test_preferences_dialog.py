@@ -12,6 +12,7 @@ from trex_gui.ui.devices.auto_connect import connects_automatically
 from trex_gui.ui.frame.preferences_dialog import PreferencesDialog
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import restore_choices, theme
+from trex_gui.ui.units import restore_units, units
 from trex_gui.ui.widgets.file_questions import default_folder, last_folder, remember_folder
 
 
@@ -30,6 +31,8 @@ def start_again() -> None:
     theme().set_scheme("system")
     theme().set_font_size(100)
     restore_choices()
+    units().set_own_first(False)
+    restore_units()
 
 
 def test_theme_and_font_size_change_at_once_and_stay(dialog: WidgetDriver) -> None:
@@ -67,15 +70,21 @@ def test_reset_restores_every_default(dialog: WidgetDriver) -> None:
     dialog.select("fontSizeBox", 90)
     dialog.click("defaultFolderBox")
     dialog.click("automaticBox")
+    dialog.select("unitsBox", True)
+    start_again()
+    assert units().own_first
     assert connects_automatically()
     assert default_folder() is not None
     dialog.click("preferencesReset")
     assert (theme().choice, theme().font_size) == ("system", 100)
     assert not connects_automatically()
+    assert not units().own_first
+    assert dialog.combo("unitsBox").currentData() is False
     assert default_folder() is None
     assert not dialog.button("automaticBox").isChecked()
     start_again()
     assert (theme().choice, theme().font_size) == ("system", 100)
+    assert not units().own_first
 
 
 def test_enter_closes_it_also_after_reset(dialog: WidgetDriver) -> None:

@@ -51,6 +51,7 @@ from trex_gui.ui.recent_files import RecentFile, RecentFiles
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import DialogIcons, application_icon
 from trex_gui.ui.theme.theme import restore_choices
+from trex_gui.ui.units import restore_units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.file_drop import FileDrop
@@ -77,6 +78,7 @@ class MainWindow(QMainWindow):
         """`add_all_workspaces` adds those of the kinds of devices that were not used yet."""
         super().__init__()
         restore_choices()  # before fonts are measured
+        restore_units()
         self.setObjectName("mainWindow")
         self.setWindowTitle(self.tr("TReX Studio"))
         self.setWindowIcon(application_icon())

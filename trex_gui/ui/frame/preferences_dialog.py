@@ -14,6 +14,7 @@ from trex_gui.ui.theme.theme import (
     choose_scheme,
     theme,
 )
+from trex_gui.ui.units import choose_units, units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -49,6 +50,17 @@ class PreferencesDialog(ReusedDialog):
             items=[(self.tr("{0} %").format(percent), percent) for percent in FONT_SIZES],
             on_activate=self._on_font_size_chosen,
         )
+        self._units = ui.combo_box(
+            self,
+            "unitsBox",
+            self.tr("Units"),
+            items=[
+                (self.tr("Physical units (µs, V, %, s)"), False),
+                (self.tr("Values of the board (counts, 0 to 127)"), True),
+            ],
+            tip=self.tr("What is shown first, and what a number typed without a unit means"),
+            on_activate=lambda index: choose_units(own_first=bool(index)),
+        )
         self._own_folder = ui.check_box(
             self,
             "defaultFolderBox",
@@ -82,6 +94,7 @@ class PreferencesDialog(ReusedDialog):
         form = QFormLayout()
         form.addRow(self.tr("&Theme:"), self._scheme)
         form.addRow(self.tr("&Font size:"), self._font_size)
+        form.addRow(self.tr("&Units:"), self._units)
         reset = ui.button(
             self,
             "preferencesReset",
@@ -118,6 +131,7 @@ class PreferencesDialog(ReusedDialog):
         with QSignalBlocker(self._scheme), QSignalBlocker(self._font_size):
             self._scheme.setCurrentIndex(self._scheme.findData(theme().choice))
             self._font_size.setCurrentIndex(self._font_size.findData(theme().font_size))
+        self._units.setCurrentIndex(self._units.findData(units().own_first))
         folder = file_questions.default_folder()
         self._own_folder.setChecked(folder is not None)
         self._folder.setEnabled(folder is not None)
@@ -158,6 +172,7 @@ class PreferencesDialog(ReusedDialog):
     def _reset(self) -> None:
         choose_scheme("system")
         choose_font_size(100)
+        choose_units(own_first=False)
         file_questions.set_default_folder(None)
         set_automatic(False)
         self._show_choices()

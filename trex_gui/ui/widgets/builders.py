@@ -45,6 +45,7 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.theme.theme import follow_theme, theme, tint
+from trex_gui.ui.units import units
 from trex_gui.ui.widgets.behaviour import clear_corner, name_headers
 
 
@@ -368,7 +369,8 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
     header = table.horizontalHeader()
     header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     header.setHighlightSections(False)
-    theme().changed.connect(table.viewport().update)
+    for changed in (theme().changed, units().changed):
+        changed.connect(table.viewport().update)
     return table
 
 

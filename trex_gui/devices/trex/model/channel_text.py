@@ -8,6 +8,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.units import units
 
 CHANNEL_NAMES = {1: "Motor 1", 2: "Motor 2", 3: "Auxiliary", 4: "Flip", 5: "Override"}
 """Short names of what each channel does in RC and analog mode."""
@@ -47,6 +48,12 @@ _SWITCHES = (4, 5)
 
 
 translate = QCoreApplication.translate
+
+
+def input_text(source: InputSource, count: int) -> str:
+    """Return a raw count with its physical value, in the user's order: `1500 µs (3750)`."""
+    first, second = units().ordered(source.text(count), str(count))
+    return f"{first} ({second})"
 
 
 def function_text(

@@ -1,4 +1,4 @@
-"""Spin boxes that show and take their number in physical units, and a delegate for tables."""
+"""Spin boxes that show and take their number in several units, and a delegate for tables."""
 
 import re
 
@@ -20,6 +20,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.units import units
 
 _NUMBER = re.compile(r"\s*([0-9]{1,6}(?:[.,][0-9]{0,6})?)\s*(\S*)\s*")
 _UNITS = {
@@ -32,6 +33,9 @@ _COUNTS = {"count", "counts", "#"}
 class UnitSpinBox(QSpinBox):
     """Base of spin boxes whose input `parse` converts.
 
+    A number without a unit is in the unit that the spin box shows. A change of units first takes
+    what was typed, in the unit that was shown till then.
+
     Input that was reported as no value is marked by a red frame and an icon until it is one.
     """
 
@@ -39,6 +43,7 @@ class UnitSpinBox(QSpinBox):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.own_first = units().own_first  # as the text says, which follows a change of units
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
@@ -47,6 +52,7 @@ class UnitSpinBox(QSpinBox):
         self.lineEdit().addAction(self._problem, QLineEdit.ActionPosition.LeadingPosition)
         self._problem.setVisible(False)  # only now: Qt shows what was hidden when it was added
         self.lineEdit().textChanged.connect(self._on_text_changed)
+        units().changed.connect(self._on_units_changed)
 
     @property
     def problem(self) -> str:
@@ -62,6 +68,16 @@ class UnitSpinBox(QSpinBox):
     def _on_text_changed(self) -> None:
         if self.problem and self.hasAcceptableInput():
             self._mark("")
+
+    @Slot()
+    def _on_units_changed(self) -> None:
+        is_typed = self.lineEdit().isModified()
+        if is_typed:
+            self.interpretText()
+        self.own_first = units().own_first
+        self.setSuffix("")  # makes the text and the size again
+        self.lineEdit().setModified(is_typed)  # so that a delegate keeps it
+        self._mark("")
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
@@ -123,7 +139,7 @@ class UnitDelegate(QStyledItemDelegate):
 
 
 class CountEditor(UnitSpinBox):
-    """A raw count, shown in µs or V; takes `2.1 ms`, `1500` or `3750 counts`."""
+    """A raw count, shown in µs or V, or as it is; takes `2.1 ms`, `1500 µs` or `3750 counts`."""
 
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -153,7 +169,16 @@ class CountEditor(UnitSpinBox):
         else:
             event.ignore()
 
+    @property
+    def other_text(self) -> str:
+        """The value in the unit that is not shown, such as `3750 counts`."""
+        counts = self.tr("%n count(s)", "", self.value())
+        return self._physical(self.value()) if self.own_first else counts
+
     def textFromValue(self, val: int) -> str:
+        return str(val) if self.own_first else self._physical(val)
+
+    def _physical(self, val: int) -> str:
         decimals = 1 if self._source is InputSource.RC else 3
         number = f"{self._source.physical(val):.{decimals}f}".removesuffix(".0")
         return f"{number} {self._source.unit}"
@@ -162,7 +187,9 @@ class CountEditor(UnitSpinBox):
         found = _NUMBER.fullmatch(text)
         unit = found[2].casefold() if found else ""
         count = -1
-        if found and unit in _COUNTS:
+        if found and not unit and self.own_first:
+            count = int(found[1]) if found[1].isdecimal() else -1  # no broken count: 1.5 may be ms
+        elif found and unit in _COUNTS:
             count = round(_float(found[1]))
         elif found and unit in _UNITS[self._source]:
             count = self._source.counts(_float(found[1]) * _UNITS[self._source][unit])
@@ -172,9 +199,9 @@ class CountEditor(UnitSpinBox):
         return count
 
     def _expected(self) -> str:
-        example = self.tr("Enter 0 to {0}, such as 2.5, 2500 mV or 512 counts.")
+        example = self.tr("Enter 0 to {0}, such as 2.5 V, 2500 mV or 512 counts.")
         if self._source is InputSource.RC:
-            example = self.tr("Enter 0 to {0}, such as 1500, 1.5 ms or 3750 counts.")
+            example = self.tr("Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.")
         return example.format(self._source.text(HIGHEST_CODED))
 
 

@@ -18,10 +18,12 @@ from trex_gui.devices.trex.protocol.parameters import (
     motor_name,
     other_motor_key,
 )
+from trex_gui.ui.units import units
 
 FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step in 100 ms
 _PRESCALER, _MAXIMUM = MotorParameter.PWM_PRESCALER, MotorParameter.PWM_MAXIMUM
 _MAXIMA = FULL_SCALE + 1
+_IN_WORDS = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
 _HIGHEST_PWM = 20_000.0  # Hz; of the drivers of boards without a rated one; inferred
 
 
@@ -86,7 +88,13 @@ class ParameterText(QObject):
         if any(self._draft.value(each) is None for each in keys):
             given = all(self._draft.accepts(each) for each in keys)
             return self.tr("not given") if given else self.tr("not read")
-        return self._physical(key, [self._draft.value(each) or 0 for each in keys])
+        return self._shown(key, [self._draft.value(each) or 0 for each in keys])
+
+    def _shown(self, key: str, wires: Sequence[int]) -> str:
+        """Return a value as a cell and its editor show it."""
+        text = self._physical(key, wires)
+        is_number = len(wires) == 1 and self._specs[key].kind not in _IN_WORDS
+        return units().ordered(text, str(wires[0]))[0] if is_number else text
 
     def _physical(self, key: str, wires: Sequence[int]) -> str:
         if len(wires) > 1:
@@ -114,7 +122,7 @@ class ParameterText(QObject):
         keys = self.together(key)
         wires = [wire for each in keys if (wire := self._draft.value(each)) is not None]
         sentences = (
-            self.tr("Wire value: {0}.").format(_numbers(wires)) if wires else "",
+            self.tr("Wire value: {0}.").format(self._wire_text(key, wires)) if wires else "",
             self.tr("Range: {0}.").format(self._range(key)),
             self.tr("Default: {0}.").format(self.with_wire(key, self._defaults(key))),
             self.tr("Takes effect when the board is switched off and on.")
@@ -123,6 +131,10 @@ class ParameterText(QObject):
             self._origin([self._specs[each] for each in keys]),
         )
         return tuple(filter(None, sentences))
+
+    def _wire_text(self, key: str, wires: Sequence[int]) -> str:
+        """Return the wire value, with the physical one if the cell does not show that."""
+        return self.with_wire(key, wires) if units().own_first else _numbers(wires)
 
     def _range(self, key: str) -> str:
         spec = self._specs[key]
@@ -161,8 +173,7 @@ class ParameterText(QObject):
             *(self._problems.get(each, "") for each in keys),
         ]
         if (wire := active[0]) is not None:
-            shown = value_text(self._specs[key], wire)
-            sentences.append(self.tr("Still active: {0}.").format(shown))
+            sentences.append(self.tr("Still active: {0}.").format(self._shown(key, [wire])))
         return tuple(filter(None, sentences))
 
     def _other_motor(self, key: str) -> str:

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QBoxLayout, QTabBar, QWidget
 
 from trex_gui.devices.trex.calibration.neutral import deadband_floor
 from trex_gui.devices.trex.calibration.proposal import WHY_THESE_VALUES
+from trex_gui.devices.trex.model.channel_text import input_text
 from trex_gui.devices.trex.model.learning.channels import LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.learning.problem_text import problems_text
@@ -21,6 +22,7 @@ from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import with_sign
 from trex_gui.ui.widgets.labels import LegendKey, Muted, Note
@@ -92,6 +94,7 @@ class ChannelForm(QWidget):
         rest = self._rest, 0, Qt.AlignmentFlag.AlignLeft
         items = self._include, self._values, self._problem, rest, self._reasons
         ui.column(*items, 1, into=self, margins=0, spacing=4)
+        units().changed.connect(self.refresh)
 
     def _choose(self, **changes: Any) -> None:
         self._learning.choose(self.channel.number, **changes)
@@ -104,6 +107,7 @@ class ChannelForm(QWidget):
         values = {name: editor.value() for name, editor in self._editors.items()}
         self._choose(calibration=Calibration(**{**values, field: value}))
 
+    @Slot()
     def refresh(self) -> None:
         channel, choice = self.channel, self.channel.choice
         for widget in (self._values, self._reasons):
@@ -144,8 +148,8 @@ class ChannelForm(QWidget):
             old = self.tr("unknown")
             if before is not None:
                 count = getattr(before.calibration, field)
-                old = f"{self.channel.source.text(count)} ({count})"
-            self._were[field].setText(self.tr("%n count(s)\nwas {0}", "", value).format(old))
+                old = input_text(self.channel.source, count)
+            self._were[field].setText(self.tr("{0}\nwas {1}").format(editor.other_text, old))
 
 
 class CurvePane(QWidget):

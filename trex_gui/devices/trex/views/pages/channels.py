@@ -7,13 +7,14 @@ from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
-from trex_gui.devices.trex.model.channel_text import function_text, switching_text
+from trex_gui.devices.trex.model.channel_text import function_text, input_text, switching_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.bars import ChannelBar, OutputBar
 from trex_gui.devices.trex.views.input_strip import STRIP_SECONDS, InputStrip
 from trex_gui.ui.theme.theme import follow_theme
+from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 
@@ -42,7 +43,7 @@ class ChannelsPage(QWidget):
         self._summary = ui.label(self, "channelsSummary", wrap=True)
         self._grid = ui.grid(spacing=(16, 2), stretch=[(1, 5), (2, 4), (3, 3)])
         headings = (
-            (self.tr("Input (counts)"), ""),
+            (self.tr("Input and count"), ""),
             (
                 self.tr("Raw, with its calibration"),
                 self.tr(
@@ -77,6 +78,7 @@ class ChannelsPage(QWidget):
         device.mix_jumper.changed.connect(self._show_functions)
         device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
+        units().changed.connect(self._on_text_due)
         self._on_device_changed()
 
     def _add_row(self, channel: int) -> _Row:
@@ -222,7 +224,7 @@ class ChannelsPage(QWidget):
             elif raw is None:
                 row.value.setText(self.tr("no signal"))
             else:
-                row.value.setText(f"{self._source.text(raw)} ({raw})")
+                row.value.setText(input_text(self._source, raw))
 
     def _renew(self) -> None:
         self._clear_strips()

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.model.channel_text import input_text
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
@@ -139,7 +140,7 @@ class CalibrationTable(QAbstractTableModel):
         count = _field(self._calibrations.shown(key), column)
         if count is None:
             return self.tr("not given")
-        return self.tr("{0} ({1})").format(key.source.text(count), count)
+        return input_text(key.source, count)
 
     def _font(self, key: CalibrationKey, column: int) -> QFont:
         font = QFont()
@@ -163,7 +164,7 @@ def _field(calibration: Calibration | None, column: int) -> int | None:
 
 
 class _Delegate(UnitDelegate):
-    """Edits counts in physical units."""
+    """Edits counts in the units that the cells show."""
 
     def __init__(self, page: "CalibrationEditor") -> None:
         super().__init__(page)
@@ -194,7 +195,7 @@ class CalibrationEditor(QWidget):
             text=self.tr(
                 "A board keeps two calibrations for each channel: one for RC pulses, one for "
                 "analog voltages. Calibrations that are not in the file stay as they are on the "
-                "board. The count stored in the file is in brackets."
+                "board. The number without a unit is the count in the file."
             ),
             wrap=True,
         )

@@ -13,13 +13,14 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.count_editor import CountEditor
+from trex_gui.ui.units import units
 from trex_gui.ui.widgets.bar import NO_VALUE
 from trex_gui.ui.widgets.builders import check_box, grid, label, named, row, set_bold
 from trex_gui.ui.widgets.labels import Muted
 
 
 class CalibrationFields(QWidget):
-    """Four fields in µs or V, each with its counts; arrow keys step by one count."""
+    """Four fields in µs or V, each with its counts, or the reverse; arrow keys step by a count."""
 
     # A valid calibration, and the run of steps that it belongs to: an object, or `None` for a typed
     # value. Undo reverts a run at once.
@@ -33,7 +34,7 @@ class CalibrationFields(QWidget):
         self._source = InputSource.RC
         self._calibration: Calibration | None = None
         self._editors: dict[str, CountEditor] = {}
-        self._counts: dict[str, QLabel] = {}
+        self._others: dict[str, QLabel] = {}  # with the values in the other unit
         self._run = object()
         titles = {
             "minimum": self.tr("Mi&nimum"),
@@ -46,16 +47,17 @@ class CalibrationFields(QWidget):
             editor = named(
                 CountEditor(self._source, self), f"{field}Edit", accessible=title.replace("&", "")
             )
-            counts = named(Muted("", self), f"{field}Counts")
-            counts.setWordWrap(False)
+            other = named(Muted("", self), f"{field}Counts")
+            other.setWordWrap(False)
             layout.addWidget(label(self, text=title, buddy=editor), 0, number)
             layout.addWidget(editor, 1, number)
-            layout.addWidget(counts, 2, number)
+            layout.addWidget(other, 2, number)
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.editingFinished.connect(self._on_run_ended)
             editor.rejected.connect(lambda why: self.rejected.emit(why, ""))
             self._editors[field] = editor
-            self._counts[field] = counts
+            self._others[field] = other
+        units().changed.connect(self._show_others)
 
     def show_calibration(
         self, source: InputSource, calibration: Calibration | None, *, editable: bool
@@ -70,8 +72,13 @@ class CalibrationFields(QWidget):
             with QSignalBlocker(editor):
                 editor.setSpecialValueText(NO_VALUE if calibration is None else "")
                 editor.setValue(count)
-            text = self.tr("= %n count(s)", "", count)
-            self._counts[field].setText(text if calibration is not None else "")
+        self._show_others()
+
+    @Slot()
+    def _show_others(self) -> None:
+        for field, other in self._others.items():
+            text = f"= {self._editors[field].other_text}"
+            other.setText(text if self._calibration is not None else "")
 
     def _on_value_changed(self, field: str, count: int) -> None:
         calibration = self._calibration

@@ -23,6 +23,7 @@ from trex_gui.devices.trex.views.pages.calibration.heading import (
 )
 from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.units import units
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import button, column, label, named, row
@@ -250,9 +251,9 @@ class CalibrationPage(PlotPage):
             )
         if blocker := self._device.settings_blocker:
             return blocker
-        values, counts = "1500, 1.5 ms", "3750"
+        values, counts = "1500 µs, 1.5 ms", "3750"
         if self.source is InputSource.ANALOG:
-            values, counts = "2.5, 2500 mV", "512"
+            values, counts = "2.5 V, 2500 mV", "512"
         return self.tr(
             "Drag a handle of the curve, or type {0} or {1} counts. Nothing is written until you "
             "click Apply."
@@ -310,7 +311,7 @@ class CalibrationPage(PlotPage):
         output = curve.output(raw) if curve is not None else 0
         counts = self.tr("%n count(s)", "", raw)
         return self.tr("input now {0} ({1}), output {2}").format(
-            self.source.text(raw), counts, f"{output}".replace("-", MINUS)
+            *units().ordered(self.source.text(raw), counts), f"{output}".replace("-", MINUS)
         )
 
     # --- Edits --------------------------------------------------------------------------

@@ -26,6 +26,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSp
 from trex_gui.devices.trex.views.count_editor import UnitSpinBox
 from trex_gui.ui.widgets.builders import NoWheelComboBox, check_box, combo_box, row
 
+_BARE = re.compile(r"[-+]?[\d.,]+")
 _TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(?:(ms|s)\b.*)?", re.IGNORECASE)
 _FREQUENCY = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(k?)(?:hz)?", re.IGNORECASE)
 _TOLERANCE = 1.01
@@ -36,7 +37,10 @@ _BOTH_WAYS = (
 
 
 class NumberEditor(UnitSpinBox):
-    """Steps through wire values; shows and takes them in any unit of the parameter."""
+    """Steps through wire values; takes them in any unit of the parameter.
+
+    Shows the physical or the wire value: a number without a unit is the one that is shown.
+    """
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -45,14 +49,28 @@ class NumberEditor(UnitSpinBox):
         self.setToolTip(spec.range_text())
 
     def textFromValue(self, val: int) -> str:
-        return self._spec.text(val)
+        return str(val) if self.own_first else value_text(self._spec, val)
 
     def parse(self, text: str) -> int:
+        number = text.strip()
+        if not self.own_first or not _BARE.fullmatch(number):
+            return self._physical_wire(number)
+        try:
+            wire = int(number)
+        except ValueError:
+            raise BadRequest(
+                self.tr("{0} is {1}, not {2}").format(
+                    self._spec.name, self._spec.range_text(), number
+                )
+            ) from None
+        return self._spec.check(wire)
+
+    def _physical_wire(self, text: str) -> int:
         return self._spec.wire(text)
 
 
 class AccelerationEditor(NumberEditor):
-    """Shows and takes the time to full speed; speed steps need their unit, `25 per 100 ms`."""
+    """Takes the time to full speed, too; speed steps need their unit, `25 per 100 ms`."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
@@ -62,26 +80,29 @@ class AccelerationEditor(NumberEditor):
             )
         )
 
-    def textFromValue(self, val: int) -> str:
-        return value_text(self._spec, val)
-
-    def parse(self, text: str) -> int:
-        found = _TIME.fullmatch(text.strip())
+    def _physical_wire(self, text: str) -> int:
+        found = _TIME.fullmatch(text)
         if found is None:
-            return super().parse(text)
+            return super()._physical_wire(text)
         is_ms = (found[2] or "").lower() == "ms"
         seconds = float(found[1].replace(",", ".")) / (1000 if is_ms else 1)
         shortest = FULL_SPEED_S / self._spec.maximum / _TOLERANCE
         if seconds and not shortest <= seconds <= FULL_SPEED_S * _TOLERANCE:
             raise BadRequest(
                 self.tr("{0} is {1}, not {2}").format(
-                    self._spec.name, acceleration_range(self._spec), text.strip()
+                    self._spec.name, acceleration_range(self._spec), text
                 )
             )
         return acceleration_wire(seconds)
 
     def stepBy(self, steps: int) -> None:
-        """Step through the times: up is a longer one, and no ramp is the shortest."""
+        """Step through the times: up is a longer one, and no ramp is the shortest.
+
+        Where wire values are shown, step through them.
+        """
+        if self.own_first:
+            super().stepBy(steps)
+            return
         most = self.maximum()
         place = (most + 1 - self.value() if self.value() else 0) + steps
         place = min(max(place, 0), most)

@@ -15,6 +15,7 @@ from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter, ParameterFilters
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.theme.theme import follow_theme
+from trex_gui.ui.units import units
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Sign
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -58,6 +59,7 @@ class ParameterTable(QWidget):
         self._view.clicked.connect(self._on_current_changed)
         self._filters.entered.connect(self._view.setFocus)
         self._model.dataChanged.connect(self._show_help)
+        units().changed.connect(self._show_help)
         for changed in (
             self._rows.modelReset,
             self._rows.layoutChanged,

@@ -232,7 +232,8 @@ class ParameterView(QTableView):
         super().__init__(parent)
         self._rows = rows
         self._model = rows.parameters
-        self._unfinished: tuple[str, str] | None = None  # parameter and text of a lost editor
+        # Parameter and text of a lost editor, and whether it showed wire values
+        self._unfinished: tuple[str, str, bool] | None = None
         self._fitted: dict[ParameterColumn, int] = {}  # widths that no user has changed since
 
         self._model.pin(filter(None, Preferences().text(_PINNED).split(",")))
@@ -299,7 +300,7 @@ class ParameterView(QTableView):
         """Keep what is being typed while the rows are made again, which closes the editor."""
         editor = self.indexWidget(self.currentIndex())
         if isinstance(editor, UnitSpinBox) and editor.lineEdit().isModified():
-            self._unfinished = self.current_key, editor.text()
+            self._unfinished = self.current_key, editor.text(), editor.own_first
 
     def _resume_typing(self) -> None:
         unfinished, self._unfinished = self._unfinished, None
@@ -307,7 +308,7 @@ class ParameterView(QTableView):
             return
         self._begin_edit(unfinished[0])
         editor = self.indexWidget(self.currentIndex())
-        if isinstance(editor, UnitSpinBox):
+        if isinstance(editor, UnitSpinBox) and editor.own_first == unfinished[2]:
             editor.lineEdit().selectAll()
             editor.lineEdit().insert(unfinished[1])
 

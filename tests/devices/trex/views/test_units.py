@@ -1,0 +1,208 @@
+"""What is shown first, physical values or those of the board, and what a bare number means."""
+
+import pytest
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QSpinBox, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.devices.trex.views.parameters import ParametersDriver
+from tests.support.pages.calibration import calibration_page
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WidgetDriver
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.model.channel_text import input_text
+from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.views.count_editor import CountEditor, UnitSpinBox
+from trex_gui.devices.trex.views.pages.channels import ChannelsPage
+from trex_gui.devices.trex.views.pages.parameters.editors import NumberEditor, editor_for
+from trex_gui.ui.units import units
+
+SPECS = parameters_of("trexjr", "1.2")
+ACCELERATION = "motor1_acceleration"
+
+pytestmark = pytest.mark.usefixtures("qapp")
+
+
+class Painted(QObject):
+    """Notes whether a widget was painted since `is_idle` was read last."""
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._count = 0
+        widget.installEventFilter(self)
+
+    @property
+    def is_idle(self) -> bool:
+        count, self._count = self._count, 0
+        return count == 0
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        del watched
+        self._count += event.type() is QEvent.Type.Paint
+        return False
+
+
+def parsed(editor: UnitSpinBox, text: str) -> int | None:
+    """Return the value of an input; `None`: it is none."""
+    try:
+        return editor.parse(text)
+    except BadRequest:
+        return None
+
+
+@pytest.mark.parametrize("own_first", [False, True])
+@pytest.mark.parametrize("source", InputSource)
+def test_each_count_that_is_shown_is_read_as_that_count(
+    source: InputSource, own_first: bool
+) -> None:
+    units().set_own_first(own_first)
+    editor = CountEditor(source)
+    for count in (0, 1, 2, 511, 1023, 3092, 3750, HIGHEST_CODED):
+        with QSignalBlocker(editor):
+            editor.setValue(count)
+        shown, other = editor.text(), editor.other_text
+        assert (parsed(editor, shown), parsed(editor, other)) == (count, count)
+        assert (shown == str(count)) is own_first
+        if not own_first:
+            assert shown.endswith(source.unit)
+
+
+@pytest.mark.parametrize(
+    ("own_first", "typed", "count"),
+    [
+        (False, "1500", 3750),
+        (True, "1500", 1500),
+        *((own_first, "1500 µs", 3750) for own_first in (False, True)),
+        *((own_first, "1,5 ms", 3750) for own_first in (False, True)),
+        *((own_first, "1500 counts", 1500) for own_first in (False, True)),
+        (False, "1.2", 3),
+        (True, "1.2", None),
+        (True, "1,500", None),
+        (True, "1500.", None),
+    ],
+)
+def test_count_without_unit_is_in_the_unit_shown(
+    own_first: bool, typed: str, count: int | None
+) -> None:
+    units().set_own_first(own_first)
+    assert parsed(CountEditor(InputSource.RC), typed) == count
+
+
+@pytest.mark.parametrize(
+    ("typed", "physical", "own"),
+    [
+        ("2", 6, 2),
+        ("10", 1, 10),
+        ("0", 0, 0),
+        ("127", None, 127),
+        ("128", None, None),
+        ("-1", None, None),
+        ("0.5", 25, None),
+        ("1.", 13, None),
+        ("2 s", 6, 6),
+        ("500 ms", 25, 25),
+        ("10 per 100 ms", 10, 10),
+        ("no ramp", 0, 0),
+    ],
+)
+def test_acceleration_is_never_misread(typed: str, physical: int | None, own: int | None) -> None:
+    for own_first, wire in ((False, physical), (True, own)):
+        units().set_own_first(own_first)
+        editor = editor_for(SPECS[ACCELERATION])
+        assert isinstance(editor, UnitSpinBox)
+        assert parsed(editor, typed) == wire, own_first
+
+
+@pytest.mark.parametrize("own_first", [False, True])
+def test_each_number_that_is_shown_is_read_as_that_value(own_first: bool) -> None:
+    units().set_own_first(own_first)
+    tested = 0
+    for spec in SPECS.readable:
+        editor = editor_for(spec)
+        if isinstance(editor, NumberEditor):
+            tested += 1
+            for wire in spec.valid:
+                shown = editor.textFromValue(wire)
+                assert editor.parse(shown) == wire, (spec.key, shown)
+                if own_first:
+                    assert shown == str(wire)
+                    assert editor.parse(spec.text(wire) if spec.unit else shown) == wire
+    assert tested > 5
+
+
+def test_switch_changes_cells_help_and_open_editor_at_once(qtbot: QtBot) -> None:
+    parameters = ParametersDriver(qtbot)
+    parameters.load(SPECS, serial_timeout=13, motor1_acceleration=10)
+    parameters.go_to("serial_timeout")
+    pwm = parameters.cell("motor1_pwm_maximum").data()
+    mode = parameters.cell("motor_mode").data()
+    assert parameters.cell("serial_timeout").data() == "1.3 s"
+
+    painted = Painted(parameters.view.viewport())
+    parameters.wait(lambda: painted.is_idle)
+    units().set_own_first(True)
+    parameters.wait(lambda: not painted.is_idle)
+    assert parameters.cell("serial_timeout").data() == "13"
+    assert parameters.cell(ACCELERATION).data() == "10"
+    assert "Wire value: 13 (1.3 s)." in parameters.text("parameterHelp")
+    assert parameters.cell("motor1_pwm_maximum").data() == pwm
+    assert parameters.cell("motor_mode").data() == mode
+
+    editor = parameters.open_with_keys(ACCELERATION)
+    assert isinstance(editor, NumberEditor)
+    assert editor.text() == "10"
+    editor.stepUp()
+    assert editor.text() == "11"
+    editor.selectAll()
+    QTest.keyClicks(editor, "2")
+    units().set_own_first(False)
+    assert editor.text() == "6.3 s to full speed", "what was typed is kept, and not 2 s"
+    parameters.go_to("serial_timeout")
+    parameters.wait_for_value(ACCELERATION, 2)
+
+
+def test_typed_number_is_not_resumed_in_another_unit(qtbot: QtBot) -> None:
+    parameters = ParametersDriver(qtbot)
+    parameters.load(SPECS)
+    for own_first, resumed in ((False, "2"), (True, str(SPECS[ACCELERATION].default))):
+        units().set_own_first(False)
+        editor = parameters.open_with_keys(ACCELERATION)
+        assert isinstance(editor, NumberEditor)
+        editor.selectAll()
+        QTest.keyClicks(editor, "2")
+        parameters.view._keep_typed()
+        units().set_own_first(own_first)
+        parameters.close_editor(ACCELERATION)
+        parameters.view._resume_typing()
+        editor = parameters.editor(ACCELERATION)
+        assert isinstance(editor, NumberEditor)
+        assert editor.text() == resumed
+        parameters.close_editor(ACCELERATION)
+    assert not parameters.model.pending
+
+
+def test_switch_changes_calibration_and_channels_at_once(
+    qtbot: QtBot, quick_simulator: SimulatedDevice
+) -> None:
+    assert input_text(InputSource.RC, 3092) == "1237 µs (3092)"
+    with calibration_page(qtbot) as page:
+        page.connect(quick_simulator.url)
+        channels = WidgetDriver(ChannelsPage(page.device), qtbot)
+        qtbot.addWidget(channels.root)
+        channels.root.show()
+        quick_simulator.do("channel 1 1800us")
+        page.wait(lambda: channels.text("channel1Input") == "1800 µs (4500)")
+        neutral = page.find(QSpinBox, "neutralEdit")
+        assert (neutral.text(), page.text("neutralCounts")) == ("1500 µs", "= 3750 counts")
+
+        units().set_own_first(True)
+        assert channels.text("channel1Input") == "4500 (1800 µs)"
+        assert (neutral.text(), page.text("neutralCounts")) == ("3750", "= 1500 µs")
+        page.type_into("neutralEdit", "3800")
+        assert page.shown().neutral == 3800
+        page.type_into("neutralEdit", "1500 µs")
+        assert page.shown().neutral == 3750
+        page.wait(lambda: "4500 counts (1800 µs)" in page.live)

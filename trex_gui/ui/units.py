@@ -1,0 +1,44 @@
+"""Whether values are shown first in physical units or as the device's own numbers."""
+
+from functools import cache
+
+from PySide6.QtCore import QObject, Signal
+
+from trex_gui.ui.preferences import Preferences
+
+_KEY = "units/own_first"
+
+
+class Units(QObject):
+    """The choice of the whole program. There is one, and `units()` returns it."""
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.own_first = False
+
+    def set_own_first(self, own_first: bool) -> None:
+        if own_first != self.own_first:
+            self.own_first = own_first
+            self.changed.emit()
+
+    def ordered(self, physical: str, own: str) -> tuple[str, str]:
+        """Return both texts of a value, first that which the user wants to see first."""
+        return (own, physical) if self.own_first else (physical, own)
+
+
+@cache
+def units() -> Units:
+    return Units()
+
+
+def choose_units(*, own_first: bool) -> None:
+    """Set the order from now on, also at the next start."""
+    units().set_own_first(own_first)
+    Preferences().set(_KEY, own_first)
+
+
+def restore_units() -> None:
+    """Use the order that was chosen."""
+    units().set_own_first(Preferences().flag(_KEY, default=False))
