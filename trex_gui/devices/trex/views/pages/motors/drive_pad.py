@@ -3,6 +3,8 @@
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
 from PySide6.QtGui import (
     QEventPoint,
+    QFont,
+    QFontMetrics,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -20,6 +22,7 @@ _STRAIGHT = 0.06
 """Share of the travel within which a direction counts as zero."""
 
 _KNOB = 13
+_MARGIN = 2  # pixels between the frame and a word
 _USUAL_SIDE = 210  # pixels
 _LARGEST_SHARE = 0.4
 """Share of its parent's width that it takes at most."""
@@ -135,9 +138,16 @@ class DrivePad(QWidget):
     # --- Geometry and looks -------------------------------------------------------------
 
     def _field(self) -> QRectF:
-        side = min(self.width(), self.height()) - 2 * _KNOB - 2
+        side = min(self.width(), self.height()) - 2 * self._border() - 2
         middle = QRectF(self.rect()).center()
         return QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side)
+
+    def _border(self) -> int:
+        """Room around the field for the knob, and for a word that it does not cover."""
+        return _KNOB + _MARGIN + QFontMetrics(self._small_font()).height()
+
+    def _small_font(self) -> QFont:
+        return scaled_font(self.font(), 0.85)
 
     def _setpoint_at(self, place: QPointF) -> tuple[float, float]:
         field = self._field()
@@ -184,7 +194,8 @@ class DrivePad(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         field = self._field()
-        frame = field.adjusted(-_KNOB, -_KNOB, _KNOB, _KNOB)
+        border = self._border()
+        frame = field.adjusted(-border, -border, border, border)
         color = theme().color
         active = self.isEnabled()
         with QPainter(self) as painter:
@@ -209,8 +220,8 @@ class DrivePad(QWidget):
 
     def _paint_words(self, painter: QPainter, frame: QRectF) -> None:
         painter.setPen(theme().color("muted" if self.isEnabled() else "track_edge"))
-        painter.setFont(scaled_font(self.font(), 0.85))
-        box = frame.adjusted(6, 3, -6, -3)
+        painter.setFont(self._small_font())
+        box = frame.adjusted(6, _MARGIN, -6, -_MARGIN)
         centred = Qt.AlignmentFlag.AlignHCenter
         forward = self.tr("forward")
         if self._ceiling < FULL_SCALE:
@@ -219,7 +230,8 @@ class DrivePad(QWidget):
         painter.drawText(box, centred | Qt.AlignmentFlag.AlignTop, forward)
         painter.drawText(box, centred | Qt.AlignmentFlag.AlignBottom, self.tr("back"))
         if self._can_turn:
-            side = Qt.AlignmentFlag.AlignVCenter
+            box.setBottom(box.center().y() - _KNOB)  # beside the knob
+            side = Qt.AlignmentFlag.AlignBottom
             painter.drawText(box, side | Qt.AlignmentFlag.AlignLeft, self.tr("left"))
             painter.drawText(box, side | Qt.AlignmentFlag.AlignRight, self.tr("right"))
 
