@@ -33,7 +33,7 @@ def test_calibration_is_dragged_undone_and_written(
     assert not page.has("learnButton")
     window.connect(quick_simulator.url)
     assert not page.has("calibrationEmpty")
-    assert page.text("learnedLabel") == "not learned: has factory defaults"
+    assert page.text("learnedLabel") == "not learned: defaults"
 
     undo = window.device.draft.undo
     for handle, count in (

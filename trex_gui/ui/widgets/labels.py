@@ -121,9 +121,12 @@ class LegendKey(QLabel):
         super().__init__(text, parent)
         self._color = color
         self._style = style
+        follow_theme(self, "room", self._take_room)
+
+    def _take_room(self) -> None:
         self._sample = self.fontMetrics().averageCharWidth() * 3
-        self.setContentsMargins(16 if style is None else self._sample * 4 // 3, 0, 0, 0)
-        theme().changed.connect(self.update)
+        self.setContentsMargins(16 if self._style is None else self._sample * 4 // 3, 0, 0, 0)
+        self.update()
 
     def set_color(self, color: str) -> None:
         if color != self._color:

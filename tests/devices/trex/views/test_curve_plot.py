@@ -316,3 +316,13 @@ def test_complete_plot_is_drawn_in_both_schemes(plot: CurvePlot) -> None:
             }
             for name in ("motor1", "motor2", "limit", "mark", "plot_background"):
                 assert theme().color(name).name() in colours, (scheme, name)
+
+
+def test_names_and_least_heights_follow_the_font_size(plot: CurvePlot) -> None:
+    before = plot.minimumSizeHint().height(), plot.handles.room_above()
+    theme().set_font_size(150)
+    plot.grab()
+    after = plot.minimumSizeHint().height(), plot.handles.room_above()
+    theme().set_font_size(100)
+    assert after[0] > 1.4 * before[0]
+    assert after[1] > 1.2 * before[1]

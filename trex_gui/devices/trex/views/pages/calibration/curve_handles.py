@@ -51,9 +51,7 @@ class HandleLayer(QGraphicsObject):
             Handle.NEUTRAL: self.tr("Neutral"),
             Handle.MAXIMUM: self.tr("Maximum"),
         }
-        self._font = font
-        self._metrics = QFontMetricsF(font)
-        self._width = self._metrics.horizontalAdvance
+        self.set_font(font)
         self._frame = QRectF()
         self._places: dict[Handle, float] = {}
         self._threshold: Threshold | None = None
@@ -68,6 +66,11 @@ class HandleLayer(QGraphicsObject):
         self.setAcceptHoverEvents(True)
         self.setAcceptedMouseButtons(Qt.MouseButton.LeftButton)
         theme().changed.connect(self.update)
+
+    def set_font(self, font: QFont) -> None:
+        self._font = font
+        self._metrics = QFontMetricsF(font)
+        self._width = self._metrics.horizontalAdvance
 
     def room_above(self) -> int:
         """Return the pixels above the plot for names and grips."""

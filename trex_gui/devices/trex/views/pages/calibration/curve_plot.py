@@ -73,12 +73,6 @@ class CurvePlot(QWidget):
         self.trace = InputTrace(self)  # the input of the last seconds
         column((self._canvas, 2), (self.trace, 1), into=self, margins=0, spacing=0)
 
-        metrics, above = self._canvas.fontMetrics(), self.handles.room_above()
-        side = metrics.horizontalAdvance(_WIDEST_X_LABEL) // 2 + 4
-        self._canvas.set_margins(left=_WIDEST_Y_LABEL, top=above, right=side, x_axis=True)
-        self._canvas.setMinimumHeight((_MIN_CURVE_LINES + 2) * metrics.height() + above)
-        self.trace.align(left=_WIDEST_Y_LABEL, right=side)
-
         self.handles.dragged.connect(self._on_dragged)
         self.handles.released.connect(self._on_released)
         theme().changed.connect(self._on_theme_changed)
@@ -207,6 +201,12 @@ class CurvePlot(QWidget):
 
     @Slot()
     def _on_theme_changed(self) -> None:
+        self.handles.set_font(self._canvas.small_font())
+        metrics, above = self._canvas.fontMetrics(), self.handles.room_above()
+        side = metrics.horizontalAdvance(_WIDEST_X_LABEL) // 2 + 4
+        self._canvas.set_margins(left=_WIDEST_Y_LABEL, top=above, right=side, x_axis=True)
+        self._canvas.setMinimumHeight((_MIN_CURVE_LINES + 2) * metrics.height() + above)
+        self.trace.align(left=_WIDEST_Y_LABEL, right=side)
         self._dot.setPen(QPen(theme().color("plot_background"), 1.5))
         self._dot.setBrush(QBrush(theme().color("motor2")))
 

@@ -131,7 +131,7 @@ class ChannelHeading(QWidget):
         elif edited:
             self._learned.show_text(self.tr("not learned yet: will be after Apply"))
         else:
-            self._learned.show_text(self.tr("not learned: has factory defaults"))
+            self._learned.show_text(self.tr("not learned: defaults"))
         self._learned.setToolTip(channel_text.learned_text(learned))
         switches_at = "" if curve is None else channel_text.switching_text(channel, curve, source)
         self._function.show_note(
