@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QCheckBox, QFileDialog, QLineEdit, QPlainTextEdit
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.ui.theme.theme import choose_font_size
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS, TrafficView
 
@@ -158,6 +159,11 @@ def test_polling_is_shown_on_demand_and_log_can_be_paused(
     page.check("transcriptPolling", on=False)
     assert not page.shows("get currents")
     assert "polling is hidden" in page.summary
+
+    choose_font_size(150)
+    window.window.resize(1100, 700)  # bytes leave room for what they mean
+    readable = 40 * page.view.fontMetrics().averageCharWidth()
+    page.wait(lambda: page.view.columnWidth(WORDS) >= readable)
 
 
 def test_rows_are_shown_in_detail_copied_and_saved(

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from datetime import datetime
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
-from PySide6.QtGui import QFont, QFontMetrics, QPaintEvent
+from PySide6.QtGui import QFont, QFontMetrics, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -24,13 +24,16 @@ from trex_gui.ui.widgets.builders import flat_table, set_row_height
 
 TIME, SENT, RECEIVED, TOOK, WORDS = range(5)
 
-_SAMPLES = {
-    TIME: "00:00:00.000",
-    SENT: "80 07 2F 7E 00 55 2A",
-    RECEIVED: "54 52 65 58 31 2E 32 00 00 00",
-    TOOK: "Took (ms)",
-}
-"""Texts that set the column widths; longer bytes are elided, and complete below the table."""
+_SAMPLES = (
+    ("00:00:00.000", "80 07 2F 7E 00 55 2A", "54 52 65 58 31 2E 32 00 00 00", "Took (ms)"),
+    ("00:00:00.000", "80 07 2F", "54 52 65 58", "Took (ms)"),
+)
+"""Texts that set the column widths, and those where the meaning would have little room.
+
+Longer bytes are elided, and complete below the table.
+"""
+
+_MIN_MEANING = 50  # characters
 
 _DETAIL_LINES = 5
 
@@ -216,6 +219,7 @@ class TrafficView(QTableView):
     def __init__(self, table: TrafficTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._placeholder = ""
+        self._widths: list[int] = []
         flat_table(self, "", self.tr("Traffic on the line"))
         self.setModel(table)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
@@ -228,13 +232,28 @@ class TrafficView(QTableView):
         follow_theme(self, "room", self._take_room)
 
     def _take_room(self) -> None:
+        proportional, fixed = self.fontMetrics(), QFontMetrics(fixed_font())
+        unit = proportional.averageCharWidth()
+        fonts = {SENT: fixed, RECEIVED: fixed}
+        for samples in _SAMPLES:
+            widths = [
+                fonts.get(column, proportional).horizontalAdvance(text) + 3 * unit
+                for column, text in enumerate(samples)
+            ]
+            if sum(widths) + _MIN_MEANING * unit <= self.viewport().width():
+                break
+        if widths == self._widths:  # else what the user made of them would be lost
+            return
+        self._widths = widths
         header = self.horizontalHeader()
-        for column, sample in _SAMPLES.items():
-            font = fixed_font() if column in {SENT, RECEIVED} else self.font()
-            width = QFontMetrics(font).horizontalAdvance(sample)
-            header.resizeSection(column, width + 3 * self.fontMetrics().averageCharWidth())
+        for column, width in enumerate(widths):
+            header.resizeSection(column, width)
         header.setMinimumSectionSize(self.fontMetrics().averageCharWidth() * 6)
         self.setMinimumHeight(self.fontMetrics().height() * 6)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._take_room()
 
     @property
     def is_at_bottom(self) -> bool:
