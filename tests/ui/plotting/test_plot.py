@@ -190,6 +190,8 @@ def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: 
     assert view.model().setData(index, Qt.CheckState.Checked, checked)
     assert "setpoint1" in plot.shown
     assert count(plot, "good") > 50  # dotted
+    keys = [view.model().index(row, 0).data(Qt.ItemDataRole.DecorationRole) for row in (0, 2)]
+    assert [key.hasAlphaChannel() for key in keys] == [False, True], "so is its key"
     axis = plot._canvas._axes["right"]
     assert axis.isVisible()
     (shown,) = axis._tickLevels

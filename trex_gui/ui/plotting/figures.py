@@ -14,7 +14,7 @@ from PySide6.QtCore import (
     Signal,
     Slot,
 )
-from PySide6.QtGui import QColor, QIcon, QPaintEvent, QPixmap, QResizeEvent
+from PySide6.QtGui import QColor, QIcon, QPainter, QPaintEvent, QPixmap, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
     QListWidget,
@@ -41,7 +41,7 @@ _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 _PADDING = 8  # pixels around the text of a cell, as the style paints it
 _ROW_ROOM = 6  # pixels beyond the height of a line
 _MAX_EVENTS = 1000  # events listed: the newest
-_MIN_EVENT_WIDTH = 12  # characters of an event that are visible at least
+_MIN_EVENT_WIDTH = 24  # characters of an event that are visible at least
 
 
 class TraceColumn(IntEnum):
@@ -160,7 +160,8 @@ class TraceTable(QAbstractTableModel):
                 shown = trace.name in self._plot.shown
                 return Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked
             case Qt.ItemDataRole.DecorationRole:
-                return _swatch(theme().color(trace.color), QSize(14, 4))
+                dotted = self._plot.is_right(trace)
+                return _swatch(theme().color(trace.color), QSize(14, 4), dotted=dotted)
         return None
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
@@ -213,9 +214,13 @@ class TraceTable(QAbstractTableModel):
         return math.nan
 
 
-def _swatch(color: QColor, size: QSize) -> QPixmap:
+def _swatch(color: QColor, size: QSize, *, dotted: bool = False) -> QPixmap:
     picture = QPixmap(size)
-    picture.fill(color)
+    picture.fill(Qt.GlobalColor.transparent if dotted else color)
+    if dotted:
+        with QPainter(picture) as painter:
+            for left in range(0, size.width(), 5):
+                painter.fillRect(left, 0, 3, size.height(), color)
     return picture
 
 
@@ -344,15 +349,20 @@ class FiguresAndEvents(QSplitter):
         self._figures = figures
         self._is_moved = False
         self._is_resizing = False
-        events.setMinimumWidth(events.fontMetrics().averageCharWidth() * _MIN_EVENT_WIDTH)
-        self._min_events = events.minimumWidth()
+        self._events = events
         self.addWidget(figures)
         self.addWidget(events)
+        follow_theme(self, "room", self._take_room)
         self.setChildrenCollapsible(False)
         figures.horizontalHeader().geometriesChanged.connect(self._share)
         figures.horizontalHeader().sectionResized.connect(self._share)
         figures.verticalScrollBar().installEventFilter(self)
         self.splitterMoved.connect(self.keep_sizes)
+
+    def _take_room(self) -> None:
+        character = self._events.fontMetrics().averageCharWidth()
+        self._events.setMinimumWidth(character * _MIN_EVENT_WIDTH)
+        self._share()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         # Sharing while Qt moves the parts would leave one over the other.
@@ -372,7 +382,7 @@ class FiguresAndEvents(QSplitter):
         room = self.width() - self.handleWidth()
         if self._is_moved or self._is_resizing or room <= 0:
             return
-        figures = min(self._figures.full_width(), room - self._min_events)
+        figures = min(self._figures.full_width(), room - self._events.minimumWidth())
         if self.sizes()[0] != figures:
             self.setSizes([figures, room - figures])
 

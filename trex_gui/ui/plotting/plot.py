@@ -117,7 +117,7 @@ class TracePlot(QWidget):
         self._drawn_axes = None
         canvas, pens = self._canvas, Qt.PenStyle
         for trace in source.traces:
-            style = pens.DotLine if self._is_right(trace) else pens.SolidLine
+            style = pens.DotLine if self.is_right(trace) else pens.SolidLine
             self._curves[trace.name] = canvas.add_curve(trace.color, self._line_width, style)
             self._limits[trace.name] = canvas.add_line(trace.color, pens.DashLine)
             self._peaks[trace.name] = canvas.add_line(trace.color, pens.DashDotDotLine)
@@ -217,7 +217,7 @@ class TracePlot(QWidget):
             if np.isfinite(values).any():
                 lines[trace.name] = times - span.end, values
                 ends = float(np.nanmin(values)), float(np.nanmax(values))
-                extremes[self._is_right(trace)].append(ends)
+                extremes[self.is_right(trace)].append(ends)
         self._left.fit(extremes[False])
         self._right.fit(extremes[True])
         self._show_axes(has_right=bool(extremes[True]))
@@ -264,11 +264,12 @@ class TracePlot(QWidget):
                 line.set_points(np.repeat(at, 3), y, gaps=True)
         self._marks.set_marks([(self._canvas.x_of(event.time - end), event) for event in events])
 
-    def _is_right(self, trace: TraceInfo) -> bool:
+    def is_right(self, trace: TraceInfo) -> bool:
+        """Return whether a curve belongs to the right axis, and so is dotted."""
         return trace.unit != self._left.unit
 
     def _height(self, trace: TraceInfo, value: FloatsT) -> FloatsT:
-        if not self._is_right(trace):
+        if not self.is_right(trace):
             return value
         at0, at1 = (self._right.onto(self._left, each) for each in (0.0, 1.0))
         return at0 + value * (at1 - at0)
