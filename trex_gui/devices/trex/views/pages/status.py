@@ -103,8 +103,9 @@ class StatusPage(QWidget):
         table.setHorizontalHeaderLabels(
             [self.tr("Error"), self.tr("Count"), self.tr("Last seen"), self.tr("What it means")]
         )
-        table.setWordWrap(False)
+        table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header = table.horizontalHeader()
+        header.sectionResized.connect(table.resizeRowsToContents)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(3, QHeaderView.ResizeMode.Stretch)
         for row, entry in enumerate(entries):
