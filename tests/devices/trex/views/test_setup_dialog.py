@@ -89,6 +89,8 @@ def assistant(
 @pytest.mark.parametrize("driver", Driver)
 def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Driver) -> None:
     assistant.click(DRIVERS[driver])
+    assert not assistant.has("setupWiringPage")  # a page is made when it is first shown
+    go_to(assistant, assistant.root, SetupStep.MOTORS)
     assert not assistant.is_enabled("setupRunButton")
     assistant.arm()
     for button in ("setupMotor1RightBackward", "setupMotor2LeftForward"):

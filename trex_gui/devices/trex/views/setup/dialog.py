@@ -47,7 +47,6 @@ class SetupDialog(ReusedDialog):
         self.setup = setup = RobotSetup(device, learning, self)
 
         self._strip = StepStrip(self)
-        sticks = SticksPage(device, setup, learning, self)
         self._titles = {
             SetupStep.DRIVER: self.tr("&Who drives"),
             SetupStep.JUMPERS: self.tr("&Jumpers"),
@@ -57,24 +56,11 @@ class SetupDialog(ReusedDialog):
             SetupStep.TIMEOUT: self.tr("Serial &timeout"),
             SetupStep.REVIEW: self.tr("Review"),
         }
-        self._review = review = ReviewPage(device, setup, self._titles, self)
-        sticks.learn_requested.connect(self.learn_requested)
-        review.apply_requested.connect(self.apply_requested)
-        self._pages: dict[SetupStep, _Page] = {
-            SetupStep.DRIVER: DriverPage(setup, self),
-            SetupStep.JUMPERS: JumperPage(device, setup, self),
-            SetupStep.STICKS: sticks,
-            SetupStep.MOTORS: WiringPage(device, setup, self),
-            SetupStep.LIMITS: LimitsPage(device, setup, self),
-            SetupStep.TIMEOUT: TimeoutPage(device, setup, self),
-            SetupStep.REVIEW: review,
-        }
+        self._learning = learning
+        self._pages: dict[SetupStep, tuple[_Page, ScrollBox]] = {}  # made when first shown
         self._stack = QStackedWidget(self)
-        for step, page in self._pages.items():
-            page.setObjectName(page.objectName() or f"setup{step.name.title()}Page")
-            self._stack.addWidget(ScrollBox(page, self))
         self._edits = ui.named(Note(2, self), "setupEdits")
-        stop = StopButton(device, "setupStopButton", self)
+        self._stop = stop = StopButton(device, "setupStopButton", self)
         self._back = ui.button(
             self, "setupBackButton", self.tr("&Back"), default=False, on_click=setup.back
         )
@@ -122,6 +108,32 @@ class SetupDialog(ReusedDialog):
         super().hideEvent(event)
         self.setup.leave()
 
+    def _add_page(self, step: SetupStep) -> None:
+        device, setup = self._device, self.setup
+        page: _Page
+        match step:
+            case SetupStep.DRIVER:
+                page = DriverPage(setup, self)
+            case SetupStep.JUMPERS:
+                page = JumperPage(device, setup, self)
+            case SetupStep.STICKS:
+                page = SticksPage(device, setup, self._learning, self)
+                page.learn_requested.connect(self.learn_requested)
+            case SetupStep.MOTORS:
+                page = WiringPage(device, setup, self)
+            case SetupStep.LIMITS:
+                page = LimitsPage(device, setup, self)
+            case SetupStep.TIMEOUT:
+                page = TimeoutPage(device, setup, self)
+            case SetupStep.REVIEW:
+                page = ReviewPage(device, setup, self._titles, self)
+                page.apply_requested.connect(self.apply_requested)
+        page.setObjectName(page.objectName() or f"setup{step.name.title()}Page")
+        area = ScrollBox(page, self)
+        self._pages[step] = page, area
+        self._stack.addWidget(area)
+        ui.tab_order(self._stop, page, self._stop)
+
     @Slot()
     @only_when_visible
     def _on_changed(self) -> None:
@@ -131,14 +143,17 @@ class SetupDialog(ReusedDialog):
         self._strip.show_steps(
             list(titles.values()), steps.index(step), [titles[each] for each in setup.open_steps]
         )
-        self._pages[step].refresh()
-        self._stack.setCurrentIndex(list(self._pages).index(step))
+        if step not in self._pages:
+            self._add_page(step)
+        page, area = self._pages[step]
+        page.refresh()
+        self._stack.setCurrentWidget(area)
         is_last = step is SetupStep.REVIEW
         had_focus = self.focusWidget() in {self._skip, self._next}
         self._back.setEnabled(step is not SetupStep.DRIVER)
         self._skip.setVisible(step is not SetupStep.DRIVER and not is_last)
-        if had_focus and is_last:  # Qt would move it to Close
-            self._review.focus_apply()
+        if had_focus and isinstance(page, ReviewPage):  # Qt would move it to Close
+            page.focus_apply()
         elif had_focus and setup.blocker:
             self._skip.setFocus()
         self._next.setVisible(not is_last)
