@@ -19,6 +19,7 @@ from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
 from tests.support.bad_files import BAD_FILES, BadFile
+from tests.support.colours import contrast
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import SettingsEditorWindow, answer_questions
 from tests.support.window import LEFT, WidgetDriver
@@ -38,7 +39,7 @@ from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import NumberedText
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import SCHEMES, theme
 
 TEXT = (
     "product: TReX\r\n"
@@ -170,6 +171,14 @@ def test_title_and_text_page_follow_edits(editor: EditorDriver) -> None:
     assert "\n".join(text.lines) == editor.document.text.replace("\r\n", "\n")
     editor.trigger("Undo")
     editor.wait(lambda: not window.isWindowModified())
+
+
+def test_line_numbers_can_be_read_in_every_scheme(editor: EditorDriver) -> None:
+    editor.tabs.setCurrentIndex(TEXT_PAGE)
+    for scheme in SCHEMES[1:]:
+        theme().set_scheme(scheme)
+        painted = editor.text_page.grab().toImage().pixelColor(4, 20)
+        assert contrast(theme().color("muted"), painted) >= 4.5, scheme
 
 
 def test_samples_open_with_every_page(open_text: Open) -> None:

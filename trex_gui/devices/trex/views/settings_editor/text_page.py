@@ -205,7 +205,7 @@ class NumberedText(QPlainTextEdit):
 
     def paint_numbers(self, painter: QPainter, visible: QRect) -> None:
         """Draw the numbers of the visible lines, right-aligned, with signs on the left."""
-        painter.fillRect(visible, self.palette().window())
+        painter.fillRect(visible, theme().color("window"))  # the role is that of outlines
         height = self.fontMetrics().height()
         block = self.firstVisibleBlock()
         place = self.blockBoundingGeometry(block).translated(self.contentOffset())
