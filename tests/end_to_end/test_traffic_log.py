@@ -77,7 +77,7 @@ def test_traffic_is_listed_from_connect_to_disconnect(
 ) -> None:
     assert page.rows == 0
     window.connect(simulator.url)
-    page.wait_for_row("get Serial Timeout → off (0)")
+    page.wait_for_row("get Device Number → 7")
     assert "Opened" in page.column(WORDS)[0]
     row = page.row_of_signature()
     assert page.column(RECEIVED)[row] == "54 52 65 58 31 2E 32"
@@ -91,11 +91,11 @@ def test_traffic_is_listed_from_connect_to_disconnect(
 
     window.disconnect()
     page.wait_for_row("Closed.")
-    assert page.shows("get Serial Timeout")
+    assert page.shows("get Device Number")
     window.connect(simulator.url)
     page.wait(lambda: sum("Opened" in text for text in page.column(WORDS)) == 2)
     page.click("transcriptClearButton")
-    assert not page.shows("get Serial Timeout")
+    assert not page.shows("get Device Number")
     assert not page.shows("Closed.")
     window.disconnect()
     page.wait_for_row("Closed.")
@@ -105,14 +105,14 @@ def test_traffic_is_searched_and_filtered_by_faults(
     window: WindowDriver, page: TrafficDriver, simulator: SimulatedDevice
 ) -> None:
     window.connect(simulator.url)
-    page.wait_for_row("get Serial Timeout")
+    page.wait_for_row("get Device Number")
     QTest.keyClick(page.root, Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
     search = page.find(QLineEdit, "transcriptSearch")
-    QTest.keyClicks(search, "serial timeout")
+    QTest.keyClicks(search, "device number")
     # Once, or again where a reply was late.
     page.wait(lambda: len(set(page.column(SENT))) == 1)
-    search.setText("9f 07")
-    page.wait(lambda: set(page.column(SENT)) == {"9F 07"})
+    search.setText("9f 00")
+    page.wait(lambda: set(page.column(SENT)) == {"9F 00"})
     search.setText("no board says this")
     page.wait(lambda: page.rows == 0)
     search.clear()
@@ -174,7 +174,7 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     window.connect(simulator.url)
-    page.wait_for_row("get Serial Timeout")
+    page.wait_for_row("get Device Number")
     row = page.row_of_signature()
     page.view.selectRow(row)
     details = page.find(QPlainTextEdit, "transcriptDetails")
@@ -202,5 +202,5 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     with window.qtbot.waitSignal(window.device.notifier.info):
         page.click("transcriptSaveButton")
     text = path.with_suffix(".txt").read_text(encoding="utf-8")
-    assert "get Serial Timeout → off (0)" in text
+    assert "get Device Number → 7" in text
     assert "get currents" not in text
