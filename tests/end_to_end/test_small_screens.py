@@ -50,13 +50,12 @@ def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> N
         runtime().sleep(0.3)
         assert dock.isVisible()
         check_window(window.window, screen, window.button(stop))
-        page = tabs.widget(index)
-        assert page is not None
-        assert isinstance(page, ScrollBox)
-        content = page.widget()
-        assert content is not None
-        needed = content.minimumSizeHint().width()
-        assert page.viewport().width() >= needed, page.objectName()
+        for box in (tabs.widget(index), dock.widget()):
+            assert isinstance(box, ScrollBox)
+            content = box.widget()
+            assert content is not None
+            needed = content.minimumSizeHint().width()
+            assert box.viewport().width() >= needed, content.objectName()
 
 
 def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path) -> None:

@@ -53,7 +53,7 @@ class Rows(ui.GroupBox, Generic[SnapshotT]):
         self.controls: list[QWidget] = []  # widgets that take the focus, in tab order
         self._updates: list[Callable[[SnapshotT], object]] = []
         self._row = 0
-        self._grid = ui.grid(self, margins=(8, 4, 8, 6), spacing=(6, 5), stretch=[(_SLIDER, 1)])
+        self._grid = ui.grid(self, margins=(4, 4, 2, 6), spacing=(3, 5), stretch=[(_SLIDER, 1)])
         widest = {_NAME: columns.name, _VALUE: columns.value}
         widest |= dict(enumerate(columns.ticks, start=_TICK))
         for column, text in widest.items():
@@ -175,9 +175,9 @@ class Rows(ui.GroupBox, Generic[SnapshotT]):
         return made
 
     def add_text(self, text: QLabel) -> None:
-        """Add a text below the slider of the last row, over slider and value."""
+        """Add a text below the slider of the last row, up to the right."""
         text.setIndent(_GROOVE)
-        self._grid.addWidget(text, self._next(), _SLIDER, 1, 2)
+        self._grid.addWidget(text, self._next(), _SLIDER, 1, -1)
 
     def add_wide(self, *widgets: QWidget | tuple[QWidget, int]) -> None:
         line = QWidget(self)
@@ -373,7 +373,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         """Lay out everything; Tab goes through the groups, then to `reset`."""
         self._groups, self._reset = groups, reset
         right = (reset, 0, Qt.AlignmentFlag.AlignRight)
-        ui.column(head, self._state, *groups, right, 1, into=self, margins=6, spacing=6)
+        ui.column(head, self._state, *groups, right, 1, into=self, margins=3, spacing=6)
         controls = [control for group in groups for control in group.controls]
         ui.tab_order(*controls, reset)
         self._device.changed.connect(self.refresh)

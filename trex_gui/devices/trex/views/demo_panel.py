@@ -265,7 +265,8 @@ def _supply_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRo
     rows.add_wide((power, 1), (cycle, 0))
     rows.add_row(tr("Battery"), battery, volts)
     rows.add_text(supply)
-    rows.add_wide((mode, 1), (mix, 0), (so_ground, 0))
+    rows.add_wide((mode, 1))
+    rows.add_wide(mix, so_ground)
     rows.note("demoHint", 1, hint)
     return rows
 
@@ -277,7 +278,7 @@ def _input_rows(board: DemoBoard, columns: Columns, parent: QWidget) -> BoardRow
         _add_input_row(channel, board, rows)
     automatic = rows.check_box(
         "demoAutomatic",
-        tr("Sticks move by themselves"),
+        tr("Move by themselves"),
         tr("All sticks swing slowly; moving one holds that one"),
         # A click checks a box that is partially checked or unchecked.
         lambda _checked: board.set_automatic(len(board.automatic) < len(CHANNELS)),
