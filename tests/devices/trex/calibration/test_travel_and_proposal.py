@@ -8,11 +8,11 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.calibration.measure import check, learn, neutral_of, travel_of
 from tests.support.transmitter import HOLD, Stick
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import Sample
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import WINDOW, Task, Travel, Way, least_travel
-from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.learning.checks import Check
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.calibration import Calibration, remap

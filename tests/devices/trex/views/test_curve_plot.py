@@ -11,8 +11,8 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.pages.calibration import handle_position
 from tests.support.window import LEFT, WidgetDriver
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration_moves import Handle
-from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot, InputTrace

@@ -12,7 +12,7 @@ from tests.support.pages.learning import LearningDialog, learning_dialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick
 from tests.support.window import WidgetDriver
-from trex_gui.devices.trex.model.channel_curve import ChannelCurve
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.bars import ChannelBar

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.core.errors import QT_TRANSLATE_NOOP, StudioError
-from trex_gui.devices.trex.model.channel_curve import ChannelCurve
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.devices.trex.model.channel_curve import is_mixed
+from trex_gui.devices.trex.calibration.channel_curve import is_mixed
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.parameters import ParameterKey

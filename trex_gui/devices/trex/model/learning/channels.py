@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import Neutral, Sample, measure_neutral, no_signal
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import TASKS, Task, Travel
-from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.checks import Check
 from trex_gui.devices.trex.model.telemetry import Telemetry

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QCoreApplication
 
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import Neutral
 from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
-from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.channel_text import concern
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource

@@ -8,14 +8,14 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.settings.calibrations import Calibrations
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import Model
-from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
+from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import Settings, specs_for
@@ -48,16 +48,7 @@ class SettingsDraft(QObject):
         calibration = self.calibrations.stored(channel)
         if calibration is None:
             return None
-
-        def has(key: ParameterKey) -> bool:
-            return channel in channels_in(self.parameters.stored_of(key) or 0)
-
-        return ChannelCurve(
-            calibration,
-            reversed_=has(ParameterKey.REVERSED_CHANNELS),
-            parabolic=has(ParameterKey.PARABOLIC_CHANNELS),
-            ignored=has(ParameterKey.IGNORED_CHANNELS),
-        )
+        return ChannelCurve.stored(channel, calibration, self.parameters.stored_of)
 
     def take_state(
         self, state: DeviceState, connection: ConnectionSettings | None, *, power_cycled: bool

@@ -10,8 +10,8 @@ from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtGui import QBrush, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsEllipseItem, QGraphicsItem, QWidget
 
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration_moves import Handle, moved, within_input
-from trex_gui.devices.trex.model.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.bars import USUAL_AXIS, input_labels, widened

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.devices.trex.oracle import remapping as oracle
-from trex_gui.devices.trex.model.channel_curve import ChannelCurve
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.simulator.channel_control import ChannelSetup
 

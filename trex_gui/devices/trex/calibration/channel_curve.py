@@ -1,9 +1,13 @@
 """What channels make of raw counts: the curve of each, and whether two of them are mixed."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Self
 
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration, remap
+from trex_gui.devices.trex.protocol.flags import channels_in
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 _SWITCHES = (4, 5)
 
@@ -18,6 +22,22 @@ class ChannelCurve:
     reversed_: bool = False
     parabolic: bool = False
     ignored: bool = False
+
+    @classmethod
+    def stored(
+        cls, channel: int, calibration: Calibration, value_of: Callable[[ParameterKey], int | None]
+    ) -> Self:
+        """Return the curve of a channel (1-5); `value_of` gives the stored masks of a board."""
+
+        def has(key: ParameterKey) -> bool:
+            return channel in channels_in(value_of(key) or 0)
+
+        return cls(
+            calibration,
+            reversed_=has(ParameterKey.REVERSED_CHANNELS),
+            parabolic=has(ParameterKey.PARABOLIC_CHANNELS),
+            ignored=has(ParameterKey.IGNORED_CHANNELS),
+        )
 
     def output(self, raw: int | None) -> int:
         """Return the output for a raw count, -127 to 127, before mixing and flip."""
