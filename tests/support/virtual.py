@@ -51,11 +51,14 @@ class Script:
 
 
 class Stage:
-    """A board, its wire, and a session that is run from a script."""
+    """A board, its wire, and a session that is run from a script.
 
-    def __init__(self, board: Board, *, echo: bool = False) -> None:
+    `others` share the wire.
+    """
+
+    def __init__(self, board: Board, *others: Board, echo: bool = False) -> None:
         self.board = board
-        self.line = TrexLine([board], echo=echo)
+        self.line = TrexLine([board, *others], echo=echo)
         self.transport = VirtualTransport(self.line)
         self.script = Script(self.line)
         self.reports: list[Report] = []

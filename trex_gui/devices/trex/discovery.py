@@ -23,7 +23,7 @@ from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import agreed, read_signature
+from trex_gui.devices.trex.client.reading import agreed, board_at, read_signature
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, crc7
@@ -130,7 +130,8 @@ _LAST_PROBES = 5
 """How often the default settings are probed after everything else, the other likely ones once: a
 line may have swallowed a reply, or several. On a silent line that takes two seconds more."""
 
-_NUMBERS = 128
+NUMBERS = 128
+"""Device numbers that a board can have, from 0 on."""
 
 _LOADER = b"?"
 """Reply of a board that waits for new firmware to anything, after an echo."""
@@ -189,6 +190,29 @@ class FoundBoard:
     @property
     def name(self) -> str:
         return str(self.signature)
+
+
+def boards_by_number(
+    client: TrexClient, progress: Callable[[int], object], cancelled: Callable[[], bool]
+) -> list[FoundBoard]:
+    """Return the boards that reply to their device number on an open line, in its order.
+
+    `progress` gets each number before it is probed. Boards that share a number are left out.
+
+    Raises:
+        PortUnavailable: the line is gone.
+    """
+    found: list[FoundBoard] = []
+    for number in range(NUMBERS):
+        if cancelled():
+            break
+        progress(number)
+        with contextlib.suppress(BadReply):
+            signature = board_at(client, number)
+            if signature is not None:
+                settings = replace(client.settings, device_number=number)
+                found.append(FoundBoard(settings, signature, number, client.echo))
+    return found
 
 
 class TrexProber:
@@ -302,16 +326,14 @@ class TrexProber:
         polynomial = (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
         if self.found:
             polynomial = self.found[0].settings.polynomial
-        by_number: list[FoundBoard] = []
-        for number in range(_NUMBERS):
-            if cancelled():
-                break
-            progress(ScanProgress(number, _NUMBERS, attempt.line, number))
-            settings = self._settings_at(attempt.line, polynomial, number)
-            client = TrexClient(wire, settings, echo=self._echo)
-            with contextlib.suppress(NoReply, BadReply):
-                signature = client.request(GetSignature())
-                by_number.append(FoundBoard(settings, signature, number, self._echo))
+        client = TrexClient(
+            wire, self._settings_at(attempt.line, polynomial, None), echo=self._echo
+        )
+
+        def report(number: int) -> None:
+            progress(ScanProgress(number, NUMBERS, attempt.line, number))
+
+        by_number = boards_by_number(client, report, cancelled)
         if len(by_number) > 1 or not self.found:
             self.found = by_number
 

@@ -4,11 +4,11 @@ Plain functions over a `Requester`, so the command line, the session and tests s
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 from trex_gui.core.errors import BadReply, NoReply
-from trex_gui.devices.trex.client.client import Requester
+from trex_gui.devices.trex.client.client import Requester, TrexClient
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     Command,
@@ -25,6 +25,8 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.errors import (
     ErrorCode,
     TrexBadReplyError,
+    TrexError,
+    TrexRequestError,
     is_unsteady,
 )
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
@@ -121,6 +123,49 @@ def other_board(
         if found == signature and (number is None or query(request, query_number) == number):
             return None
     return found
+
+
+def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature | None:
+    """Return which board on the line has a device number; `None` if none replies.
+
+    The query has a client of its own: a number without a board is no fault of the line, and must
+    not count as one. It changes nothing, and clears nothing that a board has latched.
+
+    Raises:
+        BadReply: something replies that cannot be read: several boards have this number, or the
+            line corrupts bytes.
+        PortUnavailable: the line is gone.
+    """
+    client.drain()
+    settings = replace(client.settings, device_number=number)
+    other = TrexClient(client.transport, settings, echo=client.echo)
+    try:
+        return query(other.request, GetSignature(), attempts=attempts)
+    except NoReply as error:
+        if isinstance(error, TrexError) and error.code is ErrorCode.INCOMPLETE_REPLY:
+            raise TrexBadReplyError(error.code, *error.fields) from error
+        return None
+
+
+def require_free_number(
+    client: TrexClient, number: int, before: Callable[[], object] = lambda: None
+) -> None:
+    """Check that no board has a device number; `before` is called before each query.
+
+    Raises:
+        BadRequest: one has, or several have, whose replies never can be read.
+        PortUnavailable: the line is gone.
+    """
+    unreadable = 0
+    for _ in range(ATTEMPTS):
+        before()
+        try:
+            is_taken = board_at(client, number) is not None
+        except BadReply:
+            unreadable += 1
+            is_taken = unreadable == ATTEMPTS
+        if is_taken:
+            raise TrexRequestError(ErrorCode.NUMBER_TAKEN, number)
 
 
 def _differ(one: Mapping[KeyT, object], other: Mapping[KeyT, object]) -> bool:

@@ -56,7 +56,13 @@ class Arm:
     While they are armed, polling keeps the board's serial timeout from expiring. Without a
     `Heartbeat` or a setpoint for `Timeouts.heartbeat` seconds the motors are stopped and
     `MotorsStopped` is reported.
+
+    Attributes:
+        selection: the `Connected.selection` of the board that is meant; for any other one it has
+            no effect.
     """
+
+    selection: int = 0
 
 
 @dataclass(frozen=True, slots=True)

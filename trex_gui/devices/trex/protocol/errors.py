@@ -76,6 +76,27 @@ class ErrorCode(Enum):
         "TrexErrors", "The motors are locked for a while after a stop; nothing was sent."
     )
     OVERTAKEN_BY_STOP = QT_TRANSLATE_NOOP("TrexErrors", "A stop came first; nothing was sent.")
+    # Several boards on one line
+    OTHERS_WHILE_DRIVING = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "Other boards are not looked for while motors are armed or may be moving. Stop the motors "
+        "first.",
+    )
+    NOT_SELECTED_MOVING = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "Board {0} was not selected, since no stop of the present one is confirmed. If a motor "
+        "still turns, cut its power.",
+    )
+    NOT_SELECTED_SILENT = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "Board {0} was not selected, since it does not respond. Check that it has power. The "
+        "board that was selected before still is.",
+    )
+    NUMBER_TAKEN = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "Nothing was written: another board on this line has the device number {0}. Choose a "
+        "number that is free.",
+    )
     # Writes
     BAD_PARAMETER = QT_TRANSLATE_NOOP(
         "TrexErrors",

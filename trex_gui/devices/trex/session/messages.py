@@ -47,6 +47,34 @@ class Reload:
 
 
 @dataclass(frozen=True, slots=True)
+class ProbeNumber:
+    """Find out which board has a device number, by its signature; nothing is changed.
+
+    The value of the `Outcome` is the `Signature`, or `None` if no board replies. Its error is a
+    `BadReply` if several reply at once. Rejected while motors are armed or may be moving.
+    """
+
+    id: int
+    number: int
+    attempts: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class SelectBoard:
+    """Address the board with this device number from now on, and read everything from it.
+
+    A `Connected` is reported before the `Outcome`. Motors that may be moving are stopped first;
+    without a confirmation, or if the board does not respond, the present one stays selected.
+    `sharing` are the numbers of all boards known on the line: commands without a number reached
+    every one of them.
+    """
+
+    id: int
+    number: int
+    sharing: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class SetReconnectCandidates:
     """Look for a board that does not respond at these settings too; has no outcome.
 
@@ -67,7 +95,7 @@ class SetWatched:
     watched: bool
 
 
-Job = RunCommand | Write | Reload
+Job = RunCommand | Write | Reload | ProbeNumber | SelectBoard
 """Requests that are served in their order; each has an `Outcome`."""
 
 Request = Job | MotorRequest | SetReconnectCandidates | SetWatched | Close
@@ -82,11 +110,13 @@ class ReadReason(Enum):
     SETTING_CHANGED = auto()
     """The board was restarted, or another program wrote to it."""
     RELOADED = auto()
+    SELECTED = auto()
+    """Another board on the line is addressed from now on."""
 
     @property
     def power_cycled(self) -> bool:
         """Whether the board's power may have been off since it was read before."""
-        return self not in {ReadReason.OPENED, ReadReason.RELOADED}
+        return self not in {ReadReason.OPENED, ReadReason.RELOADED, ReadReason.SELECTED}
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +128,7 @@ class Connected:
         settings: how the line is set and the board addressed now.
         may_move: whether motors were driven and no stop was confirmed since.
         port_rates: the baud rates that this computer's port supports; `None`: unknown.
+        selection: id of the `SelectBoard` that chose this board; 0 for that of the line's opening.
     """
 
     state: DeviceState
@@ -106,6 +137,7 @@ class Connected:
     settings: ConnectionSettings
     may_move: bool = False
     port_rates: frozenset[int] | None = None
+    selection: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,12 +27,20 @@ from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.client.client import Requester, TrexClient, diagnose
-from trex_gui.devices.trex.client.reading import DeviceState, agreed, other_board, read_everything
+from trex_gui.devices.trex.client.reading import (
+    ATTEMPTS,
+    DeviceState,
+    agreed,
+    board_at,
+    other_board,
+    read_everything,
+    require_free_number,
+)
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, StatusReader
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
-from trex_gui.devices.trex.driving.requests import Heartbeat, MotorsStopped, Stop
+from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, Stop
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     GetMode,
@@ -56,11 +64,13 @@ from trex_gui.devices.trex.session.messages import (
     GuardianChanged,
     Job,
     NotResponding,
+    ProbeNumber,
     ReadReason,
     Reload,
     Report,
     Request,
     RunCommand,
+    SelectBoard,
     SetReconnectCandidates,
     SetWatched,
     Write,
@@ -127,6 +137,7 @@ class TrexSession:
         self._is_guarded = False
         self._port_rates: frozenset[int] | None = None
         self._signature: Signature | None = None  # of the board that was read last
+        self._has_driven = False  # since the line was opened
         self._stopped_another = False  # at the end another board than the one driven answered
 
     def run(self) -> None:
@@ -250,6 +261,7 @@ class TrexSession:
         self._collect()
         now = self._now()
         self._set_pace(now)
+        self._has_driven = self._has_driven or self._motors.may_move
         if self._batcher.seconds_to_next(now) <= 0:
             self._flush()
         if self._serve_motors():
@@ -349,6 +361,59 @@ class TrexSession:
                 returned = ReadReason.RETURNED if self._liveness.silent else ReadReason.RELOADED
                 self._read_everything(returned)
                 return None
+            case ProbeNumber(number=number, attempts=attempts):
+                if self._motors.is_armed or self._motors.may_move:
+                    raise TrexRequestError(ErrorCode.OTHERS_WHILE_DRIVING)
+                return board_at(self._line, number, attempts=attempts)
+            case SelectBoard():
+                self._select(job)
+                return None
+
+    def _select(self, job: SelectBoard) -> None:
+        """Address another board once the motors of the present one are known to be stopped.
+
+        What was requested for the present board reaches no other one: setpoints are dropped, and
+        arming has no effect until everything is read, and then only for the new `selection`.
+        """
+        motors, client, before = self._motors, self._line, self._line.settings
+        selection = self._queue.selection
+        motors.handle(OutputEvent.LOCK_OUT, self._now())
+        if motors.may_move:
+            if not self._driver.stop_and_confirm():
+                raise TrexNoReplyError(ErrorCode.NOT_SELECTED_MOVING, job.number)
+            self._emit(MotorsStopped(None, confirmed=True))
+        motors.handle(OutputEvent.NOT_RESPONDING, self._now())
+        self._flush()
+        try:
+            if before.device_number is None and self._has_driven:
+                self._stop_each(job)
+            self._address(job)
+        except BaseException:
+            client.settings = before
+            self._queue.selection = selection
+            self._status.uart_due = True
+            if not self._liveness.silent:
+                motors.handle(OutputEvent.BOARD_READ, self._now())
+            raise
+        self._liveness.expect(())  # these were for the other board
+
+    def _address(self, job: SelectBoard) -> None:
+        client = self._line
+        if board_at(client, job.number, attempts=ATTEMPTS) is None:
+            raise TrexNoReplyError(ErrorCode.NOT_SELECTED_SILENT, job.number)
+        client.settings = replace(client.settings, device_number=job.number)
+        self._queue.selection = job.id
+        self._status.uart_due = True  # it may have latched bits that no status announces
+        self._read_everything(ReadReason.SELECTED)
+
+    def _stop_each(self, job: SelectBoard) -> None:
+        """Stop every board on the line: commands without a number have reached all of them."""
+        for number in job.sharing:
+            self._line.settings = replace(self._line.settings, device_number=number)
+            self._motors.handle(OutputEvent.DIRECT_COMMAND_SENT, self._now())
+            if not self._driver.stop_and_confirm():
+                raise TrexNoReplyError(ErrorCode.NOT_SELECTED_MOVING, job.number)
+        self._has_driven = False
 
     def _write(self, job: Write) -> Written:
         """Write until it is done or `Close` comes, which leaves no value half written.
@@ -357,6 +422,9 @@ class TrexSession:
         nothing counts as written.
         """
         state, stop_is_due = self._state, True
+        number = dict(job.parameters).get(ParameterKey.DEVICE_NUMBER)
+        if number is not None and number != state.parameters.get(ParameterKey.DEVICE_NUMBER):
+            require_free_number(self._line, number, self._serve_motors)
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
             nonlocal stop_is_due
@@ -414,7 +482,8 @@ class TrexSession:
         self._motors.handle(OutputEvent.BOARD_READ, self._now())
         self._transport.wait_for_guardian()
         self._report_guardian()
-        self._flush()
+        if occasion is not ReadReason.SELECTED:  # what was sampled meanwhile is of the new board
+            self._flush()
         client = self._line
         self._emit(
             Connected(
@@ -424,6 +493,7 @@ class TrexSession:
                 client.settings,
                 self._motors.may_move,
                 self._port_rates,
+                self._queue.selection,
             )
         )
 
@@ -532,6 +602,7 @@ class TrexRequestQueue:
     Attributes:
         is_closing: whether a `Close` came.
         is_watched: whether anything shows or records samples.
+        selection: id of the `SelectBoard` that chose the present board; 0 before the first.
     """
 
     def __init__(
@@ -545,6 +616,7 @@ class TrexRequestQueue:
         self.jobs: deque[Job] = deque()
         self.is_closing = False
         self.is_watched = True
+        self.selection = 0
         self._inbox = inbox
         self._output = output
         self._liveness = liveness
@@ -570,8 +642,10 @@ class TrexRequestQueue:
                     self._liveness.expect(settings)
                 case SetWatched(watched=watched):
                     self.is_watched = watched
-                case RunCommand() | Write() | Reload():
+                case RunCommand() | Write() | Reload() | ProbeNumber() | SelectBoard():
                     self.jobs.append(request)
+                case Arm(selection=selection) if selection != self.selection:
+                    pass  # meant for another board
                 case _ if isinstance(request, Heartbeat) or not self.is_closing:
                     self._output.take(request, self._clock())
             request = self._inbox.get(0.0)

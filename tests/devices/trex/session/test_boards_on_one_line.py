@@ -1,0 +1,260 @@
+"""Several boards on one line: which of them is addressed, and which may move."""
+
+from dataclasses import replace
+
+import pytest
+
+from tests.devices.trex.session.helpers import among, moving, outcomes, run_for, samples, seen_at
+from tests.devices.trex.simulator.ports import a_board
+from tests.support.virtual import Stage
+from trex_gui.core.errors import BadReply, BadRequest, NoReply
+from trex_gui.core.session import Close, Closed
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetMotor, Stop
+from trex_gui.devices.trex.protocol.commands import (
+    STOP,
+    DriveMotor,
+    GetStatus,
+    GetUartErrors,
+    Signature,
+)
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
+from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Connected,
+    ProbeNumber,
+    ReadReason,
+    Report,
+    RunCommand,
+    SelectBoard,
+    SetReconnectCandidates,
+    Write,
+)
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.motors import MotorDirection
+
+COMPACT = ConnectionSettings("virtual")
+SEVENTH = replace(COMPACT, device_number=7)
+_FORWARD = SetMotor(1, Drive.at(90))
+
+
+class Line(Stage):
+    """Boards 7 and 9 on one line."""
+
+    def __init__(self) -> None:
+        self.seventh, self.ninth = a_board(7), a_board(9)
+        super().__init__(self.seventh, self.ninth)
+
+    def to_numbers(self) -> set[int | None]:
+        """Return the device numbers in the motor commands that are no stop."""
+        events = PacketParser().feed(bytes(self.transport.sent))
+        packets = among(events, Packet)
+        return {
+            one.device_number for one in packets if one.command.moves and one.command not in STOP
+        }
+
+    @property
+    def connections(self) -> list[Connected]:
+        return among(self.reports, Connected)
+
+
+@pytest.fixture
+def line() -> Line:
+    return Line()
+
+
+def runs(board: Board) -> bool:
+    return board.motors[0].direction is MotorDirection.FORWARD and board.motors[0].speed > 0
+
+
+def code_of(reports: list[Report], number: int) -> object:
+    error = outcomes(reports)[number].error
+    return error.code if isinstance(error, TrexError) else None
+
+
+# --- Motors -----------------------------------------------------------------------------
+
+
+def test_driven_board_is_stopped_before_another_is_selected(line: Line) -> None:
+    line.script.at(1.0, Arm()).at(1.0, _FORWARD)
+    ran = seen_at(line, 1.2, lambda: runs(line.seventh))
+    line.script.at(1.2, SelectBoard(1, 9))
+    still = seen_at(line, 3.0, lambda: runs(line.seventh))
+    reports = run_for(line, 3.0, SEVENTH)
+    assert (ran, still) == ([True], [False])
+    assert outcomes(reports)[1].error is None
+    assert MotorsStopped(None, confirmed=True) in reports
+    selected = line.connections[-1]
+    assert (selected.occasion, selected.settings.device_number) == (ReadReason.SELECTED, 9)
+    assert not selected.may_move
+    assert selected.state.parameters["device_number"] == 9
+    assert reports[-1] == Closed(None, may_move=False)
+
+
+def test_setpoints_for_former_board_never_reach_selected_one(line: Line) -> None:
+    line.script.at(1.0, SelectBoard(1, 9))
+    for step in range(30):  # a window that has not heard of the switch yet
+        line.script.at(1.0 + step / 100, Arm()).at(1.0 + step / 100, _FORWARD)
+    reports = run_for(line, 3.0, SEVENTH)
+    assert outcomes(reports)[1].error is None
+    assert line.to_numbers() <= {7}
+    assert not runs(line.seventh)
+    assert not runs(line.ninth)
+
+
+def test_motor_command_behind_selection_is_rejected(line: Line) -> None:
+    line.script.at(1.0, SelectBoard(1, 9))
+    line.script.at(1.0, RunCommand(2, DriveMotor(1, Drive.at(90))))
+    reports = run_for(line, 3.0, SEVENTH)
+    assert code_of(reports, 2) is ErrorCode.LOCKED_OUT
+    assert not moving(line.transport.sent)
+
+
+def test_board_stays_selected_until_its_stop_is_confirmed(line: Line) -> None:
+    line.script.at(1.0, Arm()).at(1.0, _FORWARD)
+    line.script.at(1.2, line.seventh.power_off)
+    line.script.at(1.2, SelectBoard(1, 9))
+    reports = run_for(line, 4.0, SEVENTH)
+    assert code_of(reports, 1) is ErrorCode.NOT_SELECTED_MOVING
+    assert [one.occasion for one in line.connections] == [ReadReason.OPENED]
+    assert reports[-1] == Closed(None, may_move=True)
+
+
+def test_stop_after_switch_reaches_selected_board_only(line: Line) -> None:
+    line.script.at(1.0, SelectBoard(1, 9))
+    line.script.at(2.5, Arm(1)).at(2.5, _FORWARD)
+    ran = seen_at(line, 2.8, lambda: (runs(line.seventh), runs(line.ninth)))
+    line.script.at(2.8, Stop(2))
+    reports = run_for(line, 4.0, SEVENTH)
+    assert ran == [(False, True)]
+    assert not runs(line.ninth)
+    assert outcomes(reports)[2].error is None
+    assert line.to_numbers() == {9}
+
+
+def test_closing_and_guardian_stop_selected_board(line: Line) -> None:
+    line.script.at(1.0, SelectBoard(1, 9))
+    line.script.at(2.5, Arm(1)).at(2.5, _FORWARD)
+    line.script.at(2.8, Close())
+    reports = line.run(SEVENTH)
+    assert not runs(line.ninth)
+    assert reports[-1] == Closed(None, may_move=False)
+    sequence = line.client(line.connections[-1].settings).stop_sequence()
+    assert sequence.packets.startswith(bytes((0x80, 9)))
+
+
+def test_stop_that_comes_during_switch_is_served(line: Line) -> None:
+    line.script.at(1.0, SelectBoard(1, 9)).at(1.2, Stop(2))
+    reports = run_for(line, 4.0, SEVENTH)
+    assert outcomes(reports)[2].error is None
+    assert outcomes(reports)[1].error is None
+
+
+def test_commands_without_number_are_followed_by_a_stop_of_each_board() -> None:
+    line = Line()
+    line.ninth.power_off()
+    line.script.at(1.0, Arm()).at(1.0, _FORWARD).at(1.2, line.ninth.power_on)
+    line.script.at(1.3, SetMotor(1, Drive.at(60)))  # reaches both
+    both = seen_at(line, 1.5, lambda: (runs(line.seventh), runs(line.ninth)))
+    line.script.at(1.5, Stop(1)).at(2.0, SelectBoard(2, 9, sharing=(7, 9)))
+    reports = run_for(line, 5.0, COMPACT)
+    assert both == [(True, True)]
+    assert outcomes(reports)[2].error is None
+    events = among(PacketParser().feed(bytes(line.transport.sent)), Packet)
+    stopped = {one.device_number for one in events if one.command in STOP}
+    assert stopped == {None, 7, 9}
+
+
+# --- Selecting --------------------------------------------------------------------------
+
+
+def test_board_that_does_not_respond_is_not_selected(line: Line) -> None:
+    line.script.at(1.0, SelectBoard(1, 5))
+    line.script.at(3.0, Arm()).at(3.0, _FORWARD)
+    ran = seen_at(line, 3.3, lambda: runs(line.seventh))
+    reports = run_for(line, 3.4, SEVENTH)
+    error = outcomes(reports)[1].error
+    assert isinstance(error, NoReply)
+    assert code_of(reports, 1) is ErrorCode.NOT_SELECTED_SILENT
+    assert len(line.connections) == 1
+    assert ran == [True]  # the former one still is, and can be armed again
+    counters = among(reports, Batch)[-1].counters
+    assert counters.missing == 0  # the line is no worse for it
+
+
+def test_other_board_is_selected_while_one_is_silent(line: Line) -> None:
+    line.script.at(1.0, line.seventh.power_off).at(3.0, SelectBoard(1, 9))
+    reports = run_for(line, 5.0, SEVENTH)
+    assert outcomes(reports)[1].error is None
+    assert line.connections[-1].settings.device_number == 9
+
+
+def test_candidates_of_former_board_are_not_probed(line: Line) -> None:
+    line.script.at(1.0, SetReconnectCandidates((replace(SEVENTH, polynomial=0x91),)))
+    line.script.at(1.0, SelectBoard(1, 9)).at(3.0, line.ninth.power_off)
+    run_for(line, 8.0, SEVENTH)
+    assert [one.settings.device_number for one in line.connections] == [7, 9]
+
+
+def test_bits_latched_by_other_board_are_reported_once_it_is_selected(line: Line) -> None:
+    def latch() -> None:
+        line.ninth.serial.uart_errors |= UartError.FORMAT
+
+    line.script.at(1.0, latch).at(1.2, ProbeNumber(1, 9)).at(2.0, SelectBoard(2, 9))
+    reports = run_for(line, 4.0, SEVENTH)
+    selected = reports.index(line.connections[-1])
+    assert not samples(reports[:selected], LatchedStatus)
+    (latched,) = samples(reports[selected:], LatchedStatus)
+    assert latched.uart == UartError.FORMAT
+
+
+# --- Probing ----------------------------------------------------------------------------
+
+
+def test_probe_names_the_board_and_clears_nothing(line: Line) -> None:
+    line.script.at(1.0, ProbeNumber(1, 9)).at(1.5, ProbeNumber(2, 5))
+    reports = run_for(line, 2.0, SEVENTH)
+    signature = Signature(device_table().models[0], "1.2")
+    assert outcomes(reports)[1].value == signature
+    assert outcomes(reports)[2].value is None
+    assert outcomes(reports)[2].error is None
+    events = among(PacketParser().feed(bytes(line.transport.sent)), Packet)
+    to_others = [one.command for one in events if one.device_number in {5, 9}]
+    assert to_others
+    assert not [one for one in to_others if isinstance(one, (GetStatus, GetUartErrors))]
+    assert among(reports, Batch)[-1].counters.missing == 0
+
+
+def test_probe_is_rejected_while_motors_are_armed(line: Line) -> None:
+    line.script.at(1.0, Arm()).at(1.0, ProbeNumber(1, 9))
+    reports = run_for(line, 1.5, SEVENTH)
+    assert isinstance(outcomes(reports)[1].error, BadRequest)
+    assert code_of(reports, 1) is ErrorCode.OTHERS_WHILE_DRIVING
+
+
+def test_two_boards_with_one_number_are_unreadable() -> None:
+    stage = Stage(a_board(7), a_board(9), a_board(9, model="trexjr"))
+    stage.script.at(1.0, ProbeNumber(1, 9, attempts=2))
+    reports = run_for(stage, 2.0, SEVENTH)
+    assert isinstance(outcomes(reports)[1].error, BadReply)
+
+
+@pytest.mark.parametrize("settings", [COMPACT, SEVENTH])
+def test_number_of_another_board_is_not_written(settings: ConnectionSettings) -> None:
+    line = Line()
+    if settings is COMPACT:
+        line.ninth.power_off()
+        line.script.at(1.9, line.ninth.power_on)
+    line.script.at(2.0, Write(1, (("device_number", 9), ("serial_timeout", 5))))
+    line.script.at(4.0, line.ninth.power_off)
+    line.script.at(4.5, Write(2, (("device_number", 12),)))
+    reports = run_for(line, 6.0, settings)
+    assert code_of(reports, 1) is ErrorCode.NUMBER_TAKEN
+    assert line.seventh.eeprom["serial_timeout"] == 0
+    assert outcomes(reports)[2].error is None
+    assert line.seventh.eeprom["device_number"] == 12
