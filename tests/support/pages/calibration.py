@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.window import LEFT, TIMEOUT_MS, WidgetDriver
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.pages.calibration import page
@@ -123,7 +124,7 @@ def calibration_page(qtbot: QtBot) -> Iterator[CalibrationPage]:
     assert isinstance(app, QApplication)
     theme().install(app)
     device = Device()
-    widget = page.CalibrationPage(device)
+    widget = page.CalibrationPage(device, BoardLinter(device))
     qtbot.addWidget(widget)
     widget.resize(1050, 600)
     widget.show()

@@ -7,6 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
@@ -24,7 +25,7 @@ def device(qtbot: QtBot) -> Device:
 
 @pytest.fixture
 def page(device: Device, qtbot: QtBot) -> WidgetDriver:
-    page = ParametersPage(device)
+    page = ParametersPage(device, BoardLinter(device))
     qtbot.addWidget(page)
     page.show()
     return WidgetDriver(page, qtbot)

@@ -199,9 +199,9 @@ def test_finding_is_accepted_only_while_rows_are_enabled(parameters: ParametersD
     parameters.wait(lambda: parameters.has("parameterFinding0"))
     assert "Set Required Channels to none." in parameters.text("parameterFinding0")
     parameters.table.set_rows_enabled(False)
-    assert not parameters.is_enabled("acceptFinding0")
+    assert not parameters.is_enabled("parameterAccept0")
     parameters.table.set_rows_enabled(True)
-    parameters.click("acceptFinding0")
+    parameters.click("parameterAccept0")
     assert parameters.model.value_of("required_channels") == 0
 
 

@@ -4,6 +4,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.rules import Context, LintFinding, lint
 
 
@@ -35,12 +36,15 @@ class SettingsLinter(QObject):
                 for key, wire in finding.change.items():
                     self._draft.parameters.edit(key, wire)
 
+    def check(self, settings: Settings | None) -> tuple[LintFinding, ...]:
+        """Return the findings about other settings than those shown, in the same context."""
+        if settings is None or self._context is None:
+            return ()
+        return lint(settings, self._context)
+
     @Slot()
     def _on_changed(self) -> None:
-        findings: tuple[LintFinding, ...] = ()
-        shown = self._draft.shown
-        if shown is not None and self._context is not None:
-            findings = lint(shown, self._context)
+        findings = self.check(self._draft.shown)
         if findings != self.findings:
             self.findings = findings
             self.changed.emit()

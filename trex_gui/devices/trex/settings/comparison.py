@@ -1,11 +1,12 @@
 """What differs between two sets of settings, and what one cannot take from the other."""
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cache
 
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
+    CALIBRATION_KEYS,
     Calibration,
     CalibrationKey,
 )
@@ -114,6 +115,17 @@ def compare(before: Settings, after: Settings) -> Comparison:
     reasons = {key: reason for key in given if (reason := _why_not_carried(key, before, after))}
     rows = [_parameter_row(key, before, after) for key in given if key not in reasons]
     return Comparison((*rows, *_calibration_rows(before, after)), tuple(reasons.values()))
+
+
+def settings_after(before: Settings, rows: Iterable[ComparisonRow]) -> Settings:
+    """Return the settings once these rows are written; those without a right side stay."""
+    parameters, calibrations = dict(before.parameters), dict(before.calibrations)
+    for row in rows:
+        if isinstance(row.after, Calibration):
+            calibrations[CALIBRATION_KEYS[row.key]] = row.after
+        elif row.after is not None:
+            parameters[row.key] = row.after
+    return replace(before, parameters=parameters, calibrations=calibrations)
 
 
 def _why_not_carried(key: str, before: Settings, after: Settings) -> str:

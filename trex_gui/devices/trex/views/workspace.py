@@ -18,6 +18,7 @@ from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.recorder import Recorder
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
@@ -91,6 +92,7 @@ class TrexWorkspace(Workspace):
         self._frame = frame
         self._agreed: Settings | None = None  # settings shown that may be left as they are
         self._keeps_edits = True
+        self._linter = BoardLinter(device, self)
         self.log.follow(device.events)
 
         tabs = self.pages
@@ -118,7 +120,7 @@ class TrexWorkspace(Workspace):
         self.docks = (self._demo,)
         name, suffixes = self.tr("a settings file of a TReX"), {".txt", ".yaml", ".yml"}
         self.file_kinds = (FileKind(suffixes, name, files.open_file, files.edit_file),)
-        self._review = ReviewDialog(device, frame)
+        self._review = ReviewDialog(device, self._linter, frame)
         self._defaults = DefaultsDialog(device, frame)
         self._power = PowerCycleDialog(device, frame)
         self._history = HistoryDialog(device, frame)
@@ -201,7 +203,7 @@ class TrexWorkspace(Workspace):
             CalibrationPage,
         )
 
-        page = CalibrationPage(self._device, self)
+        page = CalibrationPage(self._device, self._linter, self)
         page.power_cycle_requested.connect(self._power.guide)
         page.learn_requested.connect(self._learn.learn)
         return page
@@ -218,7 +220,7 @@ class TrexWorkspace(Workspace):
             ParametersPage,
         )
 
-        page = ParametersPage(self._device, self)
+        page = ParametersPage(self._device, self._linter, self)
         page.reload_requested.connect(self._on_reload_requested)
         page.power_cycle_requested.connect(self._power.guide)
         self._parameter_shown.connect(page.table.show_parameter)

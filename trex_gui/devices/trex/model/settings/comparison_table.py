@@ -1,6 +1,6 @@
 """Two sets of settings as a table, with a check box for each change."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from enum import IntEnum
 from typing import Any
 
@@ -100,6 +100,11 @@ class ComparisonTable(QAbstractTableModel):
     def tick_all(self, ticked: bool) -> None:
         changed = {row.key for row in self.comparison.rows if row.changed}
         self._cleared = set() if ticked else changed
+        self._announce_ticks()
+
+    def tick(self, keys: Collection[str]) -> None:
+        """Tick the changes of these settings."""
+        self._cleared -= set(keys)
         self._announce_ticks()
 
     def toggle(self, row: int) -> None:

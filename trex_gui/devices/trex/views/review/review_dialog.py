@@ -9,17 +9,21 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.settings.comparison import Comparison, settings_after, compare
+from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.devices.trex.views.review.power_cycle import PowerCyclePanel
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, progress_bar, row
 from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
 class _Phase(Enum):
@@ -31,12 +35,13 @@ class _Phase(Enum):
 class ReviewDialog(ReusedDialog):
     """Not modal, with a stop button of its own; follows the edits until they are written."""
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, linter: BoardLinter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("reviewDialog")
         self.setWindowTitle(self.tr("Apply settings"))
         self.resize(920, 560)
         self._device = device
+        self._linter = linter
         self._cycle = PowerCycle(device, self)
         self._phase = _Phase.REVIEW
         self._problem = ""
@@ -44,6 +49,9 @@ class ReviewDialog(ReusedDialog):
 
         self._head = named(Note(1, self), "reviewHead")
         self._rows = ComparisonView(self)
+        self._findings_head = label(self, "reviewFindingsHead", wrap=True, bold=True)
+        self._findings = FindingsList("review", self._rows, self, is_wide=True)
+        self._findings_area = ScrollBox(self._findings, self)
         self._foot = label(self, "reviewFoot", wrap=True)
         self._progress = progress_bar(self, "reviewProgress", self.tr("Progress of writing"))
         self._progress.setTextVisible(True)
@@ -61,10 +69,21 @@ class ReviewDialog(ReusedDialog):
             self._write,
             self._close,
         )
-        column(self._head, (self._rows, 1), self._foot, self._power, buttons, into=self)
+        column(
+            self._head,
+            (self._rows, 2),
+            self._findings_head,
+            (self._findings_area, 1),
+            self._foot,
+            self._power,
+            buttons,
+            into=self,
+        )
 
         self.finished.connect(self._on_finished)
         self._rows.ticked_changed.connect(self._describe)
+        self._findings.accepted.connect(self._on_accepted)
+        linter.changed.connect(self._describe)
         device.draft.pending_changed.connect(self._on_draft_changed)
         device.draft.loaded.connect(self._on_draft_changed)
         device.link_changed.connect(self._on_link_changed)
@@ -122,12 +141,19 @@ class ReviewDialog(ReusedDialog):
         if not wanted or self._phase is not _Phase.REVIEW or not self._can_write:
             return
         self._problem = ""
+        self._phase = _Phase.WRITING  # the findings stay
         self._rows.freeze(self.tr("Before"), self.tr("New value"))
         self._progress.setRange(0, len(wanted))
         self._progress.setValue(0)
         self._enter(_Phase.WRITING)
         self._written = wanted
         self._device.apply(wanted)
+
+    @Slot(object)
+    def _on_accepted(self, finding: LintFinding) -> None:
+        """Add a proposal to what is written, also where its edit was to wait."""
+        self._linter.accept(finding)
+        self._rows.table.tick(finding.change.keys())
 
     @Slot()
     def _on_finished(self) -> None:
@@ -225,8 +251,25 @@ class ReviewDialog(ReusedDialog):
         self._close.setDefault(not reviewing)
         text, alarming = self._head_text()
         self._head.show_note(text, alarming=alarming)
+        self._show_findings()
         self._foot.setVisible(reviewing)
         self._foot.setText(self._foot_text())
+
+    def _show_findings(self) -> None:
+        """Check what the board will store; while and after writing, keep what was left."""
+        reviewing, stored = self._phase is _Phase.REVIEW, self._device.draft.stored
+        if reviewing and stored is not None:
+            after = settings_after(stored, self._rows.table.ticked)
+            self._findings.show_findings(self._linter.check(after))
+        self._findings.set_can_accept(reviewing and self._device.is_writable)
+        count = self._findings.count
+        self._findings_head.setVisible(count > 0)
+        self._findings_area.setVisible(count > 0)
+        self._findings_head.setText(
+            self.tr("%n finding(s). Accept a proposal, or leave the setting as it is.", "", count)
+            if reviewing
+            else self.tr("%n finding(s) left.", "", count)
+        )
 
     def _head_text(self) -> tuple[str, bool]:
         """Return the state of the review, and whether it is alarming."""

@@ -99,6 +99,16 @@ class CalibrationFields(QWidget):
         self._run = object()
 
 
+CHANNEL_OPTIONS = frozenset[str](
+    {
+        ParameterKey.REVERSED_CHANNELS,
+        ParameterKey.PARABOLIC_CHANNELS,
+        ParameterKey.IGNORED_CHANNELS,
+        ParameterKey.REQUIRED_CHANNELS,
+    }
+)
+
+
 class ChannelOptions(QWidget):
     """Reversed, parabolic, ignored, required: each a bit of a parameter."""
 

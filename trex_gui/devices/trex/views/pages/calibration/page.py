@@ -11,10 +11,17 @@ from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.calibration_moves import Handle
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.settings.rules import LintFinding
+from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.devices.trex.views.pages.calibration.change_menu import ChangeMenu
-from trex_gui.devices.trex.views.pages.calibration.fields import CalibrationFields, ChannelOptions
+from trex_gui.devices.trex.views.pages.calibration.fields import (
+    CHANNEL_OPTIONS,
+    CalibrationFields,
+    ChannelOptions,
+)
 from trex_gui.devices.trex.views.pages.calibration.heading import (
     ChannelHeading,
     ChannelList,
@@ -50,7 +57,7 @@ class CalibrationPage(PlotPage):
     learn_requested = Signal(object)  # the channels, 1 to 5, to learn from the user's movements
     power_cycle_requested = Signal()
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, linter: BoardLinter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("calibrationPage")
         self._device = device
@@ -73,6 +80,7 @@ class CalibrationPage(PlotPage):
         self._fields = CalibrationFields(body)
         self._note = named(Note(2, body), "calibrationNote")
         self._options = ChannelOptions(device.parameters, body)
+        self._findings = FindingsList("calibration", self._options, body, is_wide=True)
         self._learn = button(
             body,
             "learnButton",
@@ -101,13 +109,16 @@ class CalibrationPage(PlotPage):
 
         above = column(self._heading, self._other, self._legend)
         buttons = row(self._learn, self._learn_all, 1, self._change, self._discard)
-        self._right = column(above, self._fields, self._note, self._options, buttons)
+        self._right = column(
+            above, self._fields, self._note, self._options, self._findings, buttons
+        )
         row(self._channels, (self._right, 1), into=body, margins=0)
         layout = column(self._empty, (body, 1), into=self)
         layout.addStretch(0)
         margins = layout.contentsMargins()
         layout.setContentsMargins(margins.left(), margins.top(), margins.right(), 2)
 
+        self._findings.follow(linter, _concerns_channels)
         self._channels.chosen.connect(self._refresh)
         self._heading.source_chosen.connect(self._on_source_chosen)
         self._fields.edited.connect(self._on_edited)
@@ -208,6 +219,7 @@ class CalibrationPage(PlotPage):
             learn.setEnabled(is_connected and not reason)
             learn.setToolTip(reason)
         self._options.show_channel(self.channel, self.source, editable=is_connected, blocker=reason)
+        self._findings.set_can_accept(is_connected and not reason)
 
     def _show_marks(self) -> None:
         calibrations = self._device.calibrations
@@ -371,3 +383,8 @@ class CalibrationPage(PlotPage):
                 why = channel_text.write_failure(result.error)
                 self._failures[channel] = (failed, why)
         self._show_channel()
+
+
+def _concerns_channels(finding: LintFinding) -> bool:
+    """Whether a finding is about the options; `concern` is about the calibration that is shown."""
+    return not CHANNEL_OPTIONS.isdisjoint(finding.keys)

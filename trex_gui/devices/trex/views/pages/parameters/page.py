@@ -19,7 +19,7 @@ class ParametersPage(QWidget):
     reload_requested = Signal()
     power_cycle_requested = Signal()
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, linter: BoardLinter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("parametersPage")
         self._device = device
@@ -49,7 +49,7 @@ class ParametersPage(QWidget):
             tip=self.tr("Read every parameter from the board again"),
             on_click=self.reload_requested,
         )
-        self.table = ParameterTable(device.draft, BoardLinter(device, self), self)
+        self.table = ParameterTable(device.draft, linter, self)
 
         top = row((self._notice, 1), self._activate, self._discard, self._reload)
         column(top, (self.table, 1), into=self)

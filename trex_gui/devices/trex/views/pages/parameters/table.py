@@ -1,6 +1,5 @@
 """The parameters of a draft: filters, table, findings and help; of a board or of a file."""
 
-from functools import partial
 from html import escape
 
 from PySide6.QtCore import QModelIndex, Qt, Slot
@@ -11,13 +10,12 @@ from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.settings.rules import LintFinding
+from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilter, ParameterFilters
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets.builders import button, column, label, named, row
-from trex_gui.ui.widgets.labels import Sign
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _PANEL = 33
@@ -44,7 +42,7 @@ class ParameterTable(QWidget):
         self._help = ParameterHelp(self._model, beside)
         tools = [action_button(each, beside) for each in self._view.tools]
 
-        self._findings = FindingsList(linter, beside)
+        self._findings = FindingsList("parameter", tools[-1], beside)
         column(row(*tools, 1), self._help, self._findings, 1, into=beside, margins=0)
         panel = ScrollBox(beside, self)
         follow_theme(
@@ -55,6 +53,7 @@ class ParameterTable(QWidget):
         below = row((self._view, 5), (panel, 2))
         column(self._filters, (below, 1), into=self, margins=0)
 
+        self._findings.follow(linter)
         self._view.selectionModel().currentChanged.connect(self._on_current_changed)
         self._view.clicked.connect(self._on_current_changed)
         self._filters.entered.connect(self._view.setFocus)
@@ -169,64 +168,3 @@ def action_button(action: QAction, parent: QWidget) -> QToolButton:
     made.setDefaultAction(action)
     made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
     return made
-
-
-_SHOWN = 3
-
-
-class FindingsList(QWidget):
-    """The first findings, one below the other; hidden without any."""
-
-    def __init__(self, linter: SettingsLinter, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("parameterFindings")
-        self.setAccessibleName(self.tr("Findings about the settings"))
-        self._linter = linter
-        self._can_accept = True
-        self._lines: list[QWidget] = []
-        self._layout = column(into=self, margins=0)
-
-        linter.changed.connect(self._on_changed)
-        self._on_changed()
-
-    def set_can_accept(self, can_accept: bool) -> None:
-        """Set whether changes can be accepted."""
-        if can_accept != self._can_accept:
-            self._can_accept = can_accept
-            self._on_changed()
-
-    @Slot()
-    def _on_changed(self) -> None:
-        for line in self._lines:
-            self._layout.removeWidget(line)
-            line.setParent(None)
-            line.deleteLater()  # later: this may handle a click on one of its buttons
-        findings = self._linter.findings
-        self._lines = [self._line(*numbered) for numbered in enumerate(findings[:_SHOWN])]
-        if len(findings) > _SHOWN:
-            more = self.tr("… and {0} more").format(len(findings) - _SHOWN)
-            self._lines.append(label(self, text=more))
-        for line in self._lines:
-            self._layout.addWidget(line)
-        self.setVisible(bool(self._lines))
-
-    def _line(self, number: int, finding: LintFinding) -> QWidget:
-        line = QWidget(self)
-        sign = Sign(line)
-        sign.show_sign("warning")
-        message = finding.message
-        if finding.proposal:
-            message += f" {finding.proposal}."
-        text = label(line, f"parameterFinding{number}", message, wrap=True, expand=True)
-        accept = button(
-            line,
-            f"acceptFinding{number}",
-            self.tr("A&ccept"),
-            accessible=finding.proposal,
-            tip=self.tr("Add this change to the edits; nothing is written until you click Apply"),
-            on_click=partial(self._linter.accept, finding),
-        )
-        accept.setVisible(bool(finding.change))
-        accept.setEnabled(self._can_accept)
-        column(row(sign, (text, 1)), (accept, 0, Qt.AlignmentFlag.AlignRight), into=line, margins=0)
-        return line
