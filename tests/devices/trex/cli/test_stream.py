@@ -2,6 +2,7 @@
 
 import csv
 import io
+import itertools
 import json
 import signal
 import sys
@@ -161,8 +162,34 @@ def test_unwritable_csv_file_is_rejected(trexcmd: RunCommand, tmp_path: Path) ->
     assert "cannot be written" in result.stderr
 
 
+def test_stream_is_thinned_limited_and_separated(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    trexcmd("raw", "41")
+    words = ("--interval", "0.25", "--limit", "4", "--separator", "tab")
+    result = trexcmd("stream", *words)
+    rows = list(csv.DictReader(io.StringIO(result.stdout), delimiter="\t"))
+    times = [float(row["time_s"]) for row in rows]
+    assert len(rows) == 4
+    assert "4 rows." in result.stderr
+    assert all(later - earlier > 0.249 for earlier, later in itertools.pairwise(times))
+    assert times[-1] < 1.2
+    assert [row["uart_format"] for row in rows].count("1") == 1, "no error bit is left out"
+    assert len(trexcmd("stream", "--json", "--limit", "2").stdout.splitlines()) == 2
+
+
 @pytest.mark.parametrize(
-    "words", [("--seconds", "0"), ("--seconds", "x"), ("--json", "--csv", "-")]
+    "words",
+    [
+        ("--seconds", "0"),
+        ("--seconds", "x"),
+        ("--json", "--csv", "-"),
+        ("--limit", "0"),
+        ("--interval", "-1"),
+        ("--separator", "ab"),
+        ("--separator", "."),
+        ("--json", "--separator", ";"),
+    ],
 )
 def test_invalid_stream_arguments_are_usage_errors(
     trexcmd: RunCommand, words: tuple[str, ...]

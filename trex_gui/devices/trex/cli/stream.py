@@ -2,6 +2,7 @@
 
 import contextlib
 import csv
+import itertools
 import json
 import sys
 from collections.abc import Iterator
@@ -9,6 +10,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 import click
+from click.core import ParameterSource
 
 from trex_gui.core.cli import CommandFailed, Interruption, say
 from trex_gui.core.errors import BadReply, NoReply
@@ -35,6 +37,14 @@ _FAILURES = 10  # in a row, after which the board counts as gone
 Row = dict[str, float | int | str | None]
 
 
+def _read_separator(_context: click.Context, _option: click.Parameter, text: str) -> str:
+    """Read one character: quotes, line ends and what numbers consist of separate nothing."""
+    character = {"tab": "\t", r"\t": "\t"}.get(text.lower(), text)
+    if len(character) != 1 or character.isalnum() or character in '"\r\n.-+_':
+        raise click.BadParameter(f'{text!r} is not a character such as ";", or "tab".')
+    return character
+
+
 @click.command()
 @link_options
 @click.option(
@@ -50,28 +60,59 @@ Row = dict[str, float | int | str | None]
     metavar="S",
     help="Duration; without it, until Ctrl-C.",
 )
+@click.option(
+    "--interval",
+    type=click.FloatRange(0),
+    default=0.0,
+    metavar="S",
+    help="Least seconds between two rows. Default: every row.",
+)
+@click.option("--limit", type=click.IntRange(1), metavar="N", help="End after N rows.")
+@click.option(
+    "--separator",
+    default=",",
+    callback=_read_separator,
+    metavar="CHAR",
+    help='Character between two columns; "tab" is a tab. Default: a comma.',
+)
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per line instead of CSV.")
-def stream(file: str | None, seconds: float | None, as_json: bool, **options: Any) -> None:
+@click.pass_context
+def stream(
+    context: click.Context,
+    /,
+    *,
+    file: str | None,
+    seconds: float | None,
+    interval: float,
+    limit: int | None,
+    separator: str,
+    as_json: bool,
+    **options: Any,
+) -> None:
     """Write the measurements of the board as CSV: a row for each new pair of motor currents.
 
     The header has the units. The other columns of a row hold the newest values; error bits are in
-    the first row after they were read, which clears them in the board.
+    the first row after they were read, which clears them in the board. With --interval, rows
+    between two that are written are left out, but none of their error bits.
     """
     if as_json and file is not None:
         raise click.UsageError(
             "--json and --csv exclude each other; --json writes to standard output."
         )
+    if as_json and context.get_parameter_source("separator") is not ParameterSource.DEFAULT:
+        raise click.UsageError("--json has no columns that --separator could separate.")
     settings = link_settings(options)
     with open_line(settings) as client, _target(file) as target, Interruption() as interrupted:
         unit = identify(client).model.current_unit
         mode = agreed(client.request, GetMode(), has_crc=client.has_crc)
         table = _Table(mode, unit)
-        rows = csv.DictWriter(target, list(table.row), lineterminator="\n")
+        rows = csv.DictWriter(target, list(table.row), lineterminator="\n", delimiter=separator)
         if not as_json:
             rows.writeheader()
         count, flushed_at, reason = 0, 0.0, ""
         try:
-            for row in _rows(client, table, seconds, interrupted):
+            polled = _rows(client, table, seconds, interrupted, interval)
+            for row in itertools.islice(polled, limit):
                 if as_json:
                     target.write(json.dumps(row) + "\n")
                 else:
@@ -140,15 +181,19 @@ class _Table:
 
 
 def _rows(
-    client: TrexClient, table: _Table, seconds: float | None, interrupted: Interruption
+    client: TrexClient,
+    table: _Table,
+    seconds: float | None,
+    interrupted: Interruption,
+    interval: float,
 ) -> Iterator[Row]:
-    """Poll by the schedule and yield each row when it is complete."""
+    """Poll by the schedule and yield each complete row, one in `interval` seconds at most."""
     clock = client.transport.clock
     reader = StatusReader(clock)
     schedule = Schedule()
     begun = clock()
     schedule.start(rates(table.mode.source), begun)
-    failures = 0
+    failures, due = 0, begun
     while not interrupted and (seconds is None or clock() - begun < seconds):
         now = clock()
         topic = schedule.next(now)
@@ -170,5 +215,6 @@ def _rows(
             if failures == _FAILURES:
                 raise
             continue
-        if sample is not None and table.take(sample):
+        if sample is not None and table.take(sample) and sample.time >= due:
+            due = sample.time + interval
             yield table.finish(sample.time - begun)
