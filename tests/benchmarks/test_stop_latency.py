@@ -24,6 +24,7 @@ from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.framing import Framing, Reply
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.ui.devices.connection import ConnectionState
@@ -47,10 +48,12 @@ class Wiretap:
             self.writes.append((time.perf_counter(), data))
             write(port, data)
 
-        def note_transaction(client: TrexClient, command: Command[ReplyT_co]) -> ReplyT_co:
+        def note_transaction(
+            client: TrexClient, command: Command[ReplyT_co], framing: Framing
+        ) -> Reply[ReplyT_co]:
             begun = time.perf_counter()
             try:
-                return transact(client, command)
+                return transact(client, command, framing)
             finally:
                 self.transactions.append((begun, time.perf_counter()))
 

@@ -9,8 +9,10 @@ from tests.devices.trex.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand
 from trex_gui.cli import main
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.recording import sample_kinds
+from trex_gui.ui.runtime import open_transport
 
 
 def test_list_prints_port_and_board(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
@@ -110,7 +112,10 @@ def test_set_in_rc_mode_explains_the_rejection(
 
 
 def test_stop_brakes_running_motors(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
-    trexcmd("raw", "C2 50")
+    port = open_transport(ConnectionSettings(quick_simulator.url))
+    port.write(bytes.fromhex("C2 50"))
+    port.wait(0.1)
+    port.close()
     assert becomes(lambda: quick_simulator.show()["motors"][0]["speed"], 0x50)
     assert trexcmd("stop").exit_code == 0
     motor = quick_simulator.show()["motors"][0]
@@ -124,14 +129,9 @@ def test_stop_without_a_reply_fails(trexcmd: RunCommand, quick_simulator: Simula
     assert "No TReX responds" in result.stderr
 
 
-def test_raw_prints_the_reply(trexcmd: RunCommand) -> None:
-    assert trexcmd("raw", "81").stdout.strip() == b"TReX1.2".hex(" ").upper()
-
-
 @pytest.mark.parametrize(
     "words",
     [
-        ("raw", "8G"),
         ("get", "device_number", "--crc", "--parity", "even"),
         ("get", "device_number", "--baud", "1234"),
         ("get", "device_number", "--polynomial", "11"),

@@ -1,8 +1,12 @@
-"""decode: packets are described in words."""
+"""raw and decode: packets are described in words, and sent."""
+
+import signal
 
 import pytest
 
-from tests.support.virtual_command import RunCommand
+from tests.devices.trex.cli.conftest import becomes, outputs
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_command import RunCommand, StartCommand
 from trex_gui.devices.trex.protocol.commands import COMMANDS
 from trex_gui.devices.trex.protocol.descriptions import describe
 from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
@@ -59,3 +63,63 @@ def test_invalid_decode_arguments_are_usage_errors(
     trexcmd: RunCommand, words: tuple[str, ...]
 ) -> None:
     assert trexcmd("decode", *words).exit_code == 2
+
+
+# --- raw ----------------------------------------------------------------------------------
+
+
+def test_raw_prints_meaning_and_each_reply(trexcmd: RunCommand) -> None:
+    result = trexcmd("raw", "81 82 80 07 1F 00 FF 41")
+    assert result.stdout.splitlines() == ["54 52 65 58 31 2E 32", "72", "07"]
+    meanings = result.stderr.splitlines()
+    assert meanings[0] == "81: get signature"
+    assert meanings[2] == "80 07 1F 00: device 7: get Device Number"
+    assert meanings[4] == "41: not a TReX packet: a data byte outside a packet"
+
+
+def test_raw_write_is_flagged(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+    result = trexcmd("raw", "AF 07 0F 55 2A")
+    assert result.stdout == "00\n"
+    assert "set Serial Timeout to 1.5 s (15). The board stores it at once" in result.stderr
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
+
+
+@pytest.mark.parametrize("packet", ["C2 50", "80 07 42 50", "81 F0 20", "80 07", "05 D0"])
+def test_raw_motor_command_needs_permission(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, packet: str
+) -> None:
+    before = quick_simulator.show()["counters"]
+    result = trexcmd("raw", packet)
+    assert result.exit_code == 2
+    assert "This may move a motor" in result.stderr
+    assert "--motors" in result.stderr
+    assert quick_simulator.show()["counters"] == before, "nothing is sent"
+
+
+def test_raw_motor_command_is_followed_by_a_stop(
+    start: StartCommand, trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    command = start("raw", "--motors", "C2 50 82")
+    assert becomes(lambda: outputs(quick_simulator), [80, 0, 0])
+    command.send_signal(signal.SIGINT)
+    output, errors = command.communicate()
+    assert command.returncode == 0, errors
+    assert output == "72\n"
+    assert "set motor 1 to forward 80. This may move a motor" in errors
+    assert errors.endswith("Stopped.\n")
+    motor = quick_simulator.show()["motors"][0]
+    assert (motor["direction"], motor["speed"]) == ("brake", 127)
+
+    words = ("raw", "--motors", "--seconds", "0.5")
+    assert trexcmd(*words, "F0 20").exit_code == 0
+    other = trexcmd(*words, "--protocol", "expanded", "C2 50")
+    assert other.exit_code == 1
+    assert "another board, which a stop on this connection does not reach" in other.stderr
+    assert outputs(quick_simulator) == [0, 0, 0]
+
+
+@pytest.mark.parametrize("words", [("8G",), ("--seconds", "1", "81"), ("81 " * 300,)])
+def test_invalid_raw_arguments_are_usage_errors(
+    trexcmd: RunCommand, words: tuple[str, ...]
+) -> None:
+    assert trexcmd("raw", *words).exit_code == 2

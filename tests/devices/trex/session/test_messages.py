@@ -43,6 +43,7 @@ from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -52,6 +53,7 @@ from trex_gui.devices.trex.session.messages import (
     Report,
     Request,
     RunCommand,
+    SendPacket,
     SetReconnectCandidates,
     Write,
 )
@@ -65,6 +67,7 @@ REQUESTS: list[Request] = [
     RunCommand(2, DriveBoth(Drive.at(5), Drive.brake(), accelerate=True)),
     RunCommand(3, SetCalibration(2, LEARNED)),
     RunCommand(4, GetCalibration(3)),
+    SendPacket(5, *packets_of(bytes.fromhex("C2 50"), None)),
     SetMotor(1, Drive.at(-127), accelerate=True),
     SetMotors((SetMotor(1, Drive.at(5)), SetMotor(2, Drive.brake(3)))),
     SetAuxiliary(127),

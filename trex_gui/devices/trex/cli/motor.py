@@ -2,6 +2,7 @@
 
 import math
 from collections import deque
+from collections.abc import Sequence
 from typing import Any
 
 import click
@@ -50,6 +51,7 @@ from trex_gui.devices.trex.session.messages import (
     ReadReason,
     Report,
     Request,
+    SendPacket,
 )
 from trex_gui.devices.trex.session.session import TrexSession
 
@@ -84,14 +86,27 @@ def motor(
     repeated until the board confirms it.
     """
     setpoint = _setpoint(which, speed, accelerate=accelerate, brake=brake)
-    settings = link_settings(options)
+    run_motors(link_settings(options), [setpoint], seconds)
+
+
+def run_motors(
+    settings: ConnectionSettings, orders: Sequence[Setpoint | SendPacket], seconds: float | None
+) -> None:
+    """Arm the motors, send the orders, and stop after `seconds` or Ctrl-C; print replies.
+
+    Raises:
+        CommandFailed: it ended otherwise than intended; the motors were stopped if possible.
+    """
     with refusals():  # Ctrl-C ends what may take long, as with a port of another computer
         transport = host().open_transport(settings)
     with Interruption(precious=True) as interrupted:
-        run = _Run(setpoint, math.inf if seconds is None else seconds, interrupted, transport)
+        run = _Run(orders, math.inf if seconds is None else seconds, interrupted, transport)
         TrexSession(settings, run, run.take, lambda _settings: transport).run()
     run.conclude()
 
+
+STOP_ID = 0
+"""Number of the stop at the end; orders have others."""
 
 _UNCONFIRMED = "The stop is not confirmed. If a motor still turns, cut its power."
 
@@ -148,20 +163,20 @@ def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpo
 
 
 class _Run:
-    """Drives one motor through a session on the same thread, as its inbox and its listener.
+    """Drives motors through a session on the same thread, as its inbox and its listener.
 
-    The motor is armed when the first round of polling is over: by then it is known who controls
+    They are armed when the first round of polling is over: by then it is known who controls
     the motors, and old error bits are read.
     """
 
     def __init__(
         self,
-        setpoint: Setpoint,
+        orders: Sequence[Setpoint | SendPacket],
         seconds: float,
         interrupted: Interruption,
         transport: Transport,
     ) -> None:
-        self._setpoint = setpoint
+        self._orders = orders
         self._seconds = seconds
         self._interrupted = interrupted
         self._transport = transport
@@ -195,7 +210,7 @@ class _Run:
 
     def _start(self) -> None:
         self._is_running = True
-        self._requests += (Arm(), self._setpoint)
+        self._requests += (Arm(), *self._orders)
         self._heartbeat_at = self._now + HEARTBEAT_INTERVAL
         self._end = self._now + self._seconds
         endless = math.isinf(self._seconds)
@@ -206,7 +221,7 @@ class _Run:
         if not self._is_ending:
             self._is_ending = True
             self._reason = reason
-            self._requests.append(Stop(1) if self._is_running else Close())
+            self._requests.append(Stop(STOP_ID) if self._is_running else Close())
 
     # --- Reports ------------------------------------------------------------------------
 
@@ -226,13 +241,21 @@ class _Run:
                 self._finish(f"The board has stopped responding: {reason}")
             case MotorsStopped(reason=ErrorCode() as code):
                 self._finish(describe(code))
-            case Outcome(error=error):
-                self._stop_error = error
-                self._requests.append(Close())
+            case Outcome():
+                self._take_outcome(report)
             case Closed(error=error):
                 self._line_error = error
             case _:
                 pass
+
+    def _take_outcome(self, outcome: Outcome) -> None:
+        if outcome.id == STOP_ID:
+            self._stop_error = outcome.error
+            self._requests.append(Close())
+        elif outcome.error is not None:
+            self._finish(str(outcome.error))
+        elif isinstance(outcome.value, bytes) and outcome.value:
+            click.echo(outcome.value.hex(" ").upper())
 
     def _connected(self, state: DeviceState, occasion: ReadReason) -> None:
         if self._state is not None:
@@ -245,7 +268,7 @@ class _Run:
         if not state.serial_controls:
             self._finish(who_controls(state.mode, by_serial=False, joint=joint))
             return
-        if joint and isinstance(self._setpoint, SetMotor) and self._setpoint.motor == 2:
+        if joint and any(isinstance(one, SetMotor) and one.motor == 2 for one in self._orders):
             say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
         if not state.serial_timeout:
             program = "" if self._is_guarded else ", and also if this program is killed"
@@ -263,7 +286,7 @@ class _Run:
         elif not self._is_ending:
             say(f"The board reports: {names}.")
             if latched.uart:  # the board may have stopped the motors for it
-                self._requests.append(self._setpoint)
+                self._requests += [one for one in self._orders if not isinstance(one, SendPacket)]
 
     def _take_control(self, *, by_serial: bool) -> None:
         self._lost_control = 0 if by_serial else self._lost_control + 1

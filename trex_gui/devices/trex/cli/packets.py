@@ -1,11 +1,10 @@
 """raw, decode: packets in hexadecimal."""
 
-import re
 from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, hexadecimal
+from trex_gui.core.cli import CommandFailed, hexadecimal, say
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.common import (
     crc_option,
@@ -14,40 +13,68 @@ from trex_gui.devices.trex.cli.common import (
     open_line,
     polynomial_option,
 )
+from trex_gui.devices.trex.cli.motor import STOP_ID, run_motors
 from trex_gui.devices.trex.protocol.descriptions import describe
 from trex_gui.devices.trex.protocol.framing import Malformed, Packet, PacketParser
-
-_SILENCE = 0.25  # seconds without a byte after which `raw` takes a reply to be complete
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of, parse_hexadecimal
+from trex_gui.devices.trex.session.messages import SendPacket
 
 
 def _bytes(words: tuple[str, ...]) -> bytes:
-    """Read bytes such as `86 1F`, `861f` or `0x86, 0x1F`."""
-    text = " ".join(words)
     try:
-        data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
-    except ValueError as error:
-        raise click.UsageError(f'"{text}" is not hexadecimal bytes such as "86 1F".') from error
-    if not data:
-        raise click.UsageError('Which bytes? Give them in hexadecimal, such as "86 1F".')
-    return data
+        return parse_hexadecimal(" ".join(words))
+    except BadRequest as error:
+        raise click.UsageError(str(error)) from error
 
 
 @click.command()
 @link_options
+@click.option(
+    "--motors",
+    is_flag=True,
+    help="Permit motor commands (C0 to F1). The motors run until Ctrl-C, or for --seconds; then "
+    "every motor is stopped.",
+)
+@click.option(
+    "--seconds",
+    type=click.FloatRange(0, min_open=True),
+    metavar="S",
+    help="With --motors: how long the motors run.",
+)
 @click.argument("packet", nargs=-1, required=True)
-def raw(packet: tuple[str, ...], **options: Any) -> None:
-    """Send the bytes of PACKET ("86 1F") unchanged and show the reply."""
-    data = _bytes(packet)
-    with open_line(link_settings(options)) as client:
-        transport = client.transport
-        transport.discard()
-        transport.write(data)
-        seconds = client.settings.line.seconds(len(data)) + _SILENCE
-        received = bytearray()
-        while chunk := transport.read(1, seconds):
-            received += chunk
-            seconds = _SILENCE
-    click.echo(received.hex(" ").upper())
+def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **options: Any) -> None:
+    """Send the bytes of PACKET ("86 1F") unchanged and print each reply.
+
+    Says first what they mean. Several packets go one by one: the board does not listen while it
+    replies. What may move a motor is rejected without --motors; with it the stop is repeated
+    until the board confirms it, also after a signal or an error.
+    """
+    link = link_settings(options)
+    packets = packets_of(_bytes(packet), link.framing.polynomial)
+    for one in packets:
+        say(f"{one.hexadecimal}: {one.words()}{_note(one)}")
+    moving = any(one.moves for one in packets)
+    if moving and not motors:
+        raise click.UsageError(
+            "This may move a motor, and nothing was sent. Give --motors to send it; every motor "
+            "is stopped afterwards."
+        )
+    if seconds is not None and not moving:
+        raise click.UsageError("--seconds is for motor commands, and this has none.")
+    if moving:
+        numbered = enumerate(packets, STOP_ID + 1)
+        run_motors(link, [SendPacket(number, one) for number, one in numbered], seconds)
+        return
+    with open_line(link) as client:
+        for one in packets:
+            if received := client.send_packet(one.packet).raw:
+                click.echo(received.hex(" ").upper())
+
+
+def _note(packet: RawPacket) -> str:
+    if packet.moves:
+        return ". This may move a motor"
+    return ". The board stores it at once, without a snapshot" if packet.writes else ""
 
 
 @click.command()

@@ -29,7 +29,14 @@ from trex_gui.devices.trex.protocol.errors import (
     is_unsteady,
 )
 from trex_gui.devices.trex.protocol.flags import Status
-from trex_gui.devices.trex.protocol.framing import Framing, Malformed, NeedData, Reply, ReplyParser
+from trex_gui.devices.trex.protocol.framing import (
+    Framing,
+    Malformed,
+    NeedData,
+    Packet,
+    Reply,
+    ReplyParser,
+)
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 
 _BOARD_DELAY = 0.005
@@ -96,19 +103,49 @@ class TrexClient:
             BadReply: the bytes are no reply to this command.
             PortUnavailable: the line is gone.
         """
-        number = self._new_number(command)
+        return self._request(command, self.settings.framing).value
+
+    def _request(self, command: Command[ReplyT_co], framing: Framing) -> Reply[ReplyT_co]:
+        number = self._new_number(command, framing)
         try:
-            reply = self._transact(command)
+            reply = self._transact(command, framing)
         except (NoReply, BadReply):
             if number is not None:
                 self._look_for(number)
             raise
-        if reply is ResultCode.OK and number is not None:
+        if reply.value is ResultCode.OK and number is not None:
             self.settings = replace(self.settings, device_number=number)
         return reply
 
-    def _transact(self, command: Command[ReplyT_co]) -> ReplyT_co:
-        framing, line = self.settings.framing, self.settings.line
+    def send_packet(self, packet: Packet | Malformed) -> Reply[object]:
+        """Send bytes that a user typed, and return what came back.
+
+        Bytes that are no packet have whatever arrives as their reply; its value is `None`.
+
+        Raises:
+            NoReply, BadReply, PortUnavailable: as for `request`.
+        """
+        if isinstance(packet, Packet):
+            framing = replace(self.settings.framing, device_number=packet.device_number)
+            if framing.encode(packet.command) == packet.raw:
+                return self._request(packet.command, framing)
+        self.drain()
+        late = self._drain_late_reply() + self.transport.discard()
+        self.counters.requests += 1
+        self.counters.unsolicited += len(late)
+        self.transport.write(packet.raw)
+        seconds = self.settings.line.seconds(len(packet.raw)) + self._allowance
+        received = b""
+        while chunk := self.transport.read(1, seconds):
+            received += chunk
+            seconds = self._allowance
+            if len(received) > len(packet.raw) + _LONGEST_REPLY:
+                break
+        self._free_at = self.transport.clock()
+        return Reply(received, None)
+
+    def _transact(self, command: Command[ReplyT_co], framing: Framing) -> Reply[ReplyT_co]:
+        line = self.settings.line
         packet = framing.encode(command)
         parser = ReplyParser(command, framing, self.echo)
         self.drain()
@@ -144,7 +181,7 @@ class TrexClient:
                 # Bytes that still arrive belong to the same corrupted reply.
                 self.transport.wait(line.seconds(_LONGEST_REPLY))
                 raise TrexBadReplyError(ErrorCode.CORRUPTED_REPLY, _hex(raw), reason)
-            case Reply(raw, value):
+            case Reply(raw):
                 took = self.transport.clock() - begun
                 if self._unanswered and command.reply_size():
                     self._reject_late_reply(raw)
@@ -152,7 +189,7 @@ class TrexClient:
                 if command.reply_size() or self.echo:
                     self.counters.slowest = max(self.counters.slowest, took)
                     self._free_at = min(self._free_at, self.transport.clock())
-                return value
+                return state
 
     def send(self, command: Command[None]) -> None:
         """Send a command without a reply; an echo is awaited and not checked.
@@ -254,12 +291,13 @@ class TrexClient:
     def _allowance(self) -> float:
         return self.transport.latency + self.settings.timeouts.extra + _BOARD_DELAY
 
-    def _new_number(self, command: object) -> int | None:
-        """Return the new number if a command changes that of a board addressed by number."""
+    def _new_number(self, command: object, framing: Framing) -> int | None:
+        """Return the new number if a command changes that of the board addressed by number."""
         if (
             isinstance(command, SetParameter)
             and command.number == parameter_number(ParameterKey.DEVICE_NUMBER)
             and self.settings.device_number is not None
+            and framing.device_number in {None, self.settings.device_number}
         ):
             return command.value
         return None
@@ -269,7 +307,8 @@ class TrexClient:
         before = self.settings
         self.settings = replace(before, device_number=number)
         try:
-            self._transact(GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER)))
+            query = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
+            self._transact(query, self.settings.framing)
         except (NoReply, BadReply):
             self.settings = before
 

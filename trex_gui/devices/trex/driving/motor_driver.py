@@ -241,9 +241,13 @@ class MotorDriver:
         Raises:
             NoReply, BadReply: its echo is corrupted.
         """
+        self.begin_direct()
+        return self.client.request(command)
+
+    def begin_direct(self) -> None:
+        """Note that a motor command that is not a setpoint is about to be sent."""
         self.output.idle.on_direct_command()
         self.output.handle(OutputEvent.DIRECT_COMMAND_SENT, self._now())
-        return self.client.request(command)
 
     def _is_quiet(self) -> bool:
         self.output.quality.observe(self.client.counters, has_crc=self.client.has_crc)

@@ -75,6 +75,16 @@ class ErrorCode(Enum):
     LOCKED_OUT = QT_TRANSLATE_NOOP(
         "TrexErrors", "The motors are locked for a while after a stop; nothing was sent."
     )
+    NOT_ARMED = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "These bytes may move a motor; nothing was sent. Choose Run motor first.",
+    )
+    MOVES_ANOTHER_BOARD = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "These bytes may move a motor of another board, which a stop on this connection does not "
+        "reach; nothing was sent. Address device {0} in them, or connect with the compact "
+        "protocol.",
+    )
     OVERTAKEN_BY_STOP = QT_TRANSLATE_NOOP("TrexErrors", "A stop came first; nothing was sent.")
     # Several boards on one line
     OTHERS_WHILE_DRIVING = QT_TRANSLATE_NOOP(

@@ -15,6 +15,7 @@ from trex_gui.devices.trex.driving.requests import MotorRequest, MotorsStopped, 
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +24,18 @@ class RunCommand:
 
     id: int
     command: Command[object]
+
+
+@dataclass(frozen=True, slots=True)
+class SendPacket:
+    """Send a packet that the user typed, as it is; the value of its `Outcome` is the `bytes` reply.
+
+    One that may move a motor is rejected unless the motors are armed. What it stores is read
+    again; the bits that it clears are reported.
+    """
+
+    id: int
+    packet: RawPacket
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +108,7 @@ class SetWatched:
     watched: bool
 
 
-Job = RunCommand | Write | Reload | ProbeNumber | SelectBoard
+Job = RunCommand | SendPacket | Write | Reload | ProbeNumber | SelectBoard
 """Requests that are served in their order; each has an `Outcome`."""
 
 Request = Job | MotorRequest | SetReconnectCandidates | SetWatched | Close

@@ -57,8 +57,10 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexNoReplyError,
     TrexRequestError,
 )
+from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
@@ -71,6 +73,7 @@ from trex_gui.devices.trex.session.messages import (
     Request,
     RunCommand,
     SelectBoard,
+    SendPacket,
     SetReconnectCandidates,
     SetWatched,
     Write,
@@ -355,6 +358,8 @@ class TrexSession:
                 return self._driver.run_direct(command)
             case RunCommand(command=command):
                 return self._request(command)
+            case SendPacket(packet=packet):
+                return self._send_packet(packet)
             case Write():
                 return self._write(job)
             case Reload():
@@ -414,6 +419,45 @@ class TrexSession:
             if not self._driver.stop_and_confirm():
                 raise TrexNoReplyError(ErrorCode.NOT_SELECTED_MOVING, job.number)
         self._has_driven = False
+
+    def _send_packet(self, packet: RawPacket) -> bytes:
+        """Send what the user typed; a packet that moves goes the way of a motor command."""
+        if packet.moves:
+            number = self._line.settings.device_number
+            if not self._motors.is_armed:
+                raise TrexRequestError(ErrorCode.NOT_ARMED)
+            if not packet.is_within_stop(number):
+                raise TrexRequestError(ErrorCode.MOVES_ANOTHER_BOARD, number)
+            self._driver.begin_direct()
+        else:
+            self._collect()
+            self._serve_motors()
+        reply = self._line.send_packet(packet.packet)
+        if packet.device_number in self._own_numbers:
+            self._keep_cleared(reply.value)
+        if packet.writes:
+            self._read_everything(ReadReason.RELOADED)
+        return reply.raw
+
+    @property
+    def _own_numbers(self) -> set[int | None]:
+        """The device numbers of packets to the board that was read; `None` in compact ones."""
+        stored = self._state.parameters.get(ParameterKey.DEVICE_NUMBER)
+        return {None, stored, self._line.settings.device_number}
+
+    def _keep_cleared(self, value: object) -> None:
+        """Report bits that a packet of the user's has read, and so cleared."""
+        match value:
+            case Status():
+                self._status.uart_due |= bool(value & Status.UART_ERROR)
+                latched = LatchedStatus(self._now(), value, UartError(0))
+            case UartError():
+                latched = LatchedStatus(self._now(), Status(0), value)
+            case _:
+                return
+        if value:
+            self._note_status(latched)
+            self._batcher.add(latched)
 
     def _write(self, job: Write) -> Written:
         """Write until it is done or `Close` comes, which leaves no value half written.
@@ -642,7 +686,9 @@ class TrexRequestQueue:
                     self._liveness.expect(settings)
                 case SetWatched(watched=watched):
                     self.is_watched = watched
-                case RunCommand() | Write() | Reload() | ProbeNumber() | SelectBoard():
+                case (
+                    RunCommand() | SendPacket() | Write() | Reload() | ProbeNumber() | SelectBoard()
+                ):
                     self.jobs.append(request)
                 case Arm(selection=selection) if selection != self.selection:
                     pass  # meant for another board
@@ -652,7 +698,9 @@ class TrexRequestQueue:
 
     def _reject_motor_commands(self) -> None:
         for job in list(self.jobs):
-            if isinstance(job, RunCommand) and job.command.moves:
+            if (isinstance(job, RunCommand) and job.command.moves) or (
+                isinstance(job, SendPacket) and job.packet.moves
+            ):
                 self.jobs.remove(job)
                 error = TrexRequestError(ErrorCode.OVERTAKEN_BY_STOP)
                 self._report(Outcome(job.id, error=error))

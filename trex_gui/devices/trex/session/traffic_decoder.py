@@ -6,7 +6,7 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
 from trex_gui.devices.trex.protocol.commands import GetParameter, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.descriptions import describe, describe_reply, is_refusal
+from trex_gui.devices.trex.protocol.descriptions import describe_reply, is_refusal
 from trex_gui.devices.trex.protocol.framing import (
     EXPANDED_START,
     Framing,
@@ -18,6 +18,7 @@ from trex_gui.devices.trex.protocol.framing import (
     ReplyParser,
 )
 from trex_gui.devices.trex.protocol.parameters import parameter_number
+from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS
 
 _POLLED = frozenset(range(0x82, 0x90)) | {0xFF}
@@ -100,12 +101,7 @@ class TrexDecoder(Decoder):
         return f"{said} → {fault}"
 
     def _said(self, packet: Packet | Malformed) -> str:
-        if isinstance(packet, Malformed):
-            return f"not a TReX packet: {packet.reason}"
-        said = describe(packet.command, self.board)
-        if packet.device_number is None:
-            return said
-        return f"device {packet.device_number}: {said}"
+        return RawPacket(packet).words(self.board)
 
 
 @lru_cache(maxsize=256)  # polls repeat the same few packets

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.model.power_cycle import PowerCycle, PowerCycleStage
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.settings.comparison import Comparison, settings_after, compare
+from trex_gui.devices.trex.settings.comparison import Comparison, compare, settings_after
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.action_bar import StopButton
 from trex_gui.devices.trex.views.comparison_view import ComparisonView

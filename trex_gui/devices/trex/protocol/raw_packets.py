@@ -1,0 +1,104 @@
+"""Bytes that a user wants to send: read from text, cut into packets, and judged by what they do."""
+
+import re
+from dataclasses import dataclass
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.protocol.commands import (
+    COMMANDS,
+    SetCalibration,
+    SetParameter,
+    Signature,
+)
+from trex_gui.devices.trex.protocol.descriptions import describe
+from trex_gui.devices.trex.protocol.framing import (
+    EXPANDED_START,
+    Malformed,
+    Packet,
+    PacketParser,
+)
+
+MOST_BYTES = 256
+"""Bytes that are sent at once; the longest packet has 14."""
+
+_MOTOR_OPCODES = frozenset(opcode for opcode, cls in COMMANDS.items() if cls.moves)
+
+
+@dataclass(frozen=True, slots=True)
+class RawPacket:
+    """A packet that a user typed, or bytes that are none."""
+
+    packet: Packet | Malformed
+
+    @property
+    def data(self) -> bytes:
+        return self.packet.raw
+
+    @property
+    def hexadecimal(self) -> str:
+        return self.data.hex(" ").upper()
+
+    @property
+    def moves(self) -> bool:
+        """Whether a board may take it for a motor command, now or with the bytes that follow."""
+        return may_move(self.data)
+
+    @property
+    def writes(self) -> bool:
+        """Whether it stores something in the board."""
+        return isinstance(self.packet, Packet) and isinstance(
+            self.packet.command, SetParameter | SetCalibration
+        )
+
+    def is_within_stop(self, device_number: int | None) -> bool:
+        """Whether a stop to this number reaches every board that it may move; `None` is all."""
+        return device_number is None or device_number == self.device_number
+
+    @property
+    def device_number(self) -> int | None:
+        """The board that an expanded packet addresses."""
+        return self.packet.device_number if isinstance(self.packet, Packet) else None
+
+    def words(self, board: Signature | None = None) -> str:
+        """Return what it means; units are those of `board`, else of the newest TReX."""
+        packet = self.packet
+        if isinstance(packet, Malformed):
+            return f"not a TReX packet: {packet.reason}"
+        words = describe(packet.command, board)
+        if packet.device_number is None:
+            return words
+        return f"device {packet.device_number}: {words}"
+
+
+def parse_hexadecimal(text: str) -> bytes:
+    """Read bytes such as `86 1F`, `861f` or `0x86, 0x1F`; BadRequest if there are none."""
+    try:
+        data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
+    except ValueError:
+        raise BadRequest(f'"{text}" is not hexadecimal bytes such as "86 1F".') from None
+    if not data:
+        raise BadRequest('Which bytes? Give them in hexadecimal, such as "86 1F".')
+    if len(data) > MOST_BYTES:
+        raise BadRequest(f"{len(data)} bytes are too many: at most {MOST_BYTES} are sent at once.")
+    return data
+
+
+def packets_of(data: bytes, polynomial: int | None) -> tuple[RawPacket, ...]:
+    """Cut bytes into packets; `polynomial` is `None` on a line without CRC."""
+    parser = PacketParser(polynomial)
+    return tuple(map(RawPacket, (*parser.feed(data), *parser.flush())))
+
+
+def may_move(data: bytes) -> bool:
+    """Whether a board may find a motor command in these bytes, wherever it begins to read them.
+
+    An expanded packet whose command is still missing counts: the next bytes could be one.
+    """
+    if not _MOTOR_OPCODES.isdisjoint(data):
+        return True
+    for index, byte in enumerate(data):
+        if byte == EXPANDED_START:
+            rest = data[index + 1 : index + 3]
+            if len(rest) < 2 or rest[1] | 0x80 in _MOTOR_OPCODES:
+                return True
+    return False
