@@ -21,6 +21,7 @@ from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.core.timing import Timeouts
 from trex_gui.ui.playback.manager import RecordIndicator
 from trex_gui.ui.runtime import now
+from trex_gui.ui.widgets.file_questions import remember_folder
 
 
 def indicator(window: WindowDriver) -> RecordIndicator:
@@ -305,3 +306,51 @@ def test_pyqtgraph_is_loaded_soon_after_start(tmp_path: Path) -> None:
         check=False,
     )
     assert (result.stdout, result.returncode) == ("True", 0), result.stderr
+
+
+def test_run_motor_starts_a_recording_and_a_stop_is_kept_and_opened(
+    connected_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window, motors = connected_window, connected_window.motors
+    workspace = trex(window.program).workspace
+    recordings, recorder = workspace.recordings, workspace.recordings.recorder
+    remember_folder(tmp_path / "any.trexrec", "recording/folder")
+    window.trigger("record_with_run")
+    window.trigger("run")
+    window.wait(lambda: recorder.recording)
+    window.trigger("record")  # ends it; motors still run
+    window.wait(lambda: recorder.can_record)
+    assert motors.armed
+    window.trigger("record_with_run")
+
+    motors.set_speed(1, 40)
+    with window.qtbot.waitSignal(recordings.events.ended, timeout=20_000):
+        window.press_escape()
+        window.wait(lambda: recordings.events.recording)
+        window.wait(lambda: not motors.locked_for)
+        window.trigger("run")
+        assert not recorder.recording, "the option is off"
+    (log,) = [entry.text for entry in workspace.log.entries if "were kept" in entry.text]
+    assert log.startswith("The seconds around “Stop” were kept.")
+    assert "were kept" not in window.text("bannerText"), "it might cover a warning"
+
+    def choose(*arguments: object) -> tuple[str, str]:
+        (kept,) = Path(str(arguments[2])).iterdir()
+        return str(kept), ""
+
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", choose)
+    window.trigger("open_kept")
+    window.wait_for_files()
+    (opened,) = recordings.windows
+    player = WidgetDriver(opened, window.qtbot)
+    player.wait(lambda: opened.playback.is_loaded)
+    assert opened.playback.problems == []
+    copied = tmp_path / "mine.trexrec"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(copied), ""))
+    player.click("copyRecordingButton")
+    window.wait_for_files()
+    assert "mine.trexrec" in player.text("bannerText")
+    assert read_file(copied)[2] == []
+    opened.close()
+    window.trigger("keep_events")
+    assert not recordings.events.is_on

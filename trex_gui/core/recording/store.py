@@ -8,6 +8,7 @@ are generated columns. Comments in the schema document every column.
 import contextlib
 import errno
 import os
+import shutil
 import sqlite3
 import struct
 from collections import defaultdict
@@ -179,6 +180,27 @@ def _companions(path: Path) -> Iterator[Path]:
     """Yield the files that SQLite may make and open beside a database."""
     for suffix in ("-wal", "-shm", "-journal"):
         yield path.with_name(path.name + suffix)
+
+
+def copy_recording(source: Path, path: Path) -> None:
+    """Copy a recording that is complete; a file of the same name is replaced.
+
+    Raises:
+        RecordingError: it cannot be read or written.
+    """
+    with (
+        _reported(path, "It cannot be written"),
+        open_ordinary(source) as whole,
+        atomic_file(path) as copy,
+    ):
+        shutil.copyfileobj(whole, copy)
+
+
+def remove_recording(path: Path) -> None:
+    """Remove a recording, and what a killed program left beside it. Raises OSError."""
+    path.unlink()
+    for companion in _companions(path):
+        companion.unlink(missing_ok=True)
 
 
 def _create_table(kind: SampleKind, start: float) -> str:

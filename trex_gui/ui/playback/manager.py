@@ -11,7 +11,8 @@ from PySide6.QtCore import QObject, Qt, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QLabel, QSizePolicy, QWidget
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.recording.store import SUFFIX, Recording
+from trex_gui.core.recording.kept import kept_folder
+from trex_gui.core.recording.store import SUFFIX, Recording, copy_recording
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.transport import size_text, time_text
@@ -162,13 +163,17 @@ class RecordingManager(QObject, Generic[WindowT]):
         if self.recorder.recording:
             self.recorder.stop()
             return
-        stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
-        proposal = last_folder(self._folder_key) / f"{self._texts.stem}_{stamp}{SUFFIX}"
-        path = ask_to_save(
-            self._window, self.tr("Record"), proposal, self._filter(), SUFFIX, required=True
-        )
+        path = self._ask_to_save(self.tr("Record"), self.proposal())
         if path is not None:
             self.record(path)
+
+    def proposal(self) -> Path:
+        """Return a new name in the last folder, for a recording that begins now."""
+        stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
+        return last_folder(self._folder_key) / f"{self._texts.stem}_{stamp}{SUFFIX}"
+
+    def _ask_to_save(self, title: str, proposal: Path) -> Path | None:
+        return ask_to_save(self._window, title, proposal, self._filter(), SUFFIX, required=True)
 
     def record(self, path: Path) -> None:
         if any(window.player.path == path for window in self.windows):
@@ -179,11 +184,12 @@ class RecordingManager(QObject, Generic[WindowT]):
         else:
             self._notifier.error.emit(self._texts.unavailable)
 
-    def choose_and_open(self) -> None:
+    def choose_and_open(self, title: str = "", folder: Path | None = None) -> None:
+        """Let the user choose a recording to open, by default from the last folder."""
         path, _ = QFileDialog.getOpenFileName(
             self._window,
-            self.tr("Open recording"),
-            str(last_folder(self._folder_key)),
+            title or self.tr("Open recording"),
+            str(folder or last_folder(self._folder_key)),
             self._filter(),
         )
         if path:
@@ -209,13 +215,34 @@ class RecordingManager(QObject, Generic[WindowT]):
             return
         window = self.make_window(recording)
         self._notifier.log_also(window.notifier)
-        remember_folder(recording.path, self._folder_key)
+        if recording.path.parent == kept_folder():
+            window.copy_wanted.connect(partial(self._save_copy, window))
+            window.offer_copy()
+        else:
+            remember_folder(recording.path, self._folder_key)
         self.used.emit(recording.path)
         self.windows.append(window)
         window.closed.connect(partial(self._forget, window))
         window.show()
         # The thread that loads slows this one down: not before the window was drawn.
         new_timer(window, 0, window.player.start_loading, single_shot=True).start()
+
+    def _save_copy(self, window: WindowT) -> None:
+        """Save a recording that the program made where it is not removed again."""
+        source = window.player.path
+        path = self._ask_to_save(
+            self.tr("Save a copy"), last_folder(self._folder_key) / source.name
+        )
+        if path is None or path == source:
+            return
+        remember_folder(path, self._folder_key)
+        saved = self.tr("A copy was saved in {0}.").format(path)
+        in_background(
+            window,
+            partial(copy_recording, source, path),
+            lambda _: window.notifier.info.emit(saved),
+            lambda error: window.notifier.error.emit(str(error)),
+        )
 
     def _on_not_opened(self, path: Path, error: StudioError) -> None:
         self._opening.discard(path)

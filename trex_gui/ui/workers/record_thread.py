@@ -2,7 +2,6 @@
 
 import logging
 from collections.abc import Callable, Sequence
-from functools import partial
 from pathlib import Path
 from typing import Any, Generic
 
@@ -132,18 +131,24 @@ class RecordThread(QObject, Generic[RecordT]):
         path: Path,
         fmt: RecordingFormat[HeaderT],
         header: HeaderT,
-        first: Sequence[RecordT] = (),
+        first: Sequence[RecordT | Marker] = (),
+        prepare: Callable[[], object] = lambda: None,
     ) -> None:
+        """Record into a new file; `prepare` is called before it is made, in the thread."""
+
+        def open_writer() -> RecordingWriter[HeaderT, RecordT]:
+            prepare()
+            return RecordingWriter(path, fmt, header)
+
         self.path, self._started = path, header.clock
         self.size = self._lost = 0
         self._closing = self._abandoned = False
         self._backlog = Backlog(runtime().condition())
-        open_writer = partial(RecordingWriter[HeaderT, RecordT], path, fmt, header)
         worker = RecordWorker(self._backlog, open_writer, self)
         worker.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
         worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
         self._worker = worker
-        self.put(*first)
+        self._backlog.put(first)
         worker.start()
         self.changed.emit()
 

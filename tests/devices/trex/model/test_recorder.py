@@ -1,7 +1,9 @@
 """Recording a session while it runs."""
 
+import re
 import shutil
 from collections.abc import Callable, Iterator
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
@@ -10,10 +12,11 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.recording.samples import open_recording, read_file
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.recording.backlog import Backlog
+from trex_gui.core.recording.kept import kept_path, make_kept_folder, make_room
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.recorder import Recorder
+from trex_gui.devices.trex.model.recorder import EventRecorder, Recorder
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.recording import Record, SetpointRecord, SettingsSnapshot
@@ -207,6 +210,120 @@ def test_missing_folder_is_reported(session: RecorderSetup, tmp_path: Path) -> N
         session.recorder.start(tmp_path / "none" / "a.trexrec")
     assert "No such file" in failed.args[0]
     session.wait(lambda: session.recorder.can_record)
+
+
+class Kept:
+    """The recordings of faults and stops of a device, and the events in each of them."""
+
+    def __init__(self, session: RecorderSetup) -> None:
+        self._session = session
+        self.recorder = EventRecorder(session.device, session.recorder)
+        self.files: list[Path] = []
+        self.recorder.ended.connect(self.files.append)
+
+    def wait(self, seconds: float) -> None:
+        end = now() + seconds
+        self._session.wait(lambda: now() > end)
+
+    def drive(self) -> None:
+        self._session.device.motors.arm()
+        self._session.device.motors.set_speed(1, 40)
+        self.wait(1)
+
+    def newest(self, count: int) -> tuple[Path, list[Record]]:
+        """Wait until so many are complete; return the newest one."""
+        self._session.wait(lambda: len(self.files) == count)
+        return self.files[-1], everything(self.files[-1])
+
+
+@pytest.fixture
+def kept(session: RecorderSetup) -> Iterator[Kept]:
+    kept = Kept(session)
+    session.device.link_changed.emit()
+    session.device.state_changed.emit()  # the board was read before
+    yield kept
+    kept.recorder.shut_down()
+
+
+def test_seconds_around_a_stop_are_kept_with_what_came_before(
+    session: RecorderSetup, kept: Kept
+) -> None:
+    motors = session.device.motors
+    kept.wait(2)
+    motors.press_stop()  # at rest: nothing to keep
+    session.wait(lambda: not motors.locked_for)
+    kept.drive()
+    kept.wait(12)
+    kept.wait(12)
+    stopped = now()
+    motors.press_stop()
+    kept.wait(2)
+    session.simulator.do("fault 1 on")  # within the same seconds
+    path, records = kept.newest(1)
+    assert re.fullmatch(r"[-_.0-9]{24}stop.trexrec", path.name)
+    assert 19 < stopped - records[0].time < 21
+    assert 11 < records[-1].time - stopped < 13
+    first = records[0]
+    assert isinstance(first, SetpointRecord)  # from before the seconds that are kept
+    assert first.drive == Drive.at(40)
+    kinds = [record.kind for record in records if isinstance(record, Marker)]
+    assert kinds == [EventKind.STOP.value, EventKind.FAULT.value]
+    file = open_recording(path)
+    assert file.header.clock == first.time
+    assert "serial_timeout:" in file.header.settings
+    file.close()
+
+    session.recorder.start(path.with_name("user.trexrec"))  # has the next one
+    session.wait(lambda: not motors.locked_for)
+    kept.drive()
+    motors.press_stop()
+    kept.wait(1)
+    assert not kept.recorder.recording
+    session.end_recording()
+    kept.recorder.set_on(False)
+    session.wait(lambda: not motors.locked_for)
+    kept.drive()
+    motors.press_stop()
+    kept.wait(1)
+    assert not kept.recorder.recording
+    assert not EventRecorder(session.device, session.recorder).is_on
+
+
+def test_fault_is_kept_even_if_the_line_is_closed_at_once(
+    session: RecorderSetup, kept: Kept
+) -> None:
+    kept.wait(2)
+    session.simulator.do("fault 2 on")
+    session.wait(lambda: bool(session.device.errors.recent(2)))
+    session.device.disconnect_line()
+    path, records = kept.newest(1)
+    assert path.stem.endswith("_fault")
+    assert any(isinstance(one, Currents) for one in records)
+
+
+def test_bits_from_before_the_connection_are_not_kept(session: RecorderSetup, kept: Kept) -> None:
+    session.device.disconnect_line()
+    session.wait(lambda: session.device.link is ConnectionState.DISCONNECTED)
+    session.simulator.do("fault 2 on")
+    session.simulator.do("fault 2 off")
+    session.connect()
+    session.wait(lambda: bool(session.device.errors.recent(2)))
+    kept.wait(1)
+    assert not kept.recorder.recording
+
+
+def test_oldest_kept_recordings_make_room_but_renamed_ones_stay() -> None:
+    folder = make_kept_folder()
+    names = [kept_path(datetime(2026, 1, day, tzinfo=UTC), "stop").name for day in range(1, 5)]
+    for name in (*names, "my crash.trexrec"):
+        (folder / name).write_bytes(bytes(1000))
+    (folder / f"{names[0]}-wal").touch()
+    make_room(most_files=4)
+    assert {path.name for path in folder.iterdir()} == {*names[1:], "my crash.trexrec"}
+    make_room(most_bytes=2000)
+    assert {path.name for path in folder.iterdir()} == {*names[2:], "my crash.trexrec"}
+    make_room(most_bytes=10)
+    assert {path.name for path in folder.iterdir()} == {names[3], "my crash.trexrec"}
 
 
 def test_recording_needs_a_connected_board(tmp_path: Path, qtbot: QtBot) -> None:

@@ -1,23 +1,34 @@
 """Recording what a board reports and the setpoints sent to it."""
 
+from collections import deque
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Slot
 
+from trex_gui.core.recording.kept import kept_path, make_room
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.driving.requests import SetpointRequest, setpoints_in
+from trex_gui.devices.trex.driving.requests import SetMotor, SetpointRequest, setpoints_in
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.recording import (
     FORMAT,
+    AuxiliarySetpointRecord,
+    BoardSnapshot,
     Header,
     Record,
+    SetpointRecord,
     setpoint_record,
     settings_snapshot,
 )
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.runtime import now
+from trex_gui.ui.event_log import Event, EventKind
+from trex_gui.ui.preferences import Preferences
+from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.record_thread import RecordThread
+
+_KEEP = "recording/keep_events"
 
 
 class Recorder(RecordThread[Record]):
@@ -27,6 +38,8 @@ class Recorder(RecordThread[Record]):
     another input source, since its header would be wrong. It continues while the board does not
     respond.
     """
+
+    _watcher = "recording"  # as which the board is polled at full rate meanwhile
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -39,7 +52,7 @@ class Recorder(RecordThread[Record]):
         device.motors.requested.connect(self._on_requested)
         device.state_changed.connect(self._on_state_changed)
         device.link_changed.connect(self._on_link_changed)
-        self.changed.connect(lambda: device.connection.watch("recording", self.recording))
+        self.changed.connect(lambda: device.connection.watch(self._watcher, self.recording))
 
     @property
     def is_available(self) -> bool:
@@ -49,12 +62,16 @@ class Recorder(RecordThread[Record]):
         state = self._device.state
         if state is None or not self.can_record:
             return False
+        self.begin(path, FORMAT, self._header_of(state))
+        return True
+
+    def _header_of(self, state: DeviceState) -> Header:
+        """Return the header of a recording that starts now, which is of this board only."""
         settings = self._device.settings
         number = settings.device_number if settings is not None else None
         header = Header.of(state, now(), number)
         self._board, self._settings = _identity(state), header.settings
-        self.begin(path, FORMAT, header)
-        return True
+        return header
 
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
@@ -70,11 +87,14 @@ class Recorder(RecordThread[Record]):
         state = self._device.state
         if state is None or not self.recording:
             return
-        if _identity(state) != self._board:
+        if _identity(state) == self._board:
+            self._put_settings(state)
+        else:
             self.end_because(
                 self.tr("Recording {0} ended: the board or its input source has changed.")
             )
-            return
+
+    def _put_settings(self, state: DeviceState) -> None:
         snapshot = settings_snapshot(state, now())
         if snapshot.text != self._settings:
             self._settings = snapshot.text
@@ -89,3 +109,154 @@ class Recorder(RecordThread[Record]):
 
 def _identity(state: DeviceState) -> tuple[object, ...]:
     return state.signature, state.source
+
+
+_BEFORE = 20.0  # seconds kept before a fault or stop
+_AFTER = 10.0  # seconds after the last one
+_LONGEST = 120.0  # seconds in one file, however often a fault repeats
+_BEGIN_DELAY = 0.5  # seconds in which the stop itself has the computer
+_STALE = 1.0  # seconds after the board was read in which its latched bits are older than that
+
+
+class EventRecorder(Recorder):
+    """Keeps the seconds around each fault and stop in a file of its own.
+
+    The last seconds are in memory. Faults, tripped current limits and serial timeouts are kept
+    always; stops and a lost board only while a motor was driven from here. What happens while
+    the user records is in that recording.
+    """
+
+    _watcher = "event recording"
+
+    def __init__(self, device: Device, user: Recorder, parent: QObject | None = None) -> None:
+        """`user` is the recorder of the user's recordings."""
+        self._recent = deque[Record]()
+        self._template: Header | None = None  # of the board that is connected
+        self._begun = 0.0  # when it was read first
+        self._before: BoardSnapshot | None = None  # what was known before `_recent`
+        self._driven: dict[int, bool] = {}  # by motor; 0 is the auxiliary one
+        self._event: Event | None = None  # why the recording was made
+        self._user = user
+        super().__init__(device, parent)
+        self.is_on = Preferences().flag(_KEEP, default=True)
+        begin_ms, end_ms = round(1000 * _BEGIN_DELAY), round(1000 * _AFTER)
+        self._begin_timer = new_timer(self, begin_ms, self._begin_soon, single_shot=True)
+        self._end_timer = new_timer(self, end_ms, self.stop, single_shot=True)
+
+    def set_on(self, on: bool) -> None:
+        """Set whether faults and stops are kept, now and later."""
+        self.is_on = on
+        Preferences().set(_KEEP, on)
+
+    @property
+    def cause(self) -> str:
+        """What happened, for the user."""
+        return "" if self._event is None else self._event.text
+
+    def put(self, *records: Record) -> None:
+        super().put(*records)
+        self._recent.extend(records)
+        oldest = now() - _BEFORE
+        while self._recent and self._recent[0].time < oldest:
+            record = self._recent.popleft()
+            if self._before is not None:
+                self._before.take(record)
+
+    @Slot(object)
+    def put_event(self, event: Event) -> None:
+        super().put_event(event)
+        if self.is_on and self._template is not None and self._is_worth(event):
+            self._keep(event)
+        if event.kind is EventKind.STOP:
+            self._driven.clear()
+
+    def _is_worth(self, event: Event) -> bool:
+        if event.kind in {EventKind.FAULT, EventKind.OVER_LIMIT, EventKind.TIMEOUT}:
+            return event.time - self._begun > _STALE
+        is_end = event.kind is EventKind.STOP or (event.kind is EventKind.LINK and event.is_problem)
+        return is_end and any(self._driven.values())
+
+    def _keep(self, event: Event) -> None:
+        if self._user.recording:
+            return
+        if self.recording:
+            if self.seconds < _LONGEST:
+                self._end_timer.start()
+        elif not self._begin_timer.isActive():
+            self._event = event
+            self._begin_timer.start()
+            self._end_timer.start()
+
+    @Slot()
+    def _begin_soon(self) -> None:
+        if self._worker is None:
+            self._begin()
+        elif self._end_timer.isActive():  # a slow disk still has the one before
+            self._begin_timer.start()
+
+    def _begin(self) -> None:
+        self._begin_timer.stop()
+        header, before, event = self._template, self._before, self._event
+        if header is None or before is None or event is None:
+            return
+        start = self._recent[0].time if self._recent else now()
+        started = datetime.now(UTC) - timedelta(seconds=now() - start)
+        header = replace(
+            header, started=started, clock=start, mode=before.mode, settings=before.settings
+        )
+        first: list[Record] = [
+            SetpointRecord(start, motor, drive) for motor, drive in before.setpoints.items()
+        ]
+        if before.auxiliary is not None:
+            first.append(AuxiliarySetpointRecord(start, before.auxiliary))
+        when = datetime.now().astimezone() - timedelta(seconds=now() - event.time)
+        path = kept_path(when, event.kind.value)
+        self.begin(path, FORMAT, header, (*first, *self._recent), prepare=make_room)
+
+    @Slot()
+    def stop(self) -> None:
+        self._begin_timer.stop()
+        self._end_timer.stop()
+        super().stop()
+
+    @Slot(object)
+    def _on_requested(self, request: SetpointRequest) -> None:
+        super()._on_requested(request)
+        for setpoint in setpoints_in(request):
+            if isinstance(setpoint, SetMotor):
+                drive = setpoint.drive
+                self._driven[setpoint.motor] = bool(drive.speed) and not drive.is_brake
+            else:
+                self._driven[0] = bool(setpoint.speed)
+
+    @Slot()
+    def _on_state_changed(self) -> None:
+        state = self._device.state
+        if state is None:
+            return
+        if self._template is not None and _identity(state) == self._board:
+            self._put_settings(state)
+            return
+        self._finish()
+        self._template = header = self._header_of(state)
+        self._before = BoardSnapshot(header.mode, header.settings)
+        self._begun = header.clock
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        if self._device.link is ConnectionState.DISCONNECTED:
+            self._finish()
+        self.changed.emit()
+
+    def _finish(self) -> None:
+        """Forget the board; what just happened to it is still written."""
+        if self._begin_timer.isActive() and self._worker is None:
+            self._begin()
+        self.stop()
+        self._recent.clear()
+        self._driven.clear()
+        self._template = self._before = None
+
+    def shut_down(self) -> bool:
+        self._finish()
+        return super().shut_down()

@@ -4,7 +4,6 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -12,17 +11,13 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.recording.store import Recording
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.controller import TrexController
-from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
-from trex_gui.devices.trex.model.recorder import Recorder
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.recording import FORMAT, Header, Record
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
@@ -33,6 +28,7 @@ from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
 from trex_gui.devices.trex.views.pages.channels import ChannelsPage
 from trex_gui.devices.trex.views.pages.currents import CurrentsPage
 from trex_gui.devices.trex.views.pages.status import StatusPage
+from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.devices.trex.views.review.power_cycle import PowerCycleDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
@@ -41,41 +37,12 @@ from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
 from trex_gui.ui.log import LogPage
-from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import PromptAnswer
 
 if TYPE_CHECKING:
-    from trex_gui.devices.trex.views.playback import PlaybackWindow
     from trex_gui.devices.trex.views.setup.dialog import SetupDialog
-
-
-class Recordings(RecordingManager["PlaybackWindow"]):
-    """Records a board and owns the windows of its recordings."""
-
-    settings_wanted = Signal(object)  # a `SettingsDocument` to open in the settings editor
-
-    def __init__(self, device: Device, window: QWidget) -> None:
-        texts = RecordingTexts(
-            stem="trex",
-            unavailable=window.tr("Nothing can be recorded: no board is connected."),
-            open_command=window.tr("File, Open recording"),
-        )
-        super().__init__(Recorder(device), texts, device.notifier, window, store="recording")
-        self._device = device
-
-    def open_recording(self, path: Path) -> Recording[Header, Record]:
-        return Recording(path, FORMAT)
-
-    def make_window(self, recording: Recording[Header, Record]) -> "PlaybackWindow":
-        # The plotting library takes as long to load as all of Qt: not before it is needed.
-        from trex_gui.devices.trex.model.playback import Playback  # noqa: PLC0415
-        from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
-
-        window = PlaybackWindow(Playback(recording), self._device)
-        window.settings_wanted.connect(self.settings_wanted)
-        return window
 
 
 class TrexWorkspace(Workspace):
@@ -275,6 +242,23 @@ class TrexWorkspace(Workspace):
                     "Ctrl+Shift+O",
                     "plot",
                 ),
+                Entry(
+                    "open_kept",
+                    tr("Open fa&ult or stop…"),
+                    self.recordings.choose_and_open_kept,
+                ),
+                Entry(
+                    "record_with_run",
+                    tr("Start recording &with Run motor"),
+                    self.recordings.toggle_starts_with_run,
+                    checkable=True,
+                ),
+                Entry(
+                    "keep_events",
+                    tr("&Keep 30 s around each fault and stop"),
+                    self.recordings.toggle_keeps_events,
+                    checkable=True,
+                ),
             ),
             Menu.EDIT: (
                 Entry("undo", tr("&Undo"), device.draft.undo.undo, keys.Undo, "undo"),
@@ -360,7 +344,12 @@ class TrexWorkspace(Workspace):
                 ("redo", self.tr("&Redo {0}").format(undo.redoText()).strip()),
             ):
                 self._actions[key].setText(text)
-            self._actions["demo"].setChecked(self._demo.wanted)
+            for key, checked in (
+                ("demo", self._demo.wanted),
+                ("record_with_run", self.recordings.starts_with_run),
+                ("keep_events", self.recordings.events.is_on),
+            ):
+                self._actions[key].setChecked(checked)
         self.actions_changed.emit()
         self._question.reconsider()
 

@@ -1,0 +1,64 @@
+"""The folder of recordings that the program makes by itself, around faults and stops."""
+
+import contextlib
+import re
+from datetime import datetime
+from pathlib import Path
+
+from trex_gui.core.files import data_folder
+from trex_gui.core.recording.kinds import RecordingError
+from trex_gui.core.recording.store import SUFFIX, remove_recording
+
+MOST_FILES = 50  # some 10 MB
+MOST_BYTES = 100 * 1024 * 1024
+
+_NAME = re.compile(r"\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d\.\d{3}_[a-z-]+" + re.escape(SUFFIX))
+
+
+def kept_folder() -> Path:
+    return data_folder() / "faults and stops"
+
+
+def kept_path(begun: datetime, kind: str) -> Path:
+    """Return the file for what happened; `kind` is a word such as `fault`."""
+    stamp = begun.strftime("%Y-%m-%d_%H-%M-%S.%f")[:-3]
+    return kept_folder() / f"{stamp}_{kind}{SUFFIX}"
+
+
+def make_kept_folder() -> Path:
+    """Return the folder, which exists from now on.
+
+    Raises:
+        RecordingError: it cannot be made.
+    """
+    folder = kept_folder()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise _unusable(error) from error
+    return folder
+
+
+def _unusable(error: OSError) -> RecordingError:
+    return RecordingError(str(kept_folder()), f"It cannot be used: {error.strerror or error}.")
+
+
+def make_room(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> None:
+    """Remove the oldest recordings before one more is written; make the folder if need be.
+
+    A file that the user renamed is never removed, nor is the newest one.
+
+    Raises:
+        RecordingError: the folder cannot be made or read.
+    """
+    folder = make_kept_folder()
+    try:
+        found = sorted(path for path in folder.iterdir() if _NAME.fullmatch(path.name))
+    except OSError as error:
+        raise _unusable(error) from error
+    used = 0
+    for number, path in enumerate(reversed(found), start=1):
+        with contextlib.suppress(OSError):  # gone already, or open in another program
+            used += path.stat().st_size
+            if number > 1 and (number >= most_files or used > most_bytes):
+                remove_recording(path)

@@ -1,0 +1,95 @@
+"""Recordings of a board: the user's, and those around faults and stops."""
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Signal, Slot
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.core.recording.kept import make_kept_folder
+from trex_gui.core.recording.store import Recording
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.recorder import EventRecorder, Recorder
+from trex_gui.devices.trex.recording import FORMAT, Header, Record
+from trex_gui.ui.files import in_background
+from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
+from trex_gui.ui.preferences import Preferences
+
+if TYPE_CHECKING:
+    from trex_gui.devices.trex.views.playback import PlaybackWindow
+
+_WITH_RUN = "recording/with_run"
+
+
+class Recordings(RecordingManager["PlaybackWindow"]):
+    """Records a board and owns the windows of its recordings."""
+
+    settings_wanted = Signal(object)  # a `SettingsDocument` to open in the settings editor
+
+    def __init__(self, device: Device, window: QWidget) -> None:
+        texts = RecordingTexts(
+            stem="trex",
+            unavailable=window.tr("Nothing can be recorded: no board is connected."),
+            open_command=window.tr("File, Open recording"),
+        )
+        recorder = Recorder(device)
+        super().__init__(recorder, texts, device.notifier, window, store="recording")
+        self._device = device
+        self.events = EventRecorder(device, recorder, self)
+        self.starts_with_run = Preferences().flag(_WITH_RUN, default=False)
+        self.events.ended.connect(self._on_event_kept)
+        self.events.failed.connect(self._on_event_lost)
+        device.motors.arming_changed.connect(self._on_arming_changed)
+
+    def open_recording(self, path: Path) -> Recording[Header, Record]:
+        return Recording(path, FORMAT)
+
+    def make_window(self, recording: Recording[Header, Record]) -> "PlaybackWindow":
+        # The plotting library takes as long to load as all of Qt: not before it is needed.
+        from trex_gui.devices.trex.model.playback import Playback  # noqa: PLC0415
+        from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
+
+        window = PlaybackWindow(Playback(recording), self._device)
+        window.settings_wanted.connect(self.settings_wanted)
+        return window
+
+    def toggle_starts_with_run(self) -> None:
+        self.starts_with_run = not self.starts_with_run
+        Preferences().set(_WITH_RUN, self.starts_with_run)
+        self.changed.emit()
+
+    def toggle_keeps_events(self) -> None:
+        self.events.set_on(not self.events.is_on)
+        self.changed.emit()
+
+    def choose_and_open_kept(self) -> None:
+        """Let the user choose among the recordings of faults and stops."""
+        in_background(
+            self,
+            make_kept_folder,
+            partial(self.choose_and_open, self.tr("Open fault or stop")),
+            lambda error: self._notifier.error.emit(str(error)),
+        )
+
+    @Slot()
+    def _on_arming_changed(self) -> None:
+        if self.starts_with_run and self._device.motors.armed and self.recorder.can_record:
+            self.record(self.proposal())
+
+    @Slot(object)
+    def _on_event_kept(self, path: Path) -> None:
+        text = self.tr("The seconds around “{0}” were kept. File, Open fault or stop: {1}")
+        self._notifier.logged.emit(text.format(self.events.cause, path.name), False)
+
+    @Slot(str)
+    def _on_event_lost(self, reason: str) -> None:
+        text = self.tr("The seconds around “{0}” could not be kept. {1}")
+        self._notifier.logged.emit(text.format(self.events.cause, reason), True)
+
+    def close_all(self) -> None:
+        self.events.shut_down()
+        super().close_all()
+
+    def shut_down(self) -> bool:
+        return all([self.events.shut_down(), super().shut_down()])
