@@ -13,7 +13,7 @@ polynomial and any device number.
 """
 
 import contextlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum, auto
 from itertools import product
@@ -26,6 +26,7 @@ from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import agreed, board_at, read_signature
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexBadReplyError
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, crc7
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
@@ -43,6 +44,15 @@ motor; 81 4E likewise."""
 
 _PROBE = GetSignature().opcode.to_bytes()
 _NAME = b"TReX"
+
+_LOADER = b"?"
+"""What a board that waits for new firmware sends behind the echo of each byte."""
+
+_QIK = frozenset({b"1", b"2"})
+"""Replies of a Pololu qik, for which 81 asks for its firmware version.
+
+Ref: qik 2s9v1 User's Guide 5.a, qik 2s12v10 User's Guide 5.b.
+"""
 
 
 def checksum(polynomial: int) -> int:
@@ -76,6 +86,7 @@ class Attempt:
 class ReplyKind(Enum):
     NOTHING = auto()
     STRANGE = auto()
+    BOOT_LOADER = auto()
     SEVERAL = auto()
     BOARD = auto()
     BOARD_WITHOUT_CRC = auto()  # it ignores the checksum of the probe
@@ -101,6 +112,8 @@ def send_probe(wire: Transport, attempt: Attempt, extra: float = 0.0) -> ProbeRe
     wire.write(attempt.data)
     seconds = attempt.line.seconds(len(attempt.data)) + wire.latency + extra + QUIET
     received = wire.read(64, seconds)
+    if received == b"".join(bytes((byte,)) + _LOADER for byte in attempt.data):
+        return ProbeReply(ReplyKind.BOOT_LOADER, received)
     echo = received.startswith(attempt.data)
     reply = received.removeprefix(attempt.data)
     if not reply:
@@ -132,9 +145,6 @@ line may have swallowed a reply, or several. On a silent line that takes two sec
 
 NUMBERS = 128
 """Device numbers that a board can have, from 0 on."""
-
-_LOADER = b"?"
-"""Reply of a board that waits for new firmware to anything, after an echo."""
 
 _SHOWN = 12
 """Longest excerpt, in bytes, of an unknown reply."""
@@ -218,30 +228,41 @@ def boards_by_number(
 class TrexProber:
     """Probes one line; it has several `found` boards only if they share the line."""
 
-    def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
-        """`full` tries every polynomial and each device number."""
+    def __init__(
+        self,
+        settings: PortSettings,
+        *,
+        full: bool = False,
+        known: bool = False,
+        plans: Sequence[Sequence[Attempt]] = (),
+    ) -> None:
+        """Scan in the parts of `plans`, or else for a board that may have any settings.
+
+        `full` tries every polynomial and each device number.
+        """
         del known  # a probe moves nothing, whatever is connected
         self.found: list[FoundBoard] = []
         self._settings = ConnectionSettings.on(settings)
         self._full = full
-        self._echo = False
+        self.echo = False  # whether what was sent came back
         self._strange: list[tuple[SerialFormat, bytes]] = []  # other replies
+        self._is_loader = False
         self._several: LineSettings | None = None  # where several boards replied at once
         self._skipped: list[LineSettings] = []  # not supported by the port
         self._is_fixed = False  # the rate is set at the other end, so only one probe was possible
         plan = list(attempts(full=full))
         likely = plan[: len(_LIKELY)]
         again = likely + likely[:1] * (_LAST_PROBES - 1)
-        self._plans = (likely, plan[len(_LIKELY) :], again)
+        self._plans = plans or (likely, plan[len(_LIKELY) :], again)
 
     @property
     def parts(self) -> tuple[int, ...]:
-        """The likely rates, then everything else, then the likely ones again."""
+        """The likely rates, then everything else, then the likely ones again, unless planned."""
         return tuple(len(plan) for plan in self._plans)
 
     @property
     def is_over(self) -> bool:
-        return bool(self.found) or self._several is not None
+        return bool(self.found) or self._several is not None or self._is_loader
 
     def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         """Note unsolicited bytes: no TReX sends any."""
@@ -255,18 +276,18 @@ class TrexProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        plan = self._plans[part]
+        plan = list(self._plans[part])
         if not wire.is_configurable:
             # A flush byte at the rate of the probes does not separate them.
             self._is_fixed = True
-            plan = [Attempt(LineSettings())] if part == 0 else []
+            plan = plan[:1] if part == 0 else []
         for done, attempt in enumerate(plan):
             if cancelled():
                 return
             progress(ScanProgress(done, len(plan), attempt.line))
             self._probe(wire, attempt)
             if self.is_over:
-                if self._full:
+                if self._full and not self._is_loader:
                     self._probe_each_number(wire, attempt, progress, cancelled)
                 return
 
@@ -277,8 +298,9 @@ class TrexProber:
         except BadRequest:
             self._skipped.append(attempt.line)
             return
-        reply = send_probe(wire, attempt, self._settings.timeouts.extra)
-        self._echo = self._echo or reply.echo
+        extra = self._settings.timeouts.extra
+        reply = send_probe(wire, attempt, extra)
+        self.echo = self.echo or reply.echo
         if reply.kind is ReplyKind.BOARD_WITHOUT_CRC:
             # Its reply to the probe without a checksum was lost.
             attempt = Attempt(replace(attempt.line, detection=Detection.NONE))
@@ -288,6 +310,9 @@ class TrexProber:
             self.found.append(found)
         elif reply.kind is ReplyKind.SEVERAL:
             self._several = attempt.line
+        elif reply.kind is ReplyKind.BOOT_LOADER:
+            # Noise may look like it once.
+            self._is_loader = send_probe(wire, attempt, extra).kind is ReplyKind.BOOT_LOADER
         elif reply.kind is not ReplyKind.NOTHING and not self._has_noted(attempt.line):
             self._strange.append((attempt.line, reply.data))
 
@@ -298,7 +323,7 @@ class TrexProber:
         """Read more from a board that responded; its line settings are known now."""
         for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
             settings = self._settings_at(attempt.line, polynomial, None)
-            client = TrexClient(wire, settings, echo=self._echo)
+            client = TrexClient(wire, settings, echo=self.echo)
             try:
                 signature = read_signature(client.request, has_crc=client.has_crc)
                 number, stored = (
@@ -312,7 +337,7 @@ class TrexProber:
             except (NoReply, BadReply):
                 continue
             note = _note(attempt.line, signature, stored)
-            return FoundBoard(settings, signature, number, self._echo, note)
+            return FoundBoard(settings, signature, number, self.echo, note)
         return None
 
     def _probe_each_number(
@@ -326,9 +351,7 @@ class TrexProber:
         polynomial = (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
         if self.found:
             polynomial = self.found[0].settings.polynomial
-        client = TrexClient(
-            wire, self._settings_at(attempt.line, polynomial, None), echo=self._echo
-        )
+        client = TrexClient(wire, self._settings_at(attempt.line, polynomial, None), echo=self.echo)
 
         def report(number: int) -> None:
             progress(ScanProgress(number, NUMBERS, attempt.line, number))
@@ -344,6 +367,18 @@ class TrexProber:
 
     # --- Diagnosis ----------------------------------------------------------------------
 
+    @property
+    def recognised(self) -> TrexBadReplyError | None:
+        """What replies, if that is known and cannot be connected to."""
+        url = self._settings.label
+        if self._is_loader:
+            return TrexBadReplyError(ErrorCode.BOOT_LOADER, url)
+        if self._several is not None:
+            return TrexBadReplyError(ErrorCode.SEVERAL_BOARDS, url, self._several.text())
+        if self._strange and all(data in _QIK for _, data in self._strange):
+            return TrexBadReplyError(ErrorCode.QIK, url)
+        return None
+
     def diagnosis(self) -> Diagnosis:
         """Explain why no board was found, and what to check."""
         evidence, text = self._evidence()
@@ -357,14 +392,11 @@ class TrexProber:
 
     def _evidence(self) -> tuple[Evidence, str]:
         url = self._settings.label
-        if self._several is not None:
-            return Evidence.KNOWN, (
-                f"Several boards reply at once on {url} at {self._several.text()}. The full scan "
-                "tries each device number."
-            )
+        if (recognised := self.recognised) is not None:
+            return Evidence.KNOWN, str(recognised)
         if self._strange:
             return self._strange_evidence(url)
-        if self._echo:
+        if self.echo:
             return Evidence.ECHO, (
                 f"No TReX responds on {url}: everything sent comes back, and nothing else, at "
                 "every rate. Either this is the RS-232 side of a board that is off, or the "
@@ -383,11 +415,6 @@ class TrexProber:
         )
 
     def _strange_evidence(self, url: str) -> tuple[Evidence, str]:
-        if all(data == _LOADER for _, data in self._strange):
-            return Evidence.KNOWN, (
-                f"The device on {url} is a TReX in its boot loader, waiting for new firmware. "
-                "Remove the SO–G jumper, then switch the board off and on."
-            )
         line, data = self._strange[0]
         shown = data[:_SHOWN].hex(" ").upper() + (" …" if len(data) > _SHOWN else "")
         often = f", and something at {more} more" if (more := len(self._strange) - 1) else ""
@@ -395,7 +422,7 @@ class TrexProber:
             f"Something is connected to {url}, but it does not respond like a TReX: it sent "
             f"{shown} at {line.text()}{often}. It is another device, or the line is noisy."
         )
-        if self._echo:
+        if self.echo:
             text += " It also echoes what is sent."
         return Evidence.STRANGE, text
 

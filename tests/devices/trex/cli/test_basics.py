@@ -149,6 +149,30 @@ def test_missing_port_is_usage_error_naming_trex_port() -> None:
     assert "TREX_PORT" in result.stderr
 
 
+def test_status_names_the_options_that_reach_the_board(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("eeprom uart_settings 0x65")  # odd parity
+    quick_simulator.do("power cycle")
+    result = trexcmd("status")
+    assert result.exit_code == 1
+    assert "A TReX 1.2 responds on" in result.stderr
+    assert "with odd parity, but this connection uses no parity and no CRC" in result.stderr
+    url = quick_simulator.url
+    assert result.stderr.endswith(f"reach it:\n--port {url} --baud 19200 --parity odd\n")
+    assert trexcmd("status", "--parity", "odd").exit_code == 0
+    assert quick_simulator.show()["counters"]["packets"] > 0
+
+    quick_simulator.do("jumper mode serial")
+    quick_simulator.do("jumper mix on")
+    quick_simulator.do("jumper so-ground on")
+    quick_simulator.do("power cycle")
+    assert "in learning mode" in trexcmd("status").stderr, "silent, as without power"
+    quick_simulator.do("jumper mix off")
+    quick_simulator.do("jumper so-ground off")
+    assert "is in its boot loader" in trexcmd("status", "--parity", "odd").stderr
+
+
 def test_wrong_baud_rate_fails_and_is_named(trexcmd: RunCommand) -> None:
     result = trexcmd("get", "device_number", "--baud", "9600", "--timeout=0")
     assert result.exit_code == 1

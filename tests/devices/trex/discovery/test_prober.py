@@ -503,18 +503,20 @@ def test_unknown_device_is_reported_with_its_bytes() -> None:
     assert "not respond like a TReX: it sent 45 52 52" in diagnosis
 
 
-def test_board_waiting_for_firmware_is_reported() -> None:
+@pytest.mark.parametrize("full", [False, True])
+def test_board_waiting_for_firmware_ends_the_search(*, full: bool) -> None:
     board = a_board()
+    board.mode_jumper, board.mix, board.so_ground = "serial", True, True
     board.power_off()
-    wire = wire_of(board, echo=True)
-    read = wire.read
-
-    def loader(size: int, seconds: float) -> bytes:
-        heard = read(size, seconds)
-        return heard + b"?" if heard else b""
-
-    wire.read = loader  # type: ignore[method-assign]
-    assert "waiting for new firmware" in diagnosis_of(wire)
+    board.power_on()
+    wire = wire_of(board)
+    board.mix = False
+    wire.line.advance(0.1)
+    board.so_ground = False
+    wire.line.advance(0.1)
+    (line,) = search(wire, full=full).lines
+    assert "waiting for new firmware" in line
+    assert wire.line.now < 2
 
 
 def test_unsupported_baud_rates_are_skipped() -> None:

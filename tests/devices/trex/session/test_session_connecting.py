@@ -2,7 +2,14 @@
 
 import pytest
 
-from tests.devices.trex.session.helpers import among, moving, outcomes, run_for, staged
+from tests.devices.trex.session.helpers import (
+    among,
+    moving,
+    outcomes,
+    run_after_another,
+    run_for,
+    staged,
+)
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
@@ -12,6 +19,7 @@ from trex_gui.devices.trex.driving.requests import SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import GetMode
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.errors import BoardElsewhere
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
@@ -145,10 +153,43 @@ def test_missing_board_is_reported_quickly(stage: Stage) -> None:
     stage.board.power_off()
     stage.transport.latency = 0.06
     end(stage)
-    assert stage.line.now < 1.0
+    assert stage.line.now < 2.5
+
+
+def test_board_at_other_settings_is_reported_with_them() -> None:
+    stage, settings = staged(detection=Detection.EVEN)
+    stage.line.host = LineSettings()
+    error = end(stage).error
+    assert isinstance(error, BoardElsewhere)
+    assert error.settings == settings
+    steps = among(stage.reports, Progress)
+    assert "19200 baud, even parity, 1 stop bit" in [step.what for step in steps]
+
+
+def test_closing_ends_the_probes_without_error() -> None:
+    stage, _ = staged(detection=Detection.ODD)
+    stage.line.host = LineSettings()
+    reports = run_for(stage, 0.4)
+    assert "19200 baud, no error detection, 1 stop bit" in [
+        step.what for step in among(reports, Progress)
+    ]
+    assert reports[-1] == Closed(None)
+    assert stage.line.now < 0.6
+
+
+def test_motors_left_running_are_stopped_without_probes() -> None:
+    stage, _ = staged(detection=Detection.EVEN)
+    stage.line.host = LineSettings()
+    reports = run_after_another(stage, 30.0)
+    closed = reports[-1]
+    assert isinstance(closed, Closed)
+    assert not isinstance(closed.error, BoardElsewhere)
+    assert closed.may_move
+    assert [step.what for step in among(reports, Progress)] == ["signature"]
 
 
 def test_device_number_is_named_as_possible_cause(stage: Stage) -> None:
+    stage.board.power_off()
     error = end(stage, ConnectionSettings("virtual", device_number=9)).error
     assert "device number is 9" in str(error)
 

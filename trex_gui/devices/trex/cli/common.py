@@ -7,17 +7,26 @@ from typing import Any, TypeVar
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli import hexadecimal, port_option, refusals, required_port, timeout_option
+from trex_gui.core.cli import (
+    ProgressLine,
+    hexadecimal,
+    port_option,
+    refusals,
+    required_port,
+    timeout_option,
+)
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.host import host
 from trex_gui.core.plugin import PortAnswer, PortReports
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.trex.client.client import TrexClient, diagnose
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import agreed, read_signature
+from trex_gui.devices.trex.diagnosis import diagnose
 from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import BoardElsewhere
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
@@ -183,8 +192,13 @@ def _begun(transport: Transport, settings: ConnectionSettings) -> Iterator[TrexC
         client.close()
 
 
-def identify(client: TrexClient) -> Signature:
-    """Return which board replies; NoReply and BadReply say what to check."""
+def identify(client: TrexClient, *, quick: bool = False) -> Signature:
+    """Return which board replies.
+
+    Raises:
+        NoReply, BadReply: none does, or one at other settings; they say what to check, or which
+            options reach it. See `diagnose` for `quick`.
+    """
     try:
         try:
             return read_signature(client.request, has_crc=client.has_crc)
@@ -193,7 +207,17 @@ def identify(client: TrexClient) -> Signature:
             client.detect_echo()
             return read_signature(client.request, has_crc=client.has_crc)
     except (NoReply, BadReply) as error:
-        raise diagnose(client.settings, echo=client.echo, error=error) from error
+        with ProgressLine("Looking for the board") as line:
+            cause = diagnose(
+                client,
+                error,
+                quick=quick,
+                progress=lambda step: line(step.done, step.total, step.line.text()),
+            )
+        if isinstance(cause, BoardElsewhere):
+            options = as_options(ConnectionSettings.on(cause.settings))
+            raise NoReply(f"{cause} These options reach it:\n{options}") from cause
+        raise cause from error
 
 
 # --- What list and find report ----------------------------------------------------------

@@ -135,9 +135,9 @@ def _stop_at(settings: ConnectionSettings) -> None:
         driver = MotorDriver(motors, client, StatusReader(client.transport.clock))
         if not driver.stop_and_confirm(careful=True):
             try:
-                identify(client)  # says why there is no reply
+                identify(client, quick=True)  # says why there is no reply
             except (NoReply, BadReply) as error:
-                raise CommandFailed(f"{error} {_UNCONFIRMED}") from error
+                raise CommandFailed(f"{_UNCONFIRMED} {error}") from error
             raise NoReply(
                 "The stop was sent, but the board reports errors on the line each time. "
                 "If a motor still turns, cut its power."

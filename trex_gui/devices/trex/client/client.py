@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Protocol
 
-from trex_gui.core.errors import BadReply, NoReply, StudioError
+from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.guardian.guardian import StopSequence
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.protocol.commands import (
@@ -26,7 +26,6 @@ from trex_gui.devices.trex.protocol.errors import (
     ResultCode,
     TrexBadReplyError,
     TrexNoReplyError,
-    is_unsteady,
 )
 from trex_gui.devices.trex.protocol.flags import Status
 from trex_gui.devices.trex.protocol.framing import (
@@ -315,19 +314,3 @@ class TrexClient:
 
 def _hex(data: bytes) -> str:
     return data.hex(" ").upper()
-
-
-def diagnose(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
-    """Return why no TReX was found, from the error of the first query and its echo."""
-    where = settings.text()
-    if is_unsteady(error):
-        return error
-    if isinstance(error, BadReply):
-        return TrexBadReplyError(ErrorCode.OTHER_DEVICE, where, error)
-    if not isinstance(error, NoReply):
-        return error
-    if echo:
-        return TrexNoReplyError(ErrorCode.ECHO_ONLY, where)
-    if settings.device_number is not None:
-        return TrexNoReplyError(ErrorCode.NO_BOARD_AT_NUMBER, where, settings.device_number)
-    return TrexNoReplyError(ErrorCode.NO_BOARD, where)

@@ -3,6 +3,7 @@
 from enum import Enum, IntEnum, unique
 
 from trex_gui.core.errors import QT_TRANSLATE_NOOP, BadReply, BadRequest, CodedError, NoReply
+from trex_gui.core.transport.settings import PortSettings
 
 
 class ResultCode(IntEnum):
@@ -23,7 +24,9 @@ class ErrorCode(Enum):
         "TrexErrors",
         "No TReX responds on {0}. Check that the board has power (an LED is lit), that the "
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
-        "ground is connected, and that the board's serial settings are these.",
+        "ground is connected, and that the board's serial settings are these. If both LEDs blink "
+        "together, the board is in learning mode: remove the SO–G jumper, then switch it off and "
+        "on.",
     )
     NO_BOARD_AT_NUMBER = QT_TRANSLATE_NOOP(
         "TrexErrors",
@@ -41,6 +44,46 @@ class ErrorCode(Enum):
         "TrexErrors",
         "Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC "
         "differs from the board's setting, or another device is connected.",
+    )
+    BOOT_LOADER = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and "
+        "SO–G jumpers are off, then switch the board off and on and connect again. Its serial "
+        "settings may be those of the factory now: 19200 baud, no parity, no CRC.",
+    )
+    QIK = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "The device on {0} responds like a Pololu qik, not like a TReX. This program does not "
+        "support it: choose the port of the TReX, or connect the adapter to the TReX.",
+    )
+    SEVERAL_BOARDS = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "Several boards reply at once on {0} at {1}. The full search tries each device number.",
+    )
+    OTHER_BAUD = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings "
+        "of the board.",
+    )
+    OTHER_DETECTION = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "A {1} responds on {0} with {2}, but this connection uses {3}. Connect with the settings "
+        "of the board.",
+    )
+    OTHER_POLYNOMIAL = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "A {1} responds on {0} with CRC polynomial {2}, but this connection uses {3}. Connect "
+        "with the settings of the board.",
+    )
+    OTHER_NUMBER = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. "
+        "Connect with the settings of the board.",
+    )
+    REPLIES_LOST = QT_TRANSLATE_NOOP(
+        "TrexErrors",
+        "A {1} responds on {0} only some of the time: the line loses or corrupts bytes. Check "
+        "cable and ground, keep motor leads away from them, then connect again.",
     )
     # Transactions
     NO_REPLY = QT_TRANSLATE_NOOP("TrexErrors", "No reply to {0}.")
@@ -179,6 +222,19 @@ class TrexNoReplyError(TrexError, NoReply):
     """The board does not respond, or does not confirm."""
 
 
+class BoardElsewhere(TrexNoReplyError):  # noqa: N818 - nothing went wrong with the board
+    """A board responds, but with other settings than those of the connection.
+
+    `settings`, the last field, are the `ConnectionSettings` that reach it.
+    """
+
+    @property
+    def settings(self) -> PortSettings:
+        settings = self.fields[-1]
+        assert isinstance(settings, PortSettings)  # noqa: S101 - made so
+        return settings
+
+
 class TrexBadReplyError(TrexError, BadReply):
     """The bytes that arrived are no reply, or the board reads back another value."""
 
@@ -220,4 +276,5 @@ def suggests_scan(error: BaseException) -> bool:
         ErrorCode.NO_BOARD_AT_NUMBER,
         ErrorCode.ECHO_ONLY,
         ErrorCode.OTHER_DEVICE,
+        ErrorCode.SEVERAL_BOARDS,
     }

@@ -11,6 +11,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
+from trex_gui.core.discovery.prober import ScanProgress
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.guardian.guardian import HEARTBEAT_INTERVAL, StopSequence
 from trex_gui.core.session import (
@@ -26,7 +27,7 @@ from trex_gui.core.session import (
 from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.client.client import Requester, TrexClient, diagnose
+from trex_gui.devices.trex.client.client import Requester, TrexClient
 from trex_gui.devices.trex.client.reading import (
     ATTEMPTS,
     DeviceState,
@@ -38,6 +39,7 @@ from trex_gui.devices.trex.client.reading import (
 )
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, StatusReader
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
+from trex_gui.devices.trex.diagnosis import diagnose, explain
 from trex_gui.devices.trex.driving.motor_driver import MotorDriver
 from trex_gui.devices.trex.driving.motor_output import MotorOutput, OutputEvent
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, Stop
@@ -187,7 +189,20 @@ class TrexSession:
                 # A line that was just opened may have swallowed the echo that was waited for.
                 self._begin(client)
         except (NoReply, BadReply) as error:
-            raise diagnose(self._settings, echo=client.echo, error=error) from error
+            raise self._why_not_found(client, error) from error
+
+    def _why_not_found(self, client: TrexClient, error: StudioError) -> StudioError:
+        """Probe for what is there instead, unless motors have to be stopped first."""
+        if self._is_stop_wanted():
+            return explain(self._settings, echo=client.echo, error=error)
+        return diagnose(client, error, progress=self._report_probe, cancelled=self._is_stop_wanted)
+
+    def _is_stop_wanted(self) -> bool:
+        self._collect()
+        return self._motors.may_move or bool(self._motors.stops)
+
+    def _report_probe(self, step: ScanProgress) -> None:
+        self._report_progress(step.done, step.total, step.line.text())
 
     def _begin(self, client: TrexClient) -> None:
         client.detect_echo(self._stop_early)

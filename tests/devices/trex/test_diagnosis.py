@@ -1,0 +1,189 @@
+"""Why no TReX was found, in sentences for the user."""
+
+import pickle
+from dataclasses import replace
+from itertools import chain, product
+
+import pytest
+
+from tests.support.virtual import Stage, VirtualTransport
+from trex_gui.core.errors import BadReply, NoReply, PortUnavailable, StudioError
+from trex_gui.devices.trex.diagnosis import _plans, diagnose, explain
+from trex_gui.devices.trex.discovery import attempts
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import BoardElsewhere
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.devices.trex.simulator.memory import Eeprom
+
+SETTINGS = ConnectionSettings("/dev/ttyUSB0")
+
+
+def test_missing_reply_message_lists_checks() -> None:
+    error = explain(SETTINGS, echo=False, error=NoReply("No reply to 81."))
+    assert isinstance(error, NoReply)
+    assert "/dev/ttyUSB0 at 19200 baud, no error detection, 1 stop bit" in str(error)
+    assert "power" in str(error)
+    assert "device number" not in str(error)
+
+
+def test_missing_reply_message_names_device_number() -> None:
+    settings = ConnectionSettings("/dev/ttyUSB0", device_number=12)
+    error = explain(settings, echo=False, error=NoReply("x"))
+    assert "device number is 12" in str(error)
+
+
+def test_echo_without_board_is_explained() -> None:
+    error = explain(SETTINGS, echo=True, error=NoReply("x"))
+    assert isinstance(error, NoReply)
+    assert "TX and RX are joined" in str(error)
+
+
+@pytest.mark.parametrize("echo", [False, True])
+def test_bad_reply_message_contains_its_error(*, echo: bool) -> None:
+    error = explain(SETTINGS, echo=echo, error=BadReply("The reply 41 is corrupted."))
+    assert isinstance(error, BadReply)
+    assert "The reply 41 is corrupted." in str(error)
+
+
+def test_port_error_is_returned_unchanged() -> None:
+    gone = PortUnavailable("gone")
+    assert explain(SETTINGS, echo=False, error=gone) is gone
+
+
+def test_framing_has_crc_only_if_line_has_one() -> None:
+    plain = ConnectionSettings("x", device_number=7, polynomial=0x91)
+    assert (plain.framing.device_number, plain.framing.polynomial) == (7, None)
+    crc = ConnectionSettings("x", LineSettings(detection=Detection.CRC7), polynomial=0x91)
+    assert (crc.framing.device_number, crc.framing.polynomial) == (None, 0x91)
+
+
+# --- What some probes recognise ---------------------------------------------------------
+
+
+def stage_of(uart: LineSettings, *, polynomial: int = 0x89, echo: bool = False) -> Stage:
+    eeprom = Eeprom()
+    eeprom.write("uart_settings", uart.to_wire())
+    eeprom.write("crc7_polynomial", polynomial & 0x7F)
+    return Stage(Board(eeprom=eeprom), echo=echo)
+
+
+def diagnosed(stage: Stage, settings: ConnectionSettings) -> StudioError:
+    """Return the diagnosis of a connection that has failed."""
+    stage.line.host = settings.line
+    cause = diagnose(stage.client(settings), NoReply("No reply."))
+    assert stage.line.host == settings.line, "the line is as it was"
+    again = pickle.loads(pickle.dumps(cause))
+    assert isinstance(again, StudioError)
+    return again
+
+
+NONE, EVEN, ODD, CRC = (
+    ConnectionSettings("virtual", LineSettings(detection=detection))
+    for detection in (Detection.NONE, Detection.EVEN, Detection.ODD, Detection.CRC7)
+)
+OTHER_CRC = replace(CRC, polynomial=0x9D)
+FAST = ConnectionSettings("virtual", LineSettings(115200))
+
+
+@pytest.mark.parametrize("echo", [False, True])
+@pytest.mark.parametrize(
+    ("board", "used", "words"),
+    [
+        (EVEN, NONE, "with even parity, but this connection uses no parity and no CRC"),
+        (ODD, EVEN, "with odd parity, but this connection uses even parity"),
+        (CRC, NONE, "with CRC-7, but"),
+        (NONE, CRC, "with no parity and no CRC, but this connection uses CRC-7"),
+        (OTHER_CRC, CRC, "with CRC polynomial 9D, but this connection uses 89"),
+        (CRC, OTHER_CRC, "with CRC polynomial 89, but this connection uses 9D"),
+        (NONE, FAST, "at 19200 baud, but this connection uses 115200 baud"),
+        (
+            NONE,
+            replace(NONE, device_number=9),
+            "its device number is 7, and this connection uses 9",
+        ),
+    ],
+)
+def test_board_at_other_settings_is_recognised(
+    board: ConnectionSettings, used: ConnectionSettings, words: str, *, echo: bool
+) -> None:
+    cause = diagnosed(stage_of(board.line, polynomial=board.polynomial, echo=echo), used)
+    assert isinstance(cause, BoardElsewhere)
+    assert str(cause).startswith("A TReX 1.2 responds on virtual")
+    assert words in str(cause)
+    assert cause.settings == board
+
+
+def test_other_polynomials_are_not_tried_in_a_hurry() -> None:
+    stage = stage_of(CRC.line, polynomial=0x9D)
+    cause = diagnose(stage.client(CRC), NoReply("No reply."), quick=True)
+    assert "No TReX responds" in str(cause)
+    assert stage.line.now < 2
+
+
+def test_board_that_responds_now_has_an_unsteady_line() -> None:
+    assert "only some of the time" in str(diagnosed(stage_of(NONE.line), NONE))
+
+
+def start_in_boot_mode(board: Board, mode: str) -> None:
+    board.mode_jumper = mode
+    board.mix = board.so_ground = True
+    board.power_off()
+    board.power_on()
+
+
+@pytest.mark.parametrize("used", [NONE, CRC, EVEN])
+def test_boot_loader_is_recognised(used: ConnectionSettings) -> None:
+    stage = stage_of(NONE.line)
+    start_in_boot_mode(stage.board, "serial")
+    stage.board.mix = False
+    stage.line.advance(0.1)
+    stage.board.so_ground = False
+    stage.line.advance(0.1)
+    assert stage.board.boot_mode is not None
+    cause = diagnosed(stage, used)
+    assert "is in its boot loader, waiting for new firmware" in str(cause)
+    assert "SO–G jumpers are off, then switch the board off and on" in str(cause)
+
+
+def test_learning_mode_is_silent_and_named_among_the_checks() -> None:
+    stage = stage_of(NONE.line)
+    start_in_boot_mode(stage.board, "rc")
+    cause = diagnosed(stage, NONE)
+    assert isinstance(cause, NoReply)
+    assert "both LEDs blink together" in str(cause)
+
+
+class Qik(VirtualTransport):
+    """A qik, which replies to 81 with its firmware version, at the rate of its jumpers."""
+
+    def write(self, data: bytes) -> None:
+        self.sent += data
+        if b"\x81" in data and getattr(self.line.host, "baud", None) == 38400:
+            self.line.inject(b"2")
+
+
+def test_qik_is_recognised() -> None:
+    stage = stage_of(NONE.line)
+    stage.board.power_off()
+    stage.transport = Qik(stage.line)
+    settings = ConnectionSettings("virtual", LineSettings(38400))
+    stage.line.host = settings.line
+    cause = diagnose(stage.client(settings), NoReply("No reply."))
+    assert "responds like a Pololu qik" in str(cause)
+
+
+def test_several_boards_that_reply_at_once_are_recognised() -> None:
+    stage = stage_of(NONE.line)
+    other = Board(eeprom=Eeprom("trexjr"), model="trexjr")
+    stage.line = TrexLine([stage.board, other])
+    stage.transport = VirtualTransport(stage.line)
+    assert "Several boards reply at once" in str(diagnosed(stage, NONE))
+
+
+def test_probes_are_those_that_move_nothing() -> None:
+    for detection, baud in product(Detection, baud_rates()):
+        settings = ConnectionSettings("virtual", LineSettings(baud, detection))
+        plans = chain.from_iterable(_plans(settings, quick=False))
+        assert set(plans) <= set(attempts(full=True))

@@ -1,0 +1,124 @@
+"""Why no TReX was found where one was expected, and what to do.
+
+A failed connection is followed by some probes of `discovery`, which move nothing: at the settings
+that were used, with each other error detection, and at the factory's settings. They recognise a
+board at other settings, its boot loader and a qik. A board in learning mode cannot be recognised:
+its jumper holds the line that it sends on (SO) to ground.
+"""
+
+import contextlib
+from collections.abc import Callable
+from dataclasses import replace
+
+from trex_gui.core.discovery.prober import ScanProgress, flush, ignore_step, never_cancelled
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.discovery import Attempt, FoundBoard, TrexProber, attempts
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import (
+    BoardElsewhere,
+    ErrorCode,
+    TrexBadReplyError,
+    TrexNoReplyError,
+    is_unsteady,
+)
+from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+
+_DETECTION_TEXT = {
+    Detection.NONE: "no parity and no CRC",
+    Detection.CRC7: "CRC-7",
+    Detection.EVEN: "even parity",
+    Detection.ODD: "odd parity",
+}
+
+
+def explain(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
+    """Return why no TReX was found, from the error of the first query and its echo."""
+    where = settings.text()
+    if is_unsteady(error):
+        return error
+    if isinstance(error, BadReply):
+        return TrexBadReplyError(ErrorCode.OTHER_DEVICE, where, error)
+    if not isinstance(error, NoReply):
+        return error
+    if echo:
+        return TrexNoReplyError(ErrorCode.ECHO_ONLY, where)
+    if settings.device_number is not None:
+        return TrexNoReplyError(ErrorCode.NO_BOARD_AT_NUMBER, where, settings.device_number)
+    return TrexNoReplyError(ErrorCode.NO_BOARD, where)
+
+
+def diagnose(
+    client: TrexClient,
+    error: StudioError,
+    *,
+    quick: bool = False,
+    progress: Callable[[ScanProgress], None] = ignore_step,
+    cancelled: Callable[[], bool] = never_cancelled,
+) -> StudioError:
+    """Return why no TReX was found: as `explain`, or what some probes recognised.
+
+    A silent local line takes a second. With CRC it takes seven more, for every polynomial, unless
+    `quick`. The line has the settings of the client again afterwards.
+
+    Raises:
+        PortUnavailable: the line is gone.
+    """
+    settings, wire = client.settings, client.transport
+    plain = explain(settings, echo=client.echo, error=error)
+    if is_unsteady(error) or not isinstance(error, NoReply | BadReply):
+        return plain
+    client.drain()
+    prober = TrexProber(settings, plans=_plans(settings, quick=quick))
+    try:
+        for part in range(len(prober.parts)):
+            prober.probe(wire, part, progress, cancelled)
+            if prober.is_over or cancelled():
+                break
+    finally:
+        with contextlib.suppress(BadRequest):
+            flush(wire, settings.timeouts.extra)
+            wire.reconfigure(settings.line)
+    if prober.found:
+        return _elsewhere(settings, prober.found[0])
+    return prober.recognised or plain
+
+
+def _plans(settings: ConnectionSettings, *, quick: bool) -> list[list[Attempt]]:
+    """Return the likely probes, and those with every other polynomial if CRC is used."""
+    line = settings.line
+    likely = [
+        Attempt.at(settings),
+        *(
+            Attempt(replace(line, detection=one))
+            for one in (Detection.NONE, Detection.EVEN, Detection.ODD)
+        ),
+        Attempt(replace(line, detection=Detection.CRC7), (DEFAULT_POLYNOMIAL,)),
+        Attempt(LineSettings()),
+    ]
+    plans = [list(dict.fromkeys(likely))]
+    if line.has_crc and not quick:
+        plans.append(
+            [each for each in attempts(full=True) if each.line == line and each not in likely]
+        )
+    return [[each for each in plan if not each.is_unsafe] for plan in plans]
+
+
+def _elsewhere(settings: ConnectionSettings, board: FoundBoard) -> StudioError:
+    used, found = settings.line, board.settings.line
+    number = settings.device_number
+    name = settings.label, board.name
+    if found.baud != used.baud:
+        code, texts = ErrorCode.OTHER_BAUD, (found.short, used.short)
+    elif found.detection is not used.detection:
+        detections = _DETECTION_TEXT[found.detection], _DETECTION_TEXT[used.detection]
+        code, texts = ErrorCode.OTHER_DETECTION, detections
+    elif found.has_crc and board.settings.polynomial != settings.polynomial:
+        polynomials = f"{board.settings.polynomial:02X}", f"{settings.polynomial:02X}"
+        code, texts = ErrorCode.OTHER_POLYNOMIAL, polynomials
+    elif number is not None and board.device_number != number:
+        code, texts = ErrorCode.OTHER_NUMBER, (str(board.device_number), str(number))
+    else:
+        return TrexNoReplyError(ErrorCode.REPLIES_LOST, *name)
+    return BoardElsewhere(code, *name, *texts, board.settings)
