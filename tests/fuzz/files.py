@@ -19,7 +19,7 @@ from tests.devices.trex.recording import samples
 from tests.fuzz.fuzzing import Target, mutations
 from tests.support.bad_files import BAD_FILES
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import Finding, SettingsError, Severity, load
+from trex_gui.core.files import Finding, SettingsError, Severity, decode, load
 from trex_gui.core.guardian.log import last_stop, log_file
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import RecordingError
@@ -40,6 +40,7 @@ from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.history import BOUND_FILE, SettingsHistory
 from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings
+from trex_gui.devices.trex.settings.repair import repair_file
 from trex_gui.devices.trex.settings.rules import lint
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.devices.trex.simulator.memory import Eeprom, EepromError
@@ -88,6 +89,11 @@ def check_settings(data: bytes, folder: Path) -> None:
             document.check()
     with contextlib.suppress(SettingsError):
         read_settings(data.decode("utf-8", "surrogateescape"))
+    with contextlib.suppress(SettingsError, BadRequest):
+        repaired, repairs = repair_file(data, "any.txt")
+        assert repairs or repaired.strip() == decode(data, "any.txt").strip()
+        read_settings(repaired)
+        assert repair_file(repaired.encode(), "any.txt").repairs == ()
     try:
         read, findings = read_settings(data)
     except SettingsError as error:

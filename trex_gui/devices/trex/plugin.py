@@ -28,7 +28,7 @@ TREX = DevicePlugin(
         "get-settings": _command("files:get_settings", "Save the board's settings to a file."),
         "set-settings": _command("files:set_settings", "Write a settings file to the board."),
         "check-settings": _command(
-            "files:check_settings", "Check a settings file without a board."
+            "check:check_settings", "Check a settings file without a board."
         ),
         "diff": _command("files:diff", "Compare settings files, or a file with the board."),
         "history": _command(

@@ -212,7 +212,7 @@ def test_check_settings_prints_warnings_as_json(trexcmd: RunCommand, saved: Path
     assert report["usable"]
     assert report["findings"] == []
     warning = report["warnings"][0]
-    assert set(warning) == {"rule", "keys", "message"}
+    assert set(warning) == {"rule", "keys", "message", "proposal"}
     assert warning["keys"] == ["motor1_current_limit", "motor1_current_limit_p"]
 
 
@@ -228,6 +228,92 @@ def test_check_settings_writes_checked_file(
 
 def test_check_settings_rejects_two_outputs_to_stdout(trexcmd: RunCommand, saved: Path) -> None:
     assert trexcmd("check-settings", str(saved), "-", "--json").exit_code == 2
+
+
+FAULTY = """# My rover, do not lose this
+product: trex
+motor1_current_limit: 20  # about 6 A
+motor1_current_limit_p: 0
+
+serial_timeout: 1.5 s  # was off
+  # between
+motor1_brake_duration: 300
+required_channels: 3
+ignored_channels: 2"""
+REPAIRED = """# My rover, do not lose this
+product: TReX
+motor1_current_limit: 20  # about 6 A
+motor1_current_limit_p: 5
+
+serial_timeout: 15  # was off
+  # between
+motor1_brake_duration: 127
+required_channels: 1
+ignored_channels: 2
+"""
+
+
+def test_fix_repairs_the_file_and_lists_each_repair(trexcmd: RunCommand, tmp_path: Path) -> None:
+    path, out = tmp_path / "faulty.txt", tmp_path / "out.txt"
+    path.write_text(FAULTY, encoding="utf-8")
+    result = trexcmd("check-settings", str(path), str(out), "--fix")
+    assert result.exit_code == 0, result.stderr
+    assert path.read_text(encoding="utf-8") == FAULTY
+    assert out.read_text(encoding="utf-8") == REPAIRED
+    repaired = [line.partition(": repaired: ")[2] for line in result.stderr.splitlines()]
+    product, timeout, brake, gain, required, *_ = repaired
+    assert product == "line 2: product: trex becomes TReX"
+    assert timeout == "line 6: serial_timeout: 1.5 s becomes 15 (1.5 s)"
+    assert brake == "line 8: motor1_brake_duration: 300 becomes 127 (1270 ms)"
+    assert gain.startswith("Set Motor 1 Current Limit Proportionality Constant P to 5: Motor 1")
+    assert required.startswith("Set Required Channels to channel 1: Both required and ignored")
+
+    assert trexcmd("check-settings", str(path), "--fix").exit_code == 0
+    assert path.read_text(encoding="utf-8") == REPAIRED
+    again = trexcmd("check-settings", str(path), "--fix")
+    assert "nothing to repair" in again.stderr
+    printed = trexcmd("check-settings", "-", "--fix", stdin=FAULTY)
+    assert printed.stdout == REPAIRED
+    report = json.loads(trexcmd("check-settings", str(path), str(out), "--fix", "--json").stdout)
+    assert report["repairs"] == []
+
+
+def test_fix_writes_nothing_while_errors_are_left(trexcmd: RunCommand, tmp_path: Path) -> None:
+    path, out = tmp_path / "faulty.txt", tmp_path / "out.txt"
+    text = FAULTY + "\nserial_timeuot: 5\n"
+    path.write_text(text, encoding="utf-8")
+    for arguments in ([str(path)], [str(path), str(out)]):
+        result = trexcmd("check-settings", *arguments, "--fix")
+        assert result.exit_code == 1
+        assert "line 11: serial_timeuot: there is no such setting" in result.stderr
+        assert "1 error; nothing was written" in result.stderr
+    assert path.read_text(encoding="utf-8") == text
+    assert not out.exists()
+
+
+def test_set_settings_checks_what_the_board_will_store_and_repairs_it(
+    trexcmd: RunCommand, tmp_path: Path, quick_simulator: SimulatedDevice
+) -> None:
+    path = tmp_path / "faulty.txt"
+    path.write_text(FAULTY, encoding="utf-8")
+    assert trexcmd("set-settings", str(path)).exit_code == 1
+    path.write_text(
+        "product: TReX\nmotor1_current_limit: 20\n"
+        "rc_channel_2: {minimum: 3000, neutral: 3700, maximum: 4400, deadband: 700}\n",
+        encoding="utf-8",
+    )
+    result = trexcmd("set-settings", str(path), "--dry-run")
+    assert "Motor 1 Acceleration is 0" in result.stderr, "the board's"
+    assert "The deadband of RC channel 2 reaches from neutral" in result.stderr
+
+    path.write_text(FAULTY, encoding="utf-8")
+    result = trexcmd("set-settings", str(path), "--fix")
+    assert result.exit_code == 0, result.stderr
+    assert "repaired: line 6: serial_timeout: 1.5 s becomes 15" in result.stderr
+    assert "repaired: Set Motor 1 Acceleration to 10 per 100 ms" in result.stderr
+    assert stored(quick_simulator, "serial_timeout") == 15
+    assert stored(quick_simulator, "motor1_acceleration") == 10
+    assert path.read_text(encoding="utf-8") == FAULTY
 
 
 @pytest.mark.parametrize("command", ["check-settings", "set-settings", "diff"])

@@ -1,6 +1,7 @@
 """get-settings, set-settings, check-settings, diff, export: a board's settings as a file."""
 
 import sys
+from collections.abc import Iterable
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,7 @@ from trex_gui.core.cli import (
     refusals,
     say,
 )
-from trex_gui.core.files import LARGEST_FILE, Finding, SettingsError, Severity, load, save
+from trex_gui.core.files import LARGEST_FILE, Finding, SettingsError, load, save
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import (
     keep,
@@ -45,11 +46,20 @@ from trex_gui.devices.trex.protocol.calibration import (
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Skipped
 from trex_gui.devices.trex.settings.code_export import Language, export_code
-from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
+from trex_gui.devices.trex.settings.comparison import (
+    Comparison,
+    ComparisonRow,
+    compare,
+    settings_after,
+)
 from trex_gui.devices.trex.settings.document import Settings, settings_of
-from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.settings.rules import Context, lint
+from trex_gui.devices.trex.settings.repair import (
+    accept_proposals,
+    repair_text,
+    repair_values,
+)
+from trex_gui.devices.trex.settings.rules import Context
 from trex_gui.devices.trex.settings.writer import write_settings
 
 FILE = click.Path(allow_dash=True)  # checked by `load` and `save`, with better messages
@@ -65,13 +75,21 @@ def content_of(file: str) -> bytes:
     return load(Path(file))
 
 
-def read_file(file: str) -> Settings:
-    """Return the settings of a file and report its warnings."""
+def read_file(file: str, *, fix: bool = False) -> Settings:
+    """Return the settings of a file and report its warnings; `fix` repairs single values."""
     with refusals():
-        settings, findings = read_settings(content_of(file), name_of(file))
+        data = content_of(file)
+        text, repairs = repair_values(data, name_of(file)) if fix else (data, ())
+        say_repairs(file, repairs)
+        settings, findings = read_settings(text, name_of(file))
     for finding in findings:
         say(f"{name_of(file)}: {finding}")
     return settings
+
+
+def say_repairs(file: str, repairs: Iterable[str]) -> None:
+    for line in repairs:
+        say(f"{name_of(file)}: repaired: {line}")
 
 
 def save_file(file: str, text: str) -> None:
@@ -108,14 +126,15 @@ def get_settings(file: str, **options: Any) -> None:
 @link_options
 @click.argument("file", type=FILE)
 @click.option("--dry-run", is_flag=True, help="Show what would change, and write nothing.")
-def set_settings(file: str, dry_run: bool, **options: Any) -> None:
+@click.option("--fix", is_flag=True, help="Repair the settings first, as check-settings does.")
+def set_settings(file: str, dry_run: bool, fix: bool, **options: Any) -> None:
     """Write the settings of FILE to the board; - is standard input.
 
     Checks the file, saves a snapshot of what the board stores, writes only what differs, the
     serial settings last, and reads each value back. Ctrl-C ends it after the setting that is
     being written.
     """
-    wanted = read_file(file)
+    wanted = read_file(file, fix=fix)
     chosen = link_settings(options)
     with open_line_to_change(chosen) as (client, rates):
         identify(client)
@@ -123,9 +142,14 @@ def set_settings(file: str, dry_run: bool, **options: Any) -> None:
         wanted = _fitted(file, wanted, state)
         stored = settings_of(state)
         result = compare(stored, wanted)
+        after = settings_after(stored, result.rows)
+        context = Context(port_rates=rates, used_by_line=chosen.line)
+        if fix:
+            after, accepted = accept_proposals(after, context)
+            say_repairs(file, map(repair_text, accepted))
+            result = compare(stored, after)
         say(f"{result.summary()}.")
-        after = replace(stored, parameters={**stored.parameters, **wanted.parameters})
-        warn(after, Context(port_rates=rates, used_by_line=chosen.line))
+        warn(after, context)
         if dry_run:
             _print(result)
             return
@@ -135,58 +159,6 @@ def set_settings(file: str, dry_run: bool, **options: Any) -> None:
         say_changes(result)
         keep(stored, chosen, f"trexcmd set-settings {name_of(file)}")
         _write(client, chosen, state, [row for row in result.rows if row.changed])
-
-
-@click.command("check-settings")
-@click.argument("file", metavar="IN", type=FILE)
-@click.argument("out", required=False, type=FILE)
-@json_option
-def check_settings(file: str, out: str | None, as_json: bool) -> None:
-    """Check a settings file without a board; with OUT, write the repaired file there.
-
-    Lists errors and warnings by line on standard error; - is standard input or output. Comments
-    and order are kept; only repairable faults are changed, such as a last line without an end.
-    """
-    if as_json and out == "-":
-        raise click.UsageError("--json and OUT cannot both use standard output.")
-    settings: Settings | None = None
-    with refusals():
-        data = content_of(file)
-    try:
-        settings, findings = read_settings(data, name_of(file))
-    except SettingsError as error:
-        findings = error.findings
-    lint_findings = lint(settings) if settings is not None else ()
-    for finding in findings:
-        say(f"{name_of(file)}: {finding}")
-    for found in lint_findings:
-        say(f"{name_of(file)}: warning: {found.message}")
-    if as_json:
-        report = {
-            "usable": settings is not None,
-            "findings": [asdict(finding) for finding in findings],
-            "warnings": [
-                {"rule": found.rule, "keys": list(found.keys), "message": found.message}
-                for found in lint_findings
-            ],
-        }
-        print_json(report)
-    if settings is None:
-        errors = sum(finding.severity is Severity.ERROR for finding in findings)
-        raise CommandFailed(f"{name_of(file)} has {errors} error{'' if errors == 1 else 's'}.")
-    if out is not None:
-        save_file(out, _repaired(data, settings))
-
-
-def _repaired(data: bytes, settings: Settings) -> str:
-    try:
-        text = amend(data.decode("utf-8"), settings)
-    except SettingsError as error:
-        say(f"Comments and order could not be kept: {error}")
-        return write_settings(settings)
-    if text.endswith(("\n", "\r")):
-        return text
-    return text + ("\r\n" if "\r\n" in text else "\n")
 
 
 @click.command()

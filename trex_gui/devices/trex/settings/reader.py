@@ -23,6 +23,7 @@ from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
 MOST_FINDINGS = 100  # a file with more is no settings file; the rest is counted
+_QUANTITIES = {ParameterKind.NUMBER, ParameterKind.ACCELERATION, ParameterKind.PWM_MAXIMUM}
 _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
 _FIRMWARE = re.compile(r"[0-9](?:\.[0-9]{1,3}){1,2}")
 
@@ -75,6 +76,30 @@ def read_settings(
     return settings, findings
 
 
+class TextFix(NamedTuple):
+    """A part of a text that is not valid, and what it plainly means."""
+
+    start: int
+    end: int
+    text: str
+    line: int
+    message: str  # `serial_timeout: 1.5 s becomes 15 (1.5 s)`
+
+
+def text_fixes(content: str, name: str) -> tuple[TextFix, ...]:
+    """Return what makes values of a settings file valid, in the order of the text.
+
+    A value with its unit or in words gets its wire value, a number beyond its range the nearest
+    one in it, and a misspelt product its name. What could mean several things is left.
+
+    Raises:
+        SettingsError: it is not sound YAML.
+    """
+    reader = _Reader()
+    reader.read(compose(content, name))
+    return tuple(sorted(reader.fixes))
+
+
 class _Entry(NamedTuple):
     line: int
     value: Node
@@ -83,6 +108,7 @@ class _Entry(NamedTuple):
 @dataclass(slots=True)
 class _Reader:
     findings: list[Finding] = field(default_factory=list)
+    fixes: list[TextFix] = field(default_factory=list)
     left_out: int = 0
     parameters: dict[str, int] = field(default_factory=dict)
     calibrations: dict[CalibrationKey, Calibration] = field(default_factory=dict)
@@ -95,6 +121,13 @@ class _Reader:
 
     def warn(self, line: int | None, key: str | None, code: str, **fields: object) -> None:
         self.findings.append(_finding(line, key, code, Severity.WARNING, **fields))
+
+    def fix(self, key: str, entry: "_Entry", text: str, meaning: str) -> None:
+        value = entry.value
+        if isinstance(value, ScalarNode) and (value.style or "'") in "'\"":
+            message = f"{key}: {_shown(value)} becomes {meaning}"
+            start, end = value.start_mark.index, value.end_mark.index
+            self.fixes.append(TextFix(start, end, text, entry.line, message))
 
     def sorted_findings(self) -> tuple[Finding, ...]:
         """Return the findings by line; those about the whole file come last."""
@@ -150,6 +183,7 @@ class _Reader:
                 if given != model.name:
                     fields["model"] = model.name
                     self.error(found.line, "product", "product_misspelt", **fields)
+                    self.fix("product", found, model.name, model.name)
                 return model
         self.error(found.line, "product", "product_unknown", **fields)
         return None
@@ -183,6 +217,13 @@ class _Reader:
             given, hint = _shown(entry.value), _hint(spec, entry.value)
             fields = {"allowed": _range(spec), "given": given, "hint": hint}
             self.error(entry.line, key, "value_invalid", **fields)
+            meant = _meant(spec, entry.value)
+            if meant is None and wire is not None and spec.kind in _QUANTITIES:
+                meant = min(max(wire, spec.minimum), spec.maximum)
+            if meant is not None:
+                text = spec.text(meant)
+                meaning = str(meant) if text == str(meant) else f"{meant} ({text})"
+                self.fix(key, entry, str(meant), meaning)
 
     def _report_unknown(self, key: str, line: int, product: Model, firmware: str | None) -> None:
         row = next((row for row in device_table().rows if row["key"] == key), None)
@@ -281,18 +322,28 @@ def _range(spec: ParameterSpec) -> str:
 
 def _hint(spec: ParameterSpec, node: Node) -> str:
     """Return how a physical value, such as `1.5 s`, is written in a settings file."""
+    meant, text = _meant(spec, node), _words(node)
+    if meant is None:
+        return ""
+    is_quoted = _INTEGER.fullmatch(text) is not None and _integer(node) is None
+    return f"; write {text}" if is_quoted else f"; {shortened(text)} is written {meant}"
+
+
+def _meant(spec: ParameterSpec, node: Node) -> int | None:
+    """Return the wire value of a physical one, such as `1.5 s`, or of a number in quotes."""
     text = _words(node)
     if len(text) > len("19200 baud, no error detection, 1 stop bit") or not text.strip():
-        return ""
+        return None
     if _INTEGER.fullmatch(text) and _integer(node) is None:  # in quotes
-        return f"; write {text}" if spec.problem(int(text, 0)) is None else ""
+        wire = int(text, 0)
+        return wire if spec.problem(wire) is None else None
     # 9600 or 1.5 might be meant in any unit; a whole polynomial is known by its highest bit.
     if spec.kind is not ParameterKind.POLYNOMIAL and not any(c.isalpha() for c in text):
-        return ""
+        return None
     try:
-        return f"; {shortened(text)} is written {spec.wire(text)}"
+        return spec.wire(text)
     except BadRequest:
-        return ""
+        return None
 
 
 def _guess(key: str, keys: Sequence[str]) -> str:

@@ -1,0 +1,78 @@
+"""Repair settings: values of a file that are not valid, and settings that do not fit together."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+from trex_gui.core.files import decode
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK, amend
+from trex_gui.devices.trex.settings.reader import read_settings, text_fixes
+from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, lint
+
+_NO_CONTEXT = Context()
+
+
+class Repaired(NamedTuple):
+    """A repaired settings file, and a line for each repair."""
+
+    text: str
+    repairs: tuple[str, ...]
+
+
+def repair_file(data: bytes, name: str) -> Repaired:
+    """Return the text of a settings file with its repairs; everything else stays.
+
+    Raises:
+        SettingsError: the file has errors that only the user can resolve, or is written in a way
+            that cannot be changed in place; `findings` has what is left.
+    """
+    text, value_repairs = repair_values(data, name)
+    settings, _ = read_settings(text, name)
+    settings, accepted = accept_proposals(settings)
+    text = amend(text, settings, name)
+    if not text.endswith(("\n", "\r")):
+        text += "\r\n" if "\r\n" in text else "\n"
+    return Repaired(text, (*value_repairs, *map(repair_text, accepted)))
+
+
+def repair_values(data: bytes, name: str) -> Repaired:
+    """Return the text with what is not valid in single values repaired, where that is plain.
+
+    Raises:
+        SettingsError: it is not the text of a settings file.
+    """
+    body = decode(data, name)
+    fixes = text_fixes(body, name)
+    for fix in reversed(fixes):
+        body = body[: fix.start] + fix.text + body[fix.end :]
+    mark = BYTE_ORDER_MARK if data.startswith(BYTE_ORDER_MARK.encode()) else ""
+    return Repaired(mark + body, tuple(f"line {fix.line}: {fix.message}" for fix in fixes))
+
+
+def accept_proposals(
+    settings: Settings, context: Context = _NO_CONTEXT
+) -> tuple[Settings, tuple[LintFinding, ...]]:
+    """Make the changes that the rules propose; return the settings, and what was accepted.
+
+    A change may be why another rule speaks, so the rules are asked again, each once per setting.
+    """
+    accepted: dict[tuple[str, tuple[str, ...]], LintFinding] = {}
+    for _ in RULES:
+        new = {
+            (found.rule, found.keys): found
+            for found in lint(settings, context)
+            if found.change and (found.rule, found.keys) not in accepted
+        }
+        if not new:
+            break
+        accepted |= new
+        changes: Mapping[str, int] = {
+            k: w for found in new.values() for k, w in found.change.items()
+        }
+        settings = replace(settings, parameters={**settings.parameters, **changes})
+    return settings, tuple(accepted.values())
+
+
+def repair_text(found: LintFinding) -> str:
+    return f"{found.proposal}: {found.message}"
