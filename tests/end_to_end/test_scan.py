@@ -130,6 +130,21 @@ def test_search_ends_when_cancelled_or_dialog_closes(
     quick_simulator.do("power on")
 
 
+def test_failed_connection_offers_the_settings_of_the_board(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    store(quick_simulator, EVEN)
+    controller = trex(window.program).controller
+    controller.set_settings(ConnectionSettings("", LineSettings(57600)))
+    window.connect_port(window.program.ports.add_typed(quick_simulator.url))
+    window.wait_for_text("bannerText", "with even parity, but this connection uses no parity")
+    assert not window.has("bannerFind")
+    window.click("bannerConnectWith")
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
+    assert not window.has("bannerText")
+    assert controller.settings.line == EVEN, "remembered"
+
+
 def test_search_without_board_reports_why_none_was_found(
     window: WindowDriver,
     dialog: FindBoardDialog,

@@ -6,6 +6,7 @@ from enum import Enum, auto
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.transport.settings import PortSettings
 
 
 class Remedy(Enum):
@@ -17,6 +18,8 @@ class Remedy(Enum):
     """Connect again to the port that was used last."""
     SET_UP_CRC = auto()
     """Let the board detect errors on the line."""
+    CHECK_BOARD = auto()
+    """Show what to look at on a board that does not respond."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +29,14 @@ class CopyCommand:
     command: str
 
 
-Remedies = tuple[Remedy | CopyCommand, ...]
+@dataclass(frozen=True, slots=True)
+class ConnectWith:
+    """A button that connects to the same port with other settings."""
+
+    settings: PortSettings
+
+
+Remedies = tuple[Remedy | CopyCommand | ConnectWith, ...]
 
 
 def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies:

@@ -9,7 +9,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
-from trex_gui.ui.notifier import Remedy
+from trex_gui.ui.notifier import ConnectWith, Remedy
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import follow_theme, set_text_color
 from trex_gui.ui.widgets import builders as ui
@@ -161,6 +161,18 @@ class ConnectionBar(QWidget):
         """Connect to the port that was connected, or tried, last."""
         if self._last is not None:
             self.connect_to(self._last)
+
+    def connect_with(self, remedy: ConnectWith) -> None:
+        """Connect with other settings to the port that was connected, or tried, last."""
+        port = self._last or self._port_to_show()
+        if port is None:
+            return
+
+        def connect() -> None:
+            self.connecting.emit()
+            self._manager.connect_with(port, remedy.settings)
+
+        self._unless_busy(connect)
 
     @Slot()
     def find_board(self) -> None:

@@ -45,7 +45,7 @@ from trex_gui.ui.frame.workspace import (
     entries_of,
     fill_menu_bar,
 )
-from trex_gui.ui.notifier import Notifier, Remedy
+from trex_gui.ui.notifier import ConnectWith, Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.recent_files import RecentFile, RecentFiles
 from trex_gui.ui.runtime import now
@@ -372,8 +372,10 @@ class MainWindow(QMainWindow):
         self._workspace.log.add(text, is_problem=is_problem)
 
     @Slot(object)
-    def _on_remedy_chosen(self, remedy: Remedy) -> None:
+    def _on_remedy_chosen(self, remedy: Remedy | ConnectWith) -> None:
         match remedy:
+            case ConnectWith():
+                self._connection.connect_with(remedy)
             case Remedy.FIND:
                 self._connection.find_now()
             case Remedy.RECONNECT:

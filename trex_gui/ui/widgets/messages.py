@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QMoveEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
 
-from trex_gui.ui.notifier import CopyCommand, Notifier, Remedies, Remedy
+from trex_gui.ui.notifier import ConnectWith, CopyCommand, Notifier, Remedies, Remedy
 from trex_gui.ui.theme.icons import set_sign
 from trex_gui.ui.theme.style import use_theme_style
 from trex_gui.ui.widgets import builders as ui
@@ -66,7 +66,7 @@ class _MessageRow(QFrame):
 class Banner(_MessageRow):
     """Shows the newest message of a notifier, or of its owner; hidden while there is none."""
 
-    chosen = Signal(object)  # the `Remedy` whose button was pressed
+    chosen = Signal(object)  # the `Remedy` or `ConnectWith` whose button was pressed
 
     def __init__(self, parent: QWidget | None = None, notifier: Notifier | None = None) -> None:
         super().__init__("banner", parent, selectable=True)
@@ -105,12 +105,16 @@ class Banner(_MessageRow):
                     name, text = "bannerFind", self.tr("Find now")
                 case Remedy.RECONNECT:
                     name, text = "bannerReconnect", self.tr("Reconnect")
+                case Remedy.CHECK_BOARD:
+                    name, text = "bannerCheckBoard", self.tr("Check the board…")
+                case ConnectWith():
+                    name, text = "bannerConnectWith", self.tr("Connect with its settings")
                 case CopyCommand():
                     name, text = "bannerCopy", self.tr("Copy command")
             button = self._add_button(name, text, self._dismiss)
             button.clicked.connect(partial(self._on_chosen, button, remedy))
 
-    def _on_chosen(self, button: QPushButton, remedy: Remedy | CopyCommand) -> None:
+    def _on_chosen(self, button: QPushButton, remedy: Remedy | CopyCommand | ConnectWith) -> None:
         if isinstance(remedy, CopyCommand):
             QGuiApplication.clipboard().setText(remedy.command)
             button.setText(self.tr("Copied"))

@@ -24,7 +24,7 @@ from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import who_controls
-from trex_gui.devices.trex.protocol.errors import suggests_scan
+from trex_gui.devices.trex.protocol.errors import BoardElsewhere, suggests_scan
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
@@ -40,7 +40,7 @@ from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
-from trex_gui.ui.notifier import Notifier, remedies_of
+from trex_gui.ui.notifier import ConnectWith, Notifier, remedies_of
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
@@ -317,7 +317,10 @@ class Device(QObject):
     def _on_connection_failed(self, error: StudioError) -> None:
         text = error_text(error)
         self.request_failed.emit(text)
-        self.notifier.report(text, remedies_of(error, may_be_found=suggests_scan(error)))
+        if isinstance(error, BoardElsewhere):
+            self.notifier.report(text, (ConnectWith(error.settings),))
+        else:
+            self.notifier.report(text, remedies_of(error, may_be_found=suggests_scan(error)))
 
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:
