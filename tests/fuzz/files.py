@@ -19,7 +19,7 @@ from tests.devices.trex.recording import samples
 from tests.fuzz.fuzzing import Target, mutations
 from tests.support.bad_files import BAD_FILES
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import Finding, SettingsError, Severity, decode, load
+from trex_gui.core.files import Finding, SettingsError, Severity, load
 from trex_gui.core.guardian.log import last_stop, log_file
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import RecordingError
@@ -36,11 +36,12 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.recording import FORMAT as BOARD_FORMAT
 from trex_gui.devices.trex.settings.code_export import Language, export_code
 from trex_gui.devices.trex.settings.comparison import compare
+from trex_gui.devices.trex.settings.conversion import convert
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.history import BOUND_FILE, SettingsHistory
 from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings
-from trex_gui.devices.trex.settings.repair import repair_file
+from trex_gui.devices.trex.settings.repair import accept_proposals, repair_values
 from trex_gui.devices.trex.settings.rules import lint
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.devices.trex.simulator.memory import Eeprom, EepromError
@@ -90,10 +91,14 @@ def check_settings(data: bytes, folder: Path) -> None:
     with contextlib.suppress(SettingsError):
         read_settings(data.decode("utf-8", "surrogateescape"))
     with contextlib.suppress(SettingsError, BadRequest):
-        repaired, repairs = repair_file(data, "any.txt")
-        assert repairs or repaired.strip() == decode(data, "any.txt").strip()
-        read_settings(repaired)
-        assert repair_file(repaired.encode(), "any.txt").repairs == ()
+        text, repairs = repair_values(data, "any.txt")
+        assert repairs or text.encode() == data
+        assert repair_values(text.encode(), "any.txt").repairs == ()
+        settings, accepted = accept_proposals(read_settings(text)[0])
+        assert accepted or amend(text, settings) == text
+        for model in device_table().models:
+            converted = convert(settings, model, model.firmware[0]).settings
+            assert read_settings(amend(text, converted))[0] == converted
     try:
         read, findings = read_settings(data)
     except SettingsError as error:

@@ -280,12 +280,12 @@ def test_fix_repairs_the_file_and_lists_each_repair(trexcmd: RunCommand, tmp_pat
 
 def test_fix_writes_nothing_while_errors_are_left(trexcmd: RunCommand, tmp_path: Path) -> None:
     path, out = tmp_path / "faulty.txt", tmp_path / "out.txt"
-    text = FAULTY + "\nserial_timeuot: 5\n"
+    text = FAULTY + "\nserial_timer: 5\n"
     path.write_text(text, encoding="utf-8")
     for arguments in ([str(path)], [str(path), str(out)]):
         result = trexcmd("check-settings", *arguments, "--fix")
         assert result.exit_code == 1
-        assert "line 11: serial_timeuot: there is no such setting" in result.stderr
+        assert "line 11: serial_timer: there is no such setting" in result.stderr
         assert "1 error; nothing was written" in result.stderr
     assert path.read_text(encoding="utf-8") == text
     assert not out.exists()
@@ -314,6 +314,53 @@ def test_set_settings_checks_what_the_board_will_store_and_repairs_it(
     assert stored(quick_simulator, "serial_timeout") == 15
     assert stored(quick_simulator, "motor1_acceleration") == 10
     assert path.read_text(encoding="utf-8") == FAULTY
+
+
+JUNIOR = """product: TReX Jr
+firmware: 1.2
+# what I measured
+motor1_current_limit: 60  # 4.8 A
+uart_response_delay: 1
+serial_timeout: 5
+"""
+
+
+def test_check_settings_converts_for_another_board(trexcmd: RunCommand, tmp_path: Path) -> None:
+    path, out = tmp_path / "junior.txt", tmp_path / "out.txt"
+    path.write_text(JUNIOR, encoding="utf-8")
+    result = trexcmd("check-settings", str(path), str(out), "--for", "trex-1.0")
+    assert result.exit_code == 0, result.stderr
+    assert out.read_text(encoding="utf-8") == (
+        "product: TReX\nfirmware: 1.0\n# what I measured\nmotor1_current_limit: 16  # 4.8 A\n"
+        "# uart_response_delay: 1\nserial_timeout: 5\n"
+    )
+    assert "For a TReX 1.0: 1 carried over, 1 changed, 1 left out." in result.stderr
+    assert "changed: Motor 1 Current Limit: 4.8 A. The same value in steps" in result.stderr
+    assert "left out: Enable UART Response Delay: 1 ms → . A TReX" not in result.stderr
+    assert "left out: Enable UART Response Delay: 1 ms. A TReX with firmware 1.0" in result.stderr
+    assert "carried over: serial_timeout" in result.stderr
+    assert path.read_text(encoding="utf-8") == JUNIOR
+
+    report = json.loads(trexcmd("check-settings", str(path), "--for", "trex", "--json").stdout)
+    assert [row["fate"] for row in report["conversion"]] == ["changed", *["carried over"] * 2]
+    for wrong in (["--for", "jrk"], ["--for", "trex-9.9"], ["--for", "trex", "--fix"]):
+        assert trexcmd("check-settings", str(path), *wrong).exit_code == 2
+    assert path.read_text(encoding="utf-8") == JUNIOR
+
+
+def test_set_settings_converts_a_file_of_the_other_model_when_told(
+    trexcmd: RunCommand, tmp_path: Path, quick_simulator: SimulatedDevice
+) -> None:
+    path = tmp_path / "junior.txt"
+    path.write_text(JUNIOR, encoding="utf-8")
+    refused = trexcmd("set-settings", str(path))
+    assert refused.exit_code == 1
+    assert "--convert carries over what fits" in refused.stderr
+    result = trexcmd("set-settings", str(path), "--convert")
+    assert result.exit_code == 0, result.stderr
+    assert "For a TReX 1.2: 2 carried over, 1 changed, 0 left out." in result.stderr
+    assert stored(quick_simulator, "motor1_current_limit") == 16
+    assert stored(quick_simulator, "uart_response_delay") == 1
 
 
 @pytest.mark.parametrize("command", ["check-settings", "set-settings", "diff"])

@@ -1,59 +1,64 @@
 """check-settings: check, repair and convert a settings file without a board."""
 
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
+from typing import Any
 
 import click
 
 from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
-from trex_gui.core.files import SettingsError, Severity
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.files import Finding, SettingsError, Severity
 from trex_gui.core.texts import counted
-from trex_gui.devices.trex.cli.files import FILE, content_of, name_of, save_file, say_repairs
+from trex_gui.devices.trex.cli.files import FILE, content_of, name_of, save_file
+from trex_gui.devices.trex.protocol.device_table import Model, device_table
+from trex_gui.devices.trex.settings.conversion import Conversion, conversion_lines, convert
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.settings.repair import repair_file
-from trex_gui.devices.trex.settings.rules import lint
+from trex_gui.devices.trex.settings.repair import accept_proposals, repair_text, repair_values
+from trex_gui.devices.trex.settings.rules import LintFinding, lint
 from trex_gui.devices.trex.settings.writer import write_settings
 
 
-@click.command("check-settings")
-@click.argument("file", metavar="IN", type=FILE)
-@click.argument("out", required=False, type=FILE)
-@click.option("--fix", is_flag=True, help="Repair what can be repaired, in IN or as OUT.")
-@json_option
-def check_settings(file: str, out: str | None, fix: bool, as_json: bool) -> None:
-    """Check a settings file without a board; with OUT, write the checked file there.
+@dataclass(slots=True)
+class _Checked:
+    """A settings file, and what was found and done, in the order in which it is reported."""
 
-    Lists errors and warnings by line on standard error; - is standard input or output. With
-    --fix, values with units become wire values, numbers beyond their range the nearest one in it,
-    and proposals of warnings are accepted. Each repair is listed; comments and order are kept.
-    Nothing is written while errors are left.
-    """
-    target = out if out is not None else file if fix else None
-    if as_json and target == "-":
-        raise click.UsageError("--json and OUT cannot both use standard output.")
-    name = name_of(file)
-    with refusals():
-        data = content_of(file)
-    repairs: tuple[str, ...] = ()
-    text: str | bytes = data
+    data: bytes
+    text: str | bytes = b""  # with repaired values, but not yet with `settings`
     settings: Settings | None = None
-    try:
+    repairs: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    conversion: Conversion | None = None
+    warnings: tuple[LintFinding, ...] = ()
+
+    def check(self, name: str, board: tuple[Model, str | None] | None, *, fix: bool) -> None:
+        self.text = self.data
         if fix:
-            text, repairs = repair_file(data, name)
-        settings, findings = read_settings(text, name)
-    except SettingsError as error:
-        findings = error.findings
-    lint_findings = lint(settings) if settings is not None else ()
-    say_repairs(file, repairs)
-    for finding in findings:
-        say(f"{name}: {finding}")
-    for found in lint_findings:
-        say(f"{name}: warning: {found.message}" + (f" {found.proposal}." if found.proposal else ""))
-    if as_json:
-        report = {
-            "usable": settings is not None,
-            "findings": [asdict(finding) for finding in findings],
+            self.text, self.repairs = repair_values(self.data, name)
+        self.settings, self.findings = read_settings(self.text, name)
+        if board is not None:
+            self.conversion = convert(self.settings, *board)
+            self.settings = self.conversion.settings
+        if fix:
+            self.settings, accepted = accept_proposals(self.settings)
+            self.repairs += tuple(map(repair_text, accepted))
+        self.warnings = lint(self.settings)
+
+    def lines(self) -> list[str]:
+        lines = [f"repaired: {line}" for line in self.repairs]
+        lines += map(str, self.findings)
+        lines += conversion_lines(self.conversion) if self.conversion else ()
+        for found in self.warnings:
+            proposal = f" {found.proposal}." if found.proposal else ""
+            lines.append(f"warning: {found.message}{proposal}")
+        return lines
+
+    def report(self) -> dict[str, Any]:
+        rows = self.conversion.rows if self.conversion else ()
+        return {
+            "usable": self.settings is not None,
+            "findings": [asdict(finding) for finding in self.findings],
             "warnings": [
                 {
                     "rule": found.rule,
@@ -61,30 +66,96 @@ def check_settings(file: str, out: str | None, fix: bool, as_json: bool) -> None
                     "message": found.message,
                     "proposal": found.proposal,
                 }
-                for found in lint_findings
+                for found in self.warnings
             ],
-            "repairs": list(repairs),
+            "repairs": list(self.repairs),
+            "conversion": [asdict(row) for row in rows],
         }
-        print_json(report)
-    if settings is None:
-        errors = sum(finding.severity is Severity.ERROR for finding in findings)
+
+    def written(self, settings: Settings, *, keep_all: bool) -> str:
+        """Return the text with the settings; a last line without an end gets one.
+
+        Raises:
+            SettingsError: with `keep_all`, comments or order could not be kept.
+        """
+        before = self.text if isinstance(self.text, str) else self.text.decode("utf-8")
+        try:
+            after = amend(before, settings)
+        except SettingsError as error:
+            if keep_all:
+                raise
+            say(f"Comments and order could not be kept: {error}")
+            return write_settings(settings)
+        if after.endswith(("\n", "\r")):
+            return after
+        return after + ("\r\n" if "\r\n" in after else "\n")
+
+
+def _board(
+    _context: click.Context, _parameter: click.Parameter, given: str | None
+) -> tuple[Model, str | None] | None:
+    """Read `trexjr` or `trexjr-1.0`."""
+    if given is None:
+        return None
+    key, _, firmware = given.partition("-")
+    try:
+        model = device_table().model(key)
+    except BadRequest as error:
+        raise click.BadParameter(str(error)) from error
+    if firmware and firmware not in model.firmware:
+        known = ", ".join(model.firmware)
+        raise click.BadParameter(f"the firmware is {known}, not {firmware}")
+    return model, firmware or None
+
+
+@click.command("check-settings")
+@click.argument("file", metavar="IN", type=FILE)
+@click.argument("out", required=False, type=FILE)
+@click.option("--fix", is_flag=True, help="Repair what can be repaired, in IN or as OUT.")
+@click.option(
+    "--for",
+    "board",
+    metavar="MODEL[-FIRMWARE]",
+    callback=_board,
+    help="Convert the settings for trex or trexjr, such as trexjr-1.0; needs OUT to be written.",
+)
+@json_option
+def check_settings(
+    file: str, out: str | None, fix: bool, board: tuple[Model, str | None] | None, as_json: bool
+) -> None:
+    """Check a settings file without a board; with OUT, write the checked file there.
+
+    Lists errors and warnings by line on standard error; - is standard input or output. With
+    --fix, values with units become wire values, numbers beyond their range the nearest one in it,
+    and proposals of warnings are accepted. With --for, values that mean something else to the
+    other board are converted, and what it does not have becomes a comment. Each change is listed;
+    comments and order are kept. Nothing is written while errors are left.
+    """
+    target = out if out is not None else file if fix and board is None else None
+    if as_json and target == "-":
+        raise click.UsageError("--json and OUT cannot both use standard output.")
+    if fix and board is not None and out is None:
+        raise click.UsageError("--for never changes IN: name the file to write as OUT.")
+    name = name_of(file)
+    with refusals():
+        data = content_of(file)
+    checked = _Checked(data)
+    text = ""
+    try:
+        checked.check(name, board, fix=fix)
+        if checked.settings is not None and target is not None:
+            text = checked.written(checked.settings, keep_all=fix)
+    except SettingsError as error:
+        checked = _Checked(data, findings=error.findings)
+    for line in checked.lines():
+        say(f"{name}: {line}")
+    if as_json:
+        print_json(checked.report())
+    if checked.settings is None:
+        errors = sum(finding.severity is Severity.ERROR for finding in checked.findings)
         nothing = "; nothing was written" if fix else ""
         raise CommandFailed(f"{name} has {counted(errors, 'error')}{nothing}.")
-    if isinstance(text, str):
-        if target == file != "-" and text.encode() == data:
-            say(f"{name}: nothing to repair.")
-        elif target is not None:
-            save_file(target, text)
+    if target == file != "-" and text.encode() == data:
+        say(f"{name}: nothing to repair.")
     elif target is not None:
-        save_file(target, _checked(data, settings))
-
-
-def _checked(data: bytes, settings: Settings) -> str:
-    try:
-        text = amend(data.decode("utf-8"), settings)
-    except SettingsError as error:
-        say(f"Comments and order could not be kept: {error}")
-        return write_settings(settings)
-    if text.endswith(("\n", "\r")):
-        return text
-    return text + ("\r\n" if "\r\n" in text else "\n")
+        save_file(target, text)

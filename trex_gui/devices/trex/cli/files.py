@@ -44,6 +44,7 @@ from trex_gui.devices.trex.protocol.calibration import (
     CalibrationKey,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.errors import Skipped
 from trex_gui.devices.trex.settings.code_export import Language, export_code
 from trex_gui.devices.trex.settings.comparison import (
@@ -52,6 +53,8 @@ from trex_gui.devices.trex.settings.comparison import (
     compare,
     settings_after,
 )
+from trex_gui.devices.trex.settings.conversion import conversion_lines
+from trex_gui.devices.trex.settings.conversion import convert as convert_settings
 from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.repair import (
@@ -85,6 +88,14 @@ def read_file(file: str, *, fix: bool = False) -> Settings:
     for finding in findings:
         say(f"{name_of(file)}: {finding}")
     return settings
+
+
+def converted(file: str, settings: Settings, product: Model, firmware: str | None) -> Settings:
+    """Return settings for another model or firmware, and report what became of them."""
+    conversion = convert_settings(settings, product, firmware)
+    for line in conversion_lines(conversion):
+        say(f"{name_of(file)}: {line}")
+    return conversion.settings
 
 
 def say_repairs(file: str, repairs: Iterable[str]) -> None:
@@ -127,18 +138,26 @@ def get_settings(file: str, **options: Any) -> None:
 @click.argument("file", type=FILE)
 @click.option("--dry-run", is_flag=True, help="Show what would change, and write nothing.")
 @click.option("--fix", is_flag=True, help="Repair the settings first, as check-settings does.")
-def set_settings(file: str, dry_run: bool, fix: bool, **options: Any) -> None:
+@click.option(
+    "--convert", is_flag=True, help="Take a file of the other model, or of newer firmware."
+)
+def set_settings(file: str, dry_run: bool, fix: bool, convert: bool, **options: Any) -> None:
     """Write the settings of FILE to the board; - is standard input.
 
     Checks the file, saves a snapshot of what the board stores, writes only what differs, the
     serial settings last, and reads each value back. Ctrl-C ends it after the setting that is
     being written.
+
+    With --convert, values that mean something else to this board are converted, what it does not
+    have is left out, and both are listed.
     """
     wanted = read_file(file, fix=fix)
     chosen = link_settings(options)
     with open_line_to_change(chosen) as (client, rates):
         identify(client)
         state = read_board(client)
+        if convert:
+            wanted = converted(file, wanted, state.signature.model, state.signature.firmware)
         wanted = _fitted(file, wanted, state)
         stored = settings_of(state)
         result = compare(stored, wanted)
@@ -202,11 +221,14 @@ def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
     """Return the settings of a file that fit this board; SettingsError if none can."""
     board = state.signature
     if wanted.product != board.model:
-        message = f"these are settings of a {wanted.product.name}, the board is a {board}"
+        message = (
+            f"these are settings of a {wanted.product.name}, the board is a {board}; --convert "
+            "carries over what fits"
+        )
         raise SettingsError(name_of(file), [Finding(1, "product", message)])
     known = {spec.key for spec in state.specs.readable}
     if strangers := [key for key in wanted.parameters if key not in known]:
-        message = f"{board} does not have it"
+        message = f"{board} does not have it; --convert leaves it out"
         raise SettingsError(name_of(file), [Finding(None, key, message) for key in strangers])
     if wanted.firmware not in {None, board.firmware}:
         say(f"Warning: these settings are for firmware {wanted.firmware}, the board is a {board}.")

@@ -6,34 +6,18 @@ from typing import NamedTuple
 
 from trex_gui.core.files import decode
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK, amend
-from trex_gui.devices.trex.settings.reader import read_settings, text_fixes
+from trex_gui.devices.trex.settings.edit_in_place import BYTE_ORDER_MARK
+from trex_gui.devices.trex.settings.reader import text_fixes
 from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, lint
 
 _NO_CONTEXT = Context()
 
 
 class Repaired(NamedTuple):
-    """A repaired settings file, and a line for each repair."""
+    """The text of a settings file, and a line for each repair."""
 
     text: str
     repairs: tuple[str, ...]
-
-
-def repair_file(data: bytes, name: str) -> Repaired:
-    """Return the text of a settings file with its repairs; everything else stays.
-
-    Raises:
-        SettingsError: the file has errors that only the user can resolve, or is written in a way
-            that cannot be changed in place; `findings` has what is left.
-    """
-    text, value_repairs = repair_values(data, name)
-    settings, _ = read_settings(text, name)
-    settings, accepted = accept_proposals(settings)
-    text = amend(text, settings, name)
-    if not text.endswith(("\n", "\r")):
-        text += "\r\n" if "\r\n" in text else "\n"
-    return Repaired(text, (*value_repairs, *map(repair_text, accepted)))
 
 
 def repair_values(data: bytes, name: str) -> Repaired:

@@ -1,0 +1,141 @@
+"""Settings for another model or firmware: what is carried over, changed and left out."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.protocol.device_table import Model
+from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSpec
+from trex_gui.devices.trex.settings.document import Settings, specs_for
+from trex_gui.devices.trex.settings.writer import calibration_text
+
+
+class Fate(StrEnum):
+    """What a conversion did to a setting."""
+
+    CHANGED = "changed"
+    LEFT_OUT = "left out"
+    CARRIED_OVER = "carried over"
+
+
+@dataclass(frozen=True, slots=True)
+class ConvertedRow:
+    """One setting of a conversion, with both values in physical units."""
+
+    key: str
+    name: str
+    fate: Fate
+    before: str
+    after: str  # empty for what was left out
+    reason: str  # a sentence; empty for what was carried over
+
+    def __str__(self) -> str:
+        is_same = self.after in {"", self.before}
+        values = self.before if is_same else f"{self.before} → {self.after}"
+        return f"{self.name}: {values}. {self.reason}".rstrip()
+
+
+@dataclass(frozen=True, slots=True)
+class Conversion:
+    """Settings for another board, and what became of each setting, changes first."""
+
+    settings: Settings
+    rows: tuple[ConvertedRow, ...]
+
+    @property
+    def board(self) -> str:
+        """The model and firmware that the settings are for now."""
+        return f"{self.settings.product.name} {self.settings.specs.firmware}"
+
+    @property
+    def alters(self) -> bool:
+        """Whether anything was changed or left out."""
+        return any(row.fate is not Fate.CARRIED_OVER for row in self.rows)
+
+    def of(self, fate: Fate) -> tuple[ConvertedRow, ...]:
+        return tuple(row for row in self.rows if row.fate is fate)
+
+
+def convert(settings: Settings, product: Model, firmware: str | None) -> Conversion:
+    """Convert settings for a model and a firmware, by default the newest one known.
+
+    Physical values stay where the wire values mean something else. A current limit is rounded
+    down: a conversion never raises one, except from below the least that the model has.
+    """
+    target = Settings(product, firmware)
+    parameters: dict[str, int] = {}
+    rows: list[ConvertedRow] = []
+    specs = {spec.key: spec for spec in specs_for(product, firmware).readable}
+    for old, wire in settings.parameter_items():
+        new = specs.get(old.key)
+        if new is None:
+            reason = f"A {product.name} with firmware {target.specs.firmware} does not have it."
+            rows.append(ConvertedRow(old.key, old.name, Fate.LEFT_OUT, old.text(wire), "", reason))
+            continue
+        if old.key == ParameterKey.UART_SETTINGS:
+            wanted, reason = _line(settings, target, wire)
+        else:
+            wanted, reason = _wire(old, new, wire, product)
+        parameters[old.key] = wanted
+        fate = Fate.CHANGED if reason else Fate.CARRIED_OVER
+        texts = old.text(wire), new.text(wanted)
+        rows.append(ConvertedRow(old.key, old.name, fate, *texts, reason))
+    for key, calibration in settings.calibration_items():
+        text = calibration_text(key.source, calibration)
+        name = f"Calibration of {key.label}"
+        rows.append(ConvertedRow(key, name, Fate.CARRIED_OVER, text, text, ""))
+    order = list(Fate)
+    rows.sort(key=lambda row: order.index(row.fate))
+    converted = replace(target, parameters=parameters, calibrations=settings.calibrations)
+    return Conversion(converted, tuple(rows))
+
+
+def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> tuple[int, str]:
+    """Return the wire value that means the same, and why it differs; empty if it does not."""
+    if old.scale == new.scale or wire == 0:
+        return wire, ""
+    steps = wire * old.scale / new.scale
+    wanted = min(max(int(steps + 1e-6), 1), new.maximum)
+    step = f"{new.scale:g} {new.unit}"
+    if steps > new.maximum + 1e-6:
+        return wanted, f"A {product.name} has at most {new.text(new.maximum)}."
+    if steps < 1 - 1e-6:
+        return wanted, f"A {product.name} has at least {new.text(1)}; 0 switches it off."
+    if abs(steps - wanted) < 1e-6:
+        return wanted, f"The same value in steps of {step}: {wire} becomes {wanted}."
+    return wanted, f"Rounded down to steps of {step}: {wire} becomes {wanted}."
+
+
+def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
+    """Keep the baud rate that the board really has, which old firmware halves for two rates."""
+    before, after = settings.firmware, target.specs.firmware
+    try:
+        line = LineSettings.from_wire(wire)
+    except BadRequest:
+        return wire, ""
+    real = line.baud if before is None else line.real_baud(before)
+    if real == line.real_baud(after) or real not in baud_rates():
+        return wire, ""
+    kept = replace(line, baud=real)
+    if kept.real_baud(after) != real:
+        return wire, ""  # this firmware cannot have that rate; the rules say so
+    reason = f"Firmware {before} really runs at {real} baud when set to {line.baud}."
+    return kept.to_wire(), reason
+
+
+def conversion_lines(conversion: Conversion) -> Iterator[str]:
+    """Yield the conversion as lines of text: what was altered one by one, the rest by its keys."""
+    yield f"For a {conversion.board}: {conversion_counts(conversion)}."
+    for row in conversion.rows:
+        if row.fate is not Fate.CARRIED_OVER:
+            yield f"{row.fate}: {row}"
+    if kept := conversion.of(Fate.CARRIED_OVER):
+        yield f"{Fate.CARRIED_OVER}: {', '.join(row.key for row in kept)}"
+
+
+def conversion_counts(conversion: Conversion) -> str:
+    """Return the counts, such as `26 carried over, 2 changed, 1 left out`."""
+    fates: Iterable[Fate] = (Fate.CARRIED_OVER, Fate.CHANGED, Fate.LEFT_OUT)
+    return ", ".join(f"{len(conversion.of(fate))} {fate}" for fate in fates)
