@@ -25,15 +25,18 @@ from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import RecordingError
 from trex_gui.core.recording.store import Recording
 from trex_gui.core.resource_files import resource
+from trex_gui.core.transport import transcript
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.poses.ppr import read_file, read_ppr, write_ppr
 from trex_gui.devices.aracna.recording import FORMAT as ROBOT_FORMAT
 from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, load_run, to_csv
+from trex_gui.devices.trex.cli.replay import RecordedTraffic
 from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.recording import FORMAT as BOARD_FORMAT
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.devices.trex.settings.code_export import Language, export_code
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.settings.conversion import convert
@@ -407,7 +410,31 @@ def guardian_samples() -> Sequence[bytes]:
     return [lines, lines[:-1]]
 
 
+# --- Transcripts ------------------------------------------------------------------------
+
+TRANSCRIPT = (b"\t", b"\n", b"\r", b"\x85", b"\0", b"#", b"81", b"AF 7F 7F 55 2A", b"9999-12-31")
+
+
+def _transcript_samples() -> Sequence[bytes]:
+    rows = "2026-11-23 12:00:00.000+00:00\t\t81\t54 52 65 58 31 2E 32\t8.0\tget signature\n"
+    rows += "2026-11-23 12:00:00.100+00:00\t\tAF 07 0F 55 2A\t00\t8.0\tset\n"
+    rows += "2026-11-23 12:00:00.200+00:00\t!\t9F 7E\t25\t8.0\tget\n"
+    return [(transcript.head() + rows).encode(), (transcript.head() + rows[:60]).encode()]
+
+
+def check_transcript(data: bytes, folder: Path) -> None:
+    text = data.decode("utf-8", "replace")
+    try:
+        rows = list(transcript.read_transcript(text, "it", TrexDecoder()))
+    except SettingsError as error:
+        _check_findings(error.findings, data, rejected=True)
+        return
+    for row, received in RecordedTraffic.of(rows[:10]).replayed():
+        assert received != row.received
+
+
 FILE_TARGETS = (
+    Target("transcripts", mutations(_transcript_samples, TRANSCRIPT), check_transcript),
     Target("guardian_log", mutations(guardian_samples, GUARDIAN), check_guardian_log),
     Target("settings", mutations(settings_samples, YAML), check_settings, examples=20),
     Target("snapshots", mutations(_snapshot_samples, YAML), check_snapshot, examples=20),

@@ -31,7 +31,7 @@ class VirtualCommand:
         self.returncode: int | None = None
         self._runtime = runtime
         self._result: Result | None = None
-        host = Host(runtime.open_transport, runtime.condition, runtime.start_thread)
+        host = Host(runtime.open_transport, runtime.condition, runtime.start_thread, runtime.now)
 
         def run() -> None:
             self._task = greenlet.getcurrent()

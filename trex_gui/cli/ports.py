@@ -17,12 +17,13 @@ from trex_gui.core.cli import (
     print_json,
     say,
     timeout_option,
+    traffic_option,
 )
 from trex_gui.core.discovery.prober import ScanProgress
 from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.host import host
-from trex_gui.core.plugin import PortAnswer
+from trex_gui.core.plugin import Lazy, PortAnswer
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.cli.common import link_options
@@ -82,6 +83,7 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
     "something replies. All boards on the line must run at the same rate.",
 )
 @timeout_option
+@traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder"))
 @json_option
 def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bool) -> None:
     """Find a board whose serial settings are unknown.

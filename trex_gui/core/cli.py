@@ -4,14 +4,25 @@ import contextlib
 import json
 import signal
 import sys
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import click
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.host import host
+from trex_gui.core.plugin import Lazy
 from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_signals
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.core.transport.settings import PortSettings
+from trex_gui.core.transport.traffic import Decoder, logged
+from trex_gui.core.transport.transcript import TranscriptWriter
+
+FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
 
 class CommandFailed(click.ClickException):
@@ -154,3 +165,36 @@ timeout_option = click.option(
     help="Seconds added to the deadline of every reply.",
 )
 json_option = click.option("--json", "as_json", is_flag=True, help="JSON instead of text.")
+
+
+def traffic_option(decoder: "Lazy[type[Decoder]]") -> Callable[[FunctionT], FunctionT]:
+    """Return the option that writes the traffic of a command to a file."""
+
+    def begin(context: click.Context, _option: click.Parameter, file: str | None) -> None:
+        if not file or context.resilient_parsing:
+            return
+        present = host()
+        epoch = time.time() - present.clock()
+        writer = TranscriptWriter(Path(file), decoder.load()(), epoch)
+        open_logged = logged(writer, present.open_transport, present.clock)
+
+        def open_transport(settings: PortSettings) -> Transport:
+            writer.open()
+            return open_logged(settings)
+
+        def end() -> None:
+            writer.close()
+            if writer.error is not None:
+                say(f"{file} is not complete: {writer.error.strerror or writer.error}.")
+
+        context.obj = replace(present, open_transport=open_transport)
+        context.call_on_close(end)
+
+    return click.option(
+        "--traffic",
+        type=click.Path(dir_okay=False),
+        metavar="FILE",
+        expose_value=False,
+        callback=begin,
+        help="Write every byte on the line and its meaning to FILE, as the traffic page does.",
+    )

@@ -1,6 +1,7 @@
 """The computer that the program runs on: its serial ports and threads."""
 
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -21,12 +22,14 @@ def _start_thread(function: Callable[[], None]) -> Callable[[], None]:
 class Host:
     """What commands use of the computer; a caller may pass another one as click's `obj`.
 
-    `start_thread` runs a function in a thread and returns a function that waits for its end.
+    `start_thread` runs a function in a thread and returns a function that waits for its end;
+    `clock` is that of the transports.
     """
 
     open_transport: Callable[[PortSettings], Transport] = SerialTransport
     condition: Callable[[], Condition] = threading.Condition
     start_thread: Callable[[Callable[[], None]], Callable[[], None]] = _start_thread
+    clock: Callable[[], float] = time.monotonic
 
 
 def host() -> Host:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import Enum, auto
+from typing import Protocol
 
 from trex_gui.core.errors import StudioError, sentence
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
@@ -62,10 +63,16 @@ class TrafficLog:
         return [self._events.popleft() for _ in range(count)]
 
 
+class TrafficSink(Protocol):
+    """What takes the events of a line, in the thread that uses it."""
+
+    def note(self, event: TrafficEvent) -> None: ...
+
+
 class LoggingTransport:
     """Logs the bytes of the transport below it; otherwise does what that does."""
 
-    def __init__(self, below: Transport, settings: PortSettings, log: TrafficLog) -> None:
+    def __init__(self, below: Transport, settings: PortSettings, log: TrafficSink) -> None:
         self._below = below
         self._settings = settings
         self._line = settings.line
@@ -120,7 +127,7 @@ class LoggingTransport:
 
 
 def logged(
-    log: TrafficLog,
+    log: TrafficSink,
     open_transport: Callable[[PortSettings], Transport] = SerialTransport,
     clock: Callable[[], float] = time.monotonic,
 ) -> Callable[[PortSettings], Transport]:
@@ -185,6 +192,14 @@ class Decoder(ABC):
     @abstractmethod
     def shown(self, data: bytes) -> str:
         """Return bytes as they are displayed: hexadecimal, or text."""
+
+    @abstractmethod
+    def bytes_of(self, shown: str) -> bytes:
+        """Return the bytes that `shown` displays so; ValueError if it displays none so."""
+
+    def learn(self, transaction: Transaction) -> None:
+        """Take what a reply says about the device, such as its units; nothing by default."""
+        del transaction
 
     @abstractmethod
     def is_routine(self, sent: bytes) -> bool:

@@ -43,6 +43,9 @@ TREX = DevicePlugin(
         "stop": _command("motor:stop", "Stop all motors and wait for confirmation."),
         "raw": _command("packets:raw", "Send bytes and show the reply."),
         "decode": _command("packets:decode", "Decode packets without a board."),
+        "replay": _command(
+            "replay:replay", "Compare a traffic log with what the simulated board replies."
+        ),
     },
     simulator=Lazy(f"{_HERE}.simulator.command:SIMULATOR"),
 )

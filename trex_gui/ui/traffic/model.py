@@ -2,12 +2,11 @@
 
 import time
 from collections.abc import Sequence
-from datetime import UTC, datetime
 from typing import TextIO
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui import __version__
+from trex_gui.core.transport import transcript
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic import Decoder, Transaction, TransactionAssembler
 from trex_gui.ui.runtime import new_timer, now
@@ -15,8 +14,6 @@ from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
 
 MOST_KEPT = 20_000  # rows of each buffer; at full telemetry all transactions of less than a minute
-_COLUMNS = ("time", "fault", "sent", "received", "took_ms", "meaning")
-
 _CHUNK = 100  # rows of a file from one progress report to the next
 _TRIMMED = MOST_KEPT * 9 // 10
 _SHOWN_MS, _UNSEEN_MS = 100, 1000  # from one reading of the log to the next
@@ -91,25 +88,13 @@ class TrafficModel(QObject):
 
     def line_of(self, row: Transaction) -> str:
         """Return a row as a line of tab-separated text, without its end."""
-        words, shown = self.decoder.decoded(row), self.decoder.shown
-        moment = datetime.fromtimestamp(self.wall_time(row)).astimezone()
-        values = (
-            moment.isoformat(sep=" ", timespec="milliseconds"),
-            "!" if words.is_fault else "",
-            shown(row.sent),
-            shown(row.received),
-            "" if row.seconds is None else f"{row.seconds * 1e3:.1f}",
-            words.text,
-        )
-        return "\t".join(values)
+        return transcript.line_of(row, self.decoder, self._epoch)
 
     def write(
         self, file: TextIO, progress: ProgressCallback, *, rows: Sequence[Transaction]
     ) -> int:
         """Write rows as tab-separated text, from any thread; return their number."""
-        written = datetime.now(UTC).astimezone().isoformat(sep=" ", timespec="seconds")
-        file.write(f"# TReX Studio {__version__}: traffic on the line\n# written {written}\n")
-        file.write("\t".join(_COLUMNS) + "\n")
+        file.write(transcript.head())
         for done, row in enumerate(rows):
             if done % _CHUNK == 0:
                 progress(done / len(rows))

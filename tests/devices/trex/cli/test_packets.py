@@ -1,15 +1,18 @@
 """raw and decode: packets are described in words, and sent."""
 
 import signal
+from pathlib import Path
 
 import pytest
 
 from tests.devices.trex.cli.conftest import becomes, outputs
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand, StartCommand
+from trex_gui.core.transport.transcript import read_transcript
 from trex_gui.devices.trex.protocol.commands import COMMANDS
 from trex_gui.devices.trex.protocol.descriptions import describe
 from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 
 
 @pytest.mark.parametrize(
@@ -123,3 +126,31 @@ def test_invalid_raw_arguments_are_usage_errors(
     trexcmd: RunCommand, words: tuple[str, ...]
 ) -> None:
     assert trexcmd("raw", *words).exit_code == 2
+
+
+# --- --traffic ----------------------------------------------------------------------------
+
+
+def test_traffic_of_a_command_is_written_to_a_file(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    file = tmp_path / "traffic.txt"
+    assert trexcmd("set", "serial_timeout", "1.5 s", "--traffic", str(file)).exit_code == 0
+    rows = list(read_transcript(file.read_text(encoding="utf-8"), "it", TrexDecoder()))
+    meanings = [row.meaning for row in rows]
+    assert "get signature → TReX 1.2" in meanings
+    assert "set Serial Timeout to 1.5 s (15) → stored" in meanings
+    assert [row.time for row in rows] == sorted(row.time for row in rows)
+
+    words = ("--seconds", "0.5", "--traffic", str(file))
+    assert trexcmd("motor", "1", "40", *words).exit_code == 0
+    text = file.read_text(encoding="utf-8")
+    assert "\tOpened " in text
+    assert "set motor 1 to forward 40" in text
+    assert "set motor 1 to brake with 127, motor 2 to brake with 127" in text
+    assert "Serial Timeout to 1.5 s (15) → stored" not in text, "the old file is replaced"
+
+    before = file.read_bytes()
+    assert trexcmd("get", "--traffic", str(file)).exit_code == 2
+    assert file.read_bytes() == before, "wrong usage overwrites nothing"
+    assert trexcmd("status", "--traffic", str(tmp_path / "no" / "file")).exit_code == 1

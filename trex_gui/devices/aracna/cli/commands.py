@@ -13,7 +13,9 @@ from trex_gui.core.cli import (
     refusals,
     say,
     timeout_option,
+    traffic_option,
 )
+from trex_gui.core.plugin import Lazy
 from trex_gui.core.texts import counted
 from trex_gui.devices.aracna.cli.session import CommandSession, MotionSession, port_settings
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES
@@ -25,6 +27,9 @@ from trex_gui.devices.aracna.session.messages import Play
 
 _POSITION = click.IntRange(0, 1023)
 
+_traffic_option = traffic_option(
+    Lazy("trex_gui.devices.aracna.session.traffic_decoder:AracnaDecoder")
+)
 _no_limits_option = click.option(
     "--no-limits",
     is_flag=True,
@@ -44,6 +49,7 @@ def aracna() -> None:
 @aracna.command()
 @port_option
 @timeout_option
+@_traffic_option
 @json_option
 def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
     """Show the firmware version and the number of motors. Moves nothing."""
@@ -59,6 +65,7 @@ def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
 @aracna.command()
 @port_option
 @timeout_option
+@_traffic_option
 @click.argument("values", metavar="SPEED...", nargs=-1, required=True, type=_POSITION)
 def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> None:
     """Set the speed of every motor: one value for all, or one for each.
@@ -77,6 +84,7 @@ def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> N
 @aracna.command()
 @port_option
 @timeout_option
+@_traffic_option
 @click.argument("values", metavar="[POSITION...]", nargs=-1, type=_POSITION)
 @click.option("--pose", "name", metavar="NAME", help="A pose of --file, or a built-in one.")
 @click.option("--file", metavar="FILE", help="Pose file (.ppr) with the pose.")
@@ -127,6 +135,7 @@ def pose(
 @aracna.command()
 @port_option
 @timeout_option
+@_traffic_option
 @click.argument("file")
 @click.option("--sequence", "name", metavar="NAME", help="Which one, if the file has several.")
 @click.option("--rounds", type=click.IntRange(1), default=1, show_default=True)

@@ -33,6 +33,9 @@ class AracnaDecoder(Decoder):
         r"""Text; line ends as `\r` and `\n`, other bytes as `\x00`."""
         return data.decode("latin-1").encode("unicode_escape").decode("ascii")
 
+    def bytes_of(self, shown: str) -> bytes:
+        return shown.encode("ascii").decode("unicode_escape").encode("latin-1")
+
     def is_routine(self, sent: bytes) -> bool:
         """Whether it is the keep-alive query."""
         return sent == b".q\n"

@@ -1,23 +1,25 @@
 """What several commands share: options, the open line, and what list and find report."""
 
 import contextlib
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any, TypeVar
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import click
 from click.shell_completion import CompletionItem
 
 from trex_gui.core.cli import (
+    FunctionT,
     ProgressLine,
     hexadecimal,
     port_option,
     refusals,
     required_port,
     timeout_option,
+    traffic_option,
 )
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.host import host
-from trex_gui.core.plugin import PortAnswer, PortReports
+from trex_gui.core.plugin import Lazy, PortAnswer, PortReports
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient
@@ -31,9 +33,6 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
-
-FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
-
 
 # --- Options ----------------------------------------------------------------------------
 
@@ -104,6 +103,7 @@ _LINK_OPTIONS = (
         help="expanded (Pololu) addresses one board of several.",
     ),
     timeout_option,
+    traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder")),
 )
 
 

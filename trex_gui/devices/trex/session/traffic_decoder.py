@@ -40,6 +40,15 @@ class TrexDecoder(Decoder):
     def shown(self, data: bytes) -> str:
         return data.hex(" ").upper()
 
+    def bytes_of(self, shown: str) -> bytes:
+        return bytes.fromhex(shown)
+
+    def learn(self, transaction: Transaction) -> None:
+        """Take the units of the board whose signature this is."""
+        match last_exchange(transaction):
+            case _, Reply(value=Signature() as board):
+                self.board = board
+
     def is_routine(self, sent: bytes) -> bool:
         command, data = sent[0], sent[1:]
         if command == EXPANDED_START:
@@ -54,22 +63,21 @@ class TrexDecoder(Decoder):
         """Whether the reply has its size, behind its echo if there is one."""
         if not transaction.sent:
             return False
-        packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1]
-        return isinstance(packet, Packet) and not isinstance(_reply(packet, transaction), NeedData)
+        _, reply = last_exchange(transaction)
+        return reply is not None and not isinstance(reply, NeedData)
 
     def is_fault(self, transaction: Transaction) -> bool:
         if not transaction.sent:
             return not transaction.note
-        packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1]
-        if isinstance(packet, Malformed):
-            return False
-        match _reply(packet, transaction):
+        match last_exchange(transaction)[1]:
             case Reply(value=value):
                 return is_refusal(value)
             case Malformed():
                 return True
             case NeedData():
                 return transaction.is_over
+            case None:
+                return False
 
     def read(self, transaction: Transaction) -> Decoded:
         return Decoded(self._text(transaction), self.is_fault(transaction))
@@ -108,6 +116,16 @@ class TrexDecoder(Decoder):
 def _packets(sent: bytes, polynomial: int | None) -> tuple[Packet | Malformed, ...]:
     parser = PacketParser(polynomial)
     return (*parser.feed(sent), *parser.flush())
+
+
+def last_exchange(
+    transaction: Transaction,
+) -> tuple[Packet | Malformed | None, Reply[object] | NeedData | Malformed | None]:
+    """Return the last packet that was sent, and its reply; `None` for what there is not."""
+    if not transaction.sent:
+        return None, None
+    packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1]
+    return packet, None if isinstance(packet, Malformed) else _reply(packet, transaction)
 
 
 def _reply(packet: Packet, transaction: Transaction) -> Reply[object] | NeedData | Malformed:

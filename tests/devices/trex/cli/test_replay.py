@@ -1,0 +1,90 @@
+"""replay: a transcript is compared with what the simulated board replies."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand
+
+
+@pytest.fixture
+def transcript(tmp_path: Path) -> Path:
+    return tmp_path / "traffic.txt"
+
+
+def replace_cell(file: Path, sent: str, old: str, new: str) -> None:
+    """Change the reply to the last request with these bytes."""
+    head, found, tail = file.read_text(encoding="utf-8").rpartition(f"\t{sent}\t{old}\t")
+    assert found
+    file.write_text(f"{head}\t{sent}\t{new}\t{tail}", encoding="utf-8")
+
+
+def test_transcript_of_the_simulator_has_no_difference(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, transcript: Path
+) -> None:
+    trexcmd("set", "motor_1_acceleration", "12")
+    trexcmd("calibration", "set", "2", "2400", "3700", "5100", "60")
+    quick_simulator.do("channel 2 1900us")
+    words = ("--traffic", str(transcript))
+    assert trexcmd("set", "serial_timeout", "1.5 s", *words).exit_code == 0
+    result = trexcmd("replay", str(transcript))
+    assert result.exit_code == 0, result.stdout + result.stderr
+    assert "no difference" in result.stdout
+    assert "TReX 1.2, 28 stored values from the file" in result.stderr
+
+    assert trexcmd("status", *words).exit_code == 0
+    assert trexcmd("replay", str(transcript)).exit_code == 0, "measurements may differ"
+    assert trexcmd("motor", "1", "60", "--seconds", "0.4", *words).exit_code == 0
+    assert trexcmd("replay", str(transcript)).exit_code == 0
+
+
+@pytest.mark.parametrize(
+    "options", [("--model", "trexjr", "--firmware", "1.0"), ("--mode", "analog"), ("--echo",)]
+)
+def test_board_begins_as_the_transcript_shows_it(
+    trexcmd: RunCommand,
+    start_simulator: StartSimulator,
+    transcript: Path,
+    options: tuple[str, ...],
+) -> None:
+    simulator = start_simulator(*options)
+    words = ("--port", simulator.url, "--traffic", str(transcript))
+    assert trexcmd("get-settings", "-", *words).exit_code == 0
+    result = trexcmd("replay", str(transcript))
+    assert result.exit_code == 0, result.stdout + result.stderr
+
+
+def test_crc_is_seen_in_the_packets(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, transcript: Path
+) -> None:
+    trexcmd("set", "uart_settings", "37")
+    quick_simulator.do("power cycle")
+    assert trexcmd("get", "device_number", "--crc", "--traffic", str(transcript)).exit_code == 0
+    assert trexcmd("replay", str(transcript)).exit_code == 0
+
+
+def test_first_difference_is_shown_with_its_line(trexcmd: RunCommand, transcript: Path) -> None:
+    trexcmd("set", "serial_timeout", "1.5 s", "--traffic", str(transcript))
+    replace_cell(transcript, "AF 07 0F 55 2A", "00", "03")
+    replace_cell(transcript, "81", "54 52 65 58 31 2E 32", "")
+    result = trexcmd("replay", str(transcript))
+    assert result.exit_code == 1
+    assert "AF 07 0F 55 2A\n  file:      03" in result.stdout
+    assert "  simulator: 00  (set Serial Timeout to 1.5 s (15) → stored)" in result.stdout
+    number = int(result.stdout.split(":")[0].removeprefix("Line "))
+    assert "\tAF 07" in transcript.read_text(encoding="utf-8").splitlines()[number - 1]
+    result = trexcmd("replay", "--all", str(transcript))
+    assert "Different replies: 2, in" in result.stderr
+    assert result.stdout.count("simulator:") == 2
+
+
+@pytest.mark.parametrize(
+    "text", ["", "product: TReX\n", "time\tfault\tsent\treceived\ttook_ms\tmeaning\nx\n"]
+)
+def test_other_files_are_rejected(trexcmd: RunCommand, transcript: Path, text: str) -> None:
+    transcript.write_text(text, encoding="utf-8")
+    result = trexcmd("replay", str(transcript))
+    assert result.exit_code == 1
+    assert "traffic log" in result.stderr
+    assert trexcmd("replay", str(transcript.with_name("missing"))).exit_code == 1

@@ -1,0 +1,142 @@
+"""Traffic as a text file: written by the traffic page and by commands, read to replay it.
+
+Tab-separated, one transaction a line, below comments and a line of column names.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TextIO
+
+from trex_gui import __version__
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import SettingsError
+from trex_gui.core.transport.traffic import (
+    Decoder,
+    TrafficEvent,
+    Transaction,
+    TransactionAssembler,
+)
+
+COLUMNS = ("time", "fault", "sent", "received", "took_ms", "meaning")
+LARGEST = 16 * 1024 * 1024  # bytes; a hundred thousand transactions
+
+
+def head() -> str:
+    """Return what is above the first row."""
+    written = datetime.now(UTC).astimezone().isoformat(sep=" ", timespec="seconds")
+    columns = "\t".join(COLUMNS)
+    return f"# TReX Studio {__version__}: traffic on the line\n# written {written}\n{columns}\n"
+
+
+def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
+    """Return a row as a line without its end; `epoch` is when its clock began, since 1970."""
+    words, shown = decoder.decoded(row), decoder.shown
+    moment = datetime.fromtimestamp(epoch + row.time).astimezone()
+    values = (
+        moment.isoformat(sep=" ", timespec="milliseconds"),
+        "!" if words.is_fault else "",
+        shown(row.sent),
+        shown(row.received),
+        "" if row.seconds is None else f"{row.seconds * 1e3:.1f}",
+        words.text,
+    )
+    return "\t".join(values)
+
+
+class TranscriptWriter:
+    """Writes the traffic of a line to a file as it happens.
+
+    The file is begun with the first line that is opened. A disk that fails later does not disturb
+    the line; `error` says why the file is not complete.
+    """
+
+    def __init__(self, path: Path, decoder: Decoder, epoch: float) -> None:
+        self.error: OSError | None = None
+        self._path = path
+        self._decoder = decoder
+        self._epoch = epoch
+        self._assembler = TransactionAssembler(decoder)
+        self._pending: Transaction | None = None
+        self._file: TextIO | None = None
+
+    def open(self) -> None:
+        """Begin the file unless it was begun; StudioError if it cannot be written."""
+        if self._file is not None:
+            return
+        try:
+            self._file = self._path.open(
+                "w", encoding="utf-8", errors="backslashreplace", newline=""
+            )
+        except OSError as error:
+            reason = error.strerror or error
+            raise StudioError(f"{self._path} cannot be written: {reason}.") from error
+        self._write(head())
+
+    def note(self, event: TrafficEvent) -> None:
+        for row in self._assembler.feed([event]):
+            self._pending = None if row.is_over else row
+            if row.is_over:
+                self._write_row(row)
+
+    def close(self) -> None:
+        if self._pending is not None:
+            self._pending.is_over = True
+            self._write_row(self._pending)
+        if self._file is not None:
+            try:
+                self._file.close()
+            except OSError as error:
+                self.error = self.error or error
+
+    def _write_row(self, row: Transaction) -> None:
+        self._decoder.learn(row)
+        self._write(line_of(row, self._decoder, self._epoch) + "\n")
+
+    def _write(self, text: str) -> None:
+        if self._file is None or self.error is not None:
+            return
+        try:
+            self._file.write(text)
+        except OSError as error:
+            self.error = error
+
+
+@dataclass(frozen=True, slots=True)
+class TranscriptRow:
+    """One transaction of a file: `line` in the file (from 1), and when it was, since 1970 (s)."""
+
+    line: int
+    time: float
+    sent: bytes
+    received: bytes
+    meaning: str
+
+
+def read_transcript(text: str, name: str, decoder: Decoder) -> Iterator[TranscriptRow]:
+    """Yield the rows that have bytes.
+
+    Raises:
+        SettingsError: this is no transcript, or a line is damaged.
+    """
+    lines = text.removesuffix("\n").replace("\r\n", "\n").split("\n")
+    first = next((index for index, line in enumerate(lines) if not line.startswith("#")), 0)
+    if tuple(lines[first].split("\t"))[: len(COLUMNS)] != COLUMNS:
+        message = "this is no traffic log: the traffic page and trexcmd --traffic write them"
+        raise SettingsError.of(name, message)
+    for number, line in enumerate(lines[first + 1 :], first + 2):
+        cells = line.split("\t")
+        try:
+            moment, sent, received = cells[0], cells[2], cells[3]
+            row = TranscriptRow(
+                number,
+                datetime.fromisoformat(moment).timestamp(),
+                decoder.bytes_of(sent),
+                decoder.bytes_of(received),
+                cells[5],
+            )
+        except (IndexError, ValueError, OverflowError, OSError):
+            raise SettingsError.of(name, "this is not a row of a traffic log", number) from None
+        if row.sent or row.received:
+            yield row
