@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from tests.devices.trex.session.helpers import moving
 from tests.support.pages.motors import BRAKE, FULL, Gesture, MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
-from tests.support.window import WindowDriver
+from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.model.motors import remembered_lockout
 from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, DriveBoth, DriveMotor
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -626,21 +626,38 @@ def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None
 # --- Modes ------------------------------------------------------------------------------
 
 
+def led_words(status: WidgetDriver) -> list[str]:
+    """Return what is written beside the LEDs that the board shows."""
+    words = [label.text() for label in status.find(QWidget, "statusLeds").findChildren(QLabel)]
+    return [text for text in words if text]
+
+
 def test_page_shows_channel_commands_in_rc_mode(page: MotorsPage) -> None:
     page.simulator.do("jumper mode rc")
     page.simulator.do("channel 2 1800us")
     page.simulator.do("power cycle")
     page.wait_for_text("motorsReason", "RC channels control the motors")
-    page.wait_for_text("motorsReason", "may be holding")
+    page.wait_for_text("motorsReason", "Channel 2 is 300 µs above neutral.")
     assert page.simulator.show()["safe_start"]
+
+    status = page.open_page("statusPage")
+    status.wait_for_text("motorsReason1", "Channel 2 is 300 µs above neutral.")
+    assert "Safe-start holds the motors until" in status.text("motorsReason1")
+    assert "RC channels control the motors" in status.text("motorsReason2")
+    page.wait(lambda: page.simulator.show()["leds"]["green"] == "fast flash")
+    assert led_words(status) == ["Red: flickers with each packet", "Green: flashes fast"]
     page.simulator.do("channel 2 1500us")
     page.wait(lambda: not page.simulator.show()["safe_start"])
-    page.wait(lambda: "may be holding" not in page.text("motorsReason"))
+    status.wait_for_text("motorsReason1", "RC channels control the motors")
+    assert not status.has("motorsReason2")
+    assert led_words(status) == ["Red: flickers with each packet", "Green: on"]
+    page.show_page()
+    page.wait(lambda: "Channel 2" not in page.text("motorsReason"))
 
     page.simulator.do("channel 2 1800us")
     page.wait_for_text("motor2Setpoint", "Channel 2: forward")
     page.let_nothing_happen(0.1)
-    assert "may be holding" not in page.text("motorsReason")
+    assert "above neutral" not in page.text("motorsReason"), "current flows"
     assert not page.has("motor2Slider")
     assert not page.pad.isVisible()
     assert page.has("motor2Channel")
@@ -648,7 +665,7 @@ def test_page_shows_channel_commands_in_rc_mode(page: MotorsPage) -> None:
     page.simulator.do("channel 2 1500us")
 
     page.simulator.do("channel 1 silent")
-    page.wait_for_text("motorsReason", "channel 1 is required but has no signal")
+    page.wait_for_text("motorsReason", "Channel 1 is required but has no signal")
 
 
 def test_page_drives_while_override_switch_is_on(page: MotorsPage) -> None:

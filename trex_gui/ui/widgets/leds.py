@@ -14,12 +14,15 @@ _FRAME_MS = 40
 _FAST = 8.0  # flashes a second of a fast flash
 _PATTERN = re.compile(r"(blink|alternate|short flash) (\d+)/s")
 _SHORT = 0.15  # share of its time that a short flash is lit
+_PACKETS = 17.0  # irregular steps a second of a LED that lights with each packet
 
 
 def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
     """Return whether a LED is lit; `second` is the other one of an alternating pair."""
     if pattern == "fast flash":
         return seconds * _FAST % 1 < 0.5
+    if pattern == "with packets":
+        return int(seconds * _PACKETS) * 5 % 7 < 4
     found = _PATTERN.fullmatch(pattern)
     if found is None:
         return pattern == "on"

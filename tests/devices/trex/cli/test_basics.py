@@ -62,6 +62,34 @@ def test_status_json_names_latched_errors_as_recordings_do(
     assert {row["name"] for row in errors} < columns
 
 
+def test_status_gives_every_reason_why_the_motors_do_not_run(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    assert "  Nothing keeps them from following serial commands.\n" in trexcmd("status").stdout
+    assert json.loads(trexcmd("status", "--json").stdout)["motors"] == []
+
+    for line in ("jumper mode rc", "channel 2 1680us", "power cycle", "channel 2 1680us"):
+        quick_simulator.do(line)
+    assert becomes(lambda: quick_simulator.show()["channels"][1]["raw"], 4200)
+    quick_simulator.do("fault 1 on")
+    text = trexcmd("status").stdout
+    assert "  Channel 2 is 180 µs above neutral. Safe-start holds the motors until" in text
+    assert "LEDs:                 red flickers with each packet, green flashes fast" in text
+    report = json.loads(trexcmd("status", "--json").stdout)
+    assert [(row["name"], row["effect"]) for row in report["motors"]] == [
+        ("channel_above", "stops"),
+        ("fault", "stops"),
+        ("rc_channels", "blocks"),
+    ]
+    assert report["leds"] == {"red": "with packets", "green": "fast flash"}
+
+    quick_simulator.do("fault 1 off")
+    quick_simulator.do("channel 2 1500us")
+    assert becomes(lambda: quick_simulator.show()["safe_start"], False)
+    reasons = json.loads(trexcmd("status", "--json").stdout)["motors"]
+    assert "channel_above" not in {row["name"] for row in reasons}
+
+
 def test_get_shows_wire_value_and_meaning(trexcmd: RunCommand) -> None:
     assert trexcmd("get", "device_number").stdout == "7\t7\n"
     assert trexcmd("get", "Motor Mode").stdout == "0\tindependent\n"

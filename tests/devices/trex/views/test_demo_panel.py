@@ -15,6 +15,7 @@ from tests.support.program import trex
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.composition import build
+from trex_gui.devices.trex.driving.board_reasons import PACKETS
 from trex_gui.devices.trex.model.demo import (
     BootStep,
     DemoJumpers,
@@ -28,7 +29,6 @@ from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.views.demo_panel import (
-    PACKETS,
     DemoPanel,
     jumper_hint,
     led_meaning,

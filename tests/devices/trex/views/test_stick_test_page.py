@@ -27,9 +27,9 @@ def test_stick_test_says_what_holds_the_motors(learning: LearningDialog) -> None
     learning.push(1, -1)
     learning.wait_for_text("learnTest1", "Good.")
     learning.wait_for_head("The tested channels are good. But in RC mode the motors would not")
-    assert "channel 2 gives +" in learning.head
+    assert "Channel 2 is " in learning.head
     note = learning.find(Note, "learnSafeStart")
-    assert "would hold the motors now: channel 2 gives +" in note.text()
+    assert "would hold the motors now. Channel 2 is " in note.text()
     assert note.palette().color(note.foregroundRole()) == theme().color("warning")
 
     learning.simulator.do("channel 2 1500us")
@@ -51,7 +51,7 @@ def test_channel_failing_the_test_can_be_learned_again(learning: LearningDialog)
     learning.start_test(1, 2)
     learning.push(1, -1)
     learning.wait_for_text("learnTest1", "at rest the output must be 0")
-    learning.wait_for_text("learnSafeStart", "channel 1 gives +")
+    learning.wait_for_text("learnSafeStart", "Channel 1 is ")
     assert learning.text("learnTest2") == "Full output not reached yet: reverse (−127)."
 
     learning.use({1: Stick(), 2: Stick(low=1050, high=2010)})

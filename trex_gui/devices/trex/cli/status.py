@@ -1,6 +1,7 @@
 """status and get: read the board without changing it."""
 
 import json
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import click
@@ -20,6 +21,15 @@ from trex_gui.devices.trex.cli.common import (
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, agreed, query, read_everything
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
+from trex_gui.devices.trex.driving.blockers import Effect
+from trex_gui.devices.trex.driving.board_reasons import (
+    LED_TEXTS,
+    NOISE_COUNTS,
+    board_inputs,
+    board_reasons,
+    led_patterns,
+)
+from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.commands import (
     GetCurrents,
     GetParameter,
@@ -27,7 +37,7 @@ from trex_gui.devices.trex.protocol.commands import (
     GetRemappedChannels,
 )
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT, who_controls
-from trex_gui.devices.trex.protocol.flags import CHANNELS, bit_names
+from trex_gui.devices.trex.protocol.flags import CHANNELS, Status, UartError, bit_names
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 _TITLES = {
@@ -51,6 +61,10 @@ def status(as_json: bool, **options: Any) -> None:
     voltage_V, null without a valid signal, and remapped (-127 to 127). mode is R or A for RC and
     analog mode, r or a for serial mode with these inputs. Errors have the name of their column in
     recordings and a text. Each parameter has its wire value and a text.
+
+    motors has each reason why they do not follow serial commands, with its effect: stops (or may
+    stop) the motors, blocks serial commands, limits the speed, or note. leds has the pattern that
+    this state shows on the board.
     """
     with open_line(link_settings(options)) as client:
         identify(client)
@@ -61,8 +75,17 @@ def status(as_json: bool, **options: Any) -> None:
         return
     for key, title in _TITLES.items():
         click.echo(f"{title + ':':22}{report[key]}")
+    click.echo(
+        "LEDs:".ljust(22)
+        + ", ".join(f"{led} {LED_TEXTS[pattern]}" for led, pattern in report["leds"].items())
+    )
     for motor in (1, 2):
         click.echo(f"Motor {motor} current:      {report[f'motor_{motor}_current_A']:.2f} A")
+    click.echo("Motors:")
+    if all(row["effect"] == Effect.NOTE.name.lower() for row in report["motors"]):
+        click.echo("  Nothing keeps them from following serial commands.")
+    for row in report["motors"]:
+        click.echo(f"  {row['text']} {row['remedy']}".rstrip())
     click.echo("Channels:")
     for row in report["channels"]:
         raw = row["raw"]
@@ -98,6 +121,16 @@ def _report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     currents = query(client.request, GetCurrents())
     unit = state.signature.model.current_unit
     joint = state.parameters.get(ParameterKey.MOTOR_MODE) == 1
+    inputs = board_inputs(
+        state,
+        [raw[channel] for channel in CHANNELS],
+        latched.status if latched else Status(0),
+        latched.uart if latched else UartError(0),
+        by_serial=state.serial_controls,
+        joint=joint,
+        is_held=_may_be_held(remapped, currents, joint=joint),
+    )
+    red, green = led_patterns(inputs)
     return {
         "product": state.signature.model.name,
         "firmware": state.signature.firmware,
@@ -105,6 +138,16 @@ def _report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
         "mode_text": MODE_TEXT[state.mode],
         "in_control": who_controls(state.mode, state.serial_controls, joint=joint),
         "serial_controls": state.serial_controls,
+        "motors": [
+            {
+                "name": reason.blocker.name.lower(),
+                "effect": reason.blocker.effect.name.lower(),
+                "text": reason.text(),
+                "remedy": reason.remedy(),
+            }
+            for reason in board_reasons(inputs)
+        ],
+        "leds": {"red": red, "green": green},
         "motor_1_current_A": round(currents[0] * unit, 4),
         "motor_2_current_A": round(currents[1] * unit, 4),
         "channels": [
@@ -122,6 +165,13 @@ def _report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
             for key, wire in state.parameters.items()
         },
     }
+
+
+def _may_be_held(remapped: Mapping[int, int], currents: Sequence[int], *, joint: bool) -> bool:
+    """Whether a channel commands a speed and no current flows; joint mode measures none."""
+    commands = (remapped[channel] for channel in (1, 2, 3))
+    is_commanded = any(abs(command) > NEARLY_NEUTRAL for command in commands)
+    return is_commanded and not joint and max(currents) <= NOISE_COUNTS
 
 
 def _errors(latched: LatchedStatus) -> list[dict[str, str]]:

@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import (
-    DriveBlocker,
     drive_inputs,
     drive_status,
     recent_fault_text,

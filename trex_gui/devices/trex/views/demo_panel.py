@@ -3,6 +3,7 @@
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QWidget
 
+from trex_gui.devices.trex.driving.board_reasons import PACKETS
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.demo import (
     STICK_ENDS,
@@ -33,10 +34,6 @@ _STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}
 """Slider positions per µs, and per V."""
 
 _SINGLE_STEP = {InputSource.RC: 10, InputSource.ANALOG: 5}
-
-
-PACKETS = "with packets"
-"""Pattern of a LED that lights during a packet; the simulator reports on or off."""
 
 
 def tr(text: str) -> str:

@@ -14,6 +14,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.controller import TrexController
+from trex_gui.devices.trex.model.drive_status import SafeStartWatch
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
@@ -60,6 +61,7 @@ class TrexWorkspace(Workspace):
         self._agreed: Settings | None = None  # settings shown that may be left as they are
         self._keeps_edits = True
         self._linter = BoardLinter(device, self)
+        self._safe_start = SafeStartWatch(device, self)
         self.log.follow(device.events)
 
         tabs = self.pages
@@ -159,7 +161,7 @@ class TrexWorkspace(Workspace):
             ),
         )
         start = StartPanel(texts, self._frame, self)
-        page = StatusPage(self._device, start, self)
+        page = StatusPage(self._device, self._safe_start, start, self)
         page.setup_requested.connect(self._set_up)
         return page
 
@@ -178,7 +180,7 @@ class TrexWorkspace(Workspace):
     def _make_motors_page(self) -> QWidget:
         from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415
 
-        page = MotorsPage(self._device, self)
+        page = MotorsPage(self._device, self._safe_start, self)
         page.parameter_wanted.connect(self._show_parameter)
         return page
 

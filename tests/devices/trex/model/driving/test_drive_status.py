@@ -1,188 +1,194 @@
-"""Why the motors do not follow the setpoints, in one line."""
+"""Why the motors do not follow the setpoints."""
 
 import itertools
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
+from trex_gui.devices.trex.driving.board_reasons import BoardInputs
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import (
-    DriveBlocker,
     DriveInputs,
     drive_inputs,
     drive_status,
+    drive_statuses,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode, UartError
 from trex_gui.ui.devices.connection import ConnectionState
 
-pytestmark = pytest.mark.usefixtures("qapp")  # plural forms
+SERIAL = BoardInputs()
+RC = BoardInputs(mode=Mode.RC, by_serial=False)
 
 
 @pytest.mark.parametrize(
-    ("situation", "kind", "said"),
+    ("situation", "blockers", "said"),
     [
-        (DriveInputs(link=ConnectionState.DISCONNECTED), DriveBlocker.NO_BOARD, "No board"),
+        (DriveInputs(link=ConnectionState.DISCONNECTED), [DriveBlocker.NO_BOARD], "No board"),
         (
             DriveInputs(link=ConnectionState.DISCONNECTED, may_move=True),
-            DriveBlocker.LOST,
+            [DriveBlocker.LOST],
             "Cut their power.",
         ),
         (
             DriveInputs(link=ConnectionState.DISCONNECTED, may_move=True, timeout="0.5 s"),
-            DriveBlocker.LOST,
+            [DriveBlocker.LOST],
             "stops them 0.5 s after the last byte",
         ),
         (
             DriveInputs(link=ConnectionState.DISCONNECTED, lost_board="It got no stop."),
-            DriveBlocker.LOST,
+            [DriveBlocker.LOST],
             "It got no stop.",
         ),
         (
             DriveInputs(link=ConnectionState.NOT_RESPONDING, may_move=True, timeout="0.5 s"),
-            DriveBlocker.SILENT,
+            [DriveBlocker.SILENT],
             "stops them 0.5 s after the last byte",
         ),
-        (DriveInputs(link=ConnectionState.CONNECTING), DriveBlocker.OPENING, "being read"),
-        (DriveInputs(link=ConnectionState.DISCONNECTING), DriveBlocker.CLOSING, "closed"),
-        (DriveInputs(link=ConnectionState.NOT_RESPONDING), DriveBlocker.SILENT, "does not respond"),
-        (DriveInputs(mode=None), DriveBlocker.UNKNOWN, "not reported yet"),
-        (DriveInputs(by_serial=None), DriveBlocker.UNKNOWN, "not reported yet"),
-        (DriveInputs(by_serial=False), DriveBlocker.NOT_SERIAL, "serial commands do not"),
-        (DriveInputs(mode=Mode.RC, by_serial=False), DriveBlocker.CHANNELS, "The RC channels"),
+        (DriveInputs(link=ConnectionState.CONNECTING), [DriveBlocker.OPENING], "being read"),
+        (DriveInputs(link=ConnectionState.DISCONNECTING), [DriveBlocker.CLOSING], "closed"),
         (
-            DriveInputs(mode=Mode.ANALOG, by_serial=False),
-            DriveBlocker.CHANNELS,
-            "The analog channels",
+            DriveInputs(link=ConnectionState.NOT_RESPONDING, board=SERIAL),
+            [DriveBlocker.SILENT],
+            "does not respond",
+        ),
+        (DriveInputs(), [DriveBlocker.UNKNOWN], "not reported yet"),
+        (
+            DriveInputs(board=replace(SERIAL, by_serial=False), is_available=False),
+            [DriveBlocker.NOT_SERIAL],
+            "serial commands do not",
         ),
         (
-            DriveInputs(mode=Mode.RC, by_serial=False, missing=(1,)),
-            DriveBlocker.SAFE_START,
-            "channel 1 is required but has no signal",
+            DriveInputs(board=RC, is_available=False, stop_reason="The gamepad is gone."),
+            [DriveBlocker.RC_CHANNELS],
+            "The RC channels",
         ),
         (
-            DriveInputs(mode=Mode.RC, by_serial=False, missing=(1, 2, 4)),
-            DriveBlocker.SAFE_START,
-            "channels 1, 2, 4 are required but have no signal",
+            DriveInputs(board=RC, is_available=False, locked_for=2.2),
+            [DriveBlocker.LOCKED, DriveBlocker.RC_CHANNELS],
+            "locked for 3 s",
         ),
         (
-            DriveInputs(mode=Mode.RC, by_serial=False, perhaps_held=True),
-            DriveBlocker.CHANNELS,
-            "Safe-start may be holding",
-        ),
-        (DriveInputs(locked_for=2.2), DriveBlocker.LOCKED, "locked for 3 s"),
-        (DriveInputs(faults=(1,)), DriveBlocker.FAULT, "Motor 1"),
-        (DriveInputs(faults=(1, 2), armed=True), DriveBlocker.FAULT, "Both motors"),
-        (
-            DriveInputs(uart=UartError.TIMEOUT, timeout="0.5 s"),
-            DriveBlocker.TIMEOUT,
-            "nothing for 0.5 s",
+            DriveInputs(board=replace(SERIAL, faults=(1,)), locked_for=2.2),
+            [DriveBlocker.FAULT, DriveBlocker.LOCKED],
+            "Motor 1",
         ),
         (
-            DriveInputs(uart=UartError.PARITY, error_shutdown=True),
-            DriveBlocker.LINE_ERROR,
-            "corrupted",
+            DriveInputs(board=replace(SERIAL, faults=(2,)), armed=True),
+            [DriveBlocker.FAULT, DriveBlocker.RUNNING],
+            "Motor 2",
         ),
-        (DriveInputs(uart=UartError.PARITY), DriveBlocker.NOT_ARMED, "Not armed"),
-        (DriveInputs(is_available=False), DriveBlocker.NOT_ALLOWED, "cannot be armed"),
-        (DriveInputs(), DriveBlocker.NOT_ARMED, "nothing is sent yet"),
         (
-            DriveInputs(stop_reason="The gamepad is gone."),
-            DriveBlocker.STOPPED,
+            DriveInputs(board=SERIAL, is_available=False),
+            [DriveBlocker.NOT_ALLOWED],
+            "cannot be armed",
+        ),
+        (DriveInputs(board=SERIAL), [DriveBlocker.NOT_ARMED], "nothing is sent yet"),
+        (
+            DriveInputs(board=SERIAL, stop_reason="The gamepad is gone."),
+            [DriveBlocker.STOPPED],
             "The gamepad is gone.",
         ),
         (
-            DriveInputs(armed=True, over_limit=(2,)),
-            DriveBlocker.OVER_LIMIT,
+            DriveInputs(board=replace(SERIAL, over_limit=(2,)), armed=True),
+            [DriveBlocker.OVER_LIMIT, DriveBlocker.RUNNING],
             "Motor 2 is slowed down",
         ),
-        (DriveInputs(over_limit=(2,)), DriveBlocker.NOT_ARMED, "Not armed"),
-        (DriveInputs(armed=True), DriveBlocker.RUNNING, "armed"),
-        (DriveInputs(armed=True, joint=True), DriveBlocker.RUNNING, "Joint mode"),
-        (DriveInputs(mode=Mode.RC, armed=True), DriveBlocker.RUNNING, "Channel 5 overrides"),
+        (
+            DriveInputs(board=replace(SERIAL, over_limit=(2,))),
+            [DriveBlocker.NOT_ARMED, DriveBlocker.OVER_LIMIT],
+            "Not armed",
+        ),
+        (
+            DriveInputs(board=BoardInputs(mode=Mode.RC, joint=True), armed=True),
+            [DriveBlocker.RUNNING, DriveBlocker.OVERRIDE, DriveBlocker.JOINT],
+            "The motors are armed",
+        ),
     ],
 )
-def test_reason_explains_the_situation(
-    situation: DriveInputs, kind: DriveBlocker, said: str
+def test_all_reasons_explain_the_situation(
+    situation: DriveInputs, blockers: list[DriveBlocker], said: str
 ) -> None:
-    status = drive_status(situation)
-    assert status.blocker is kind
-    assert said in f"{status.text} {status.remedy}"
-
-
-_VALUES: dict[str, Sequence[Any]] = {
-    "link": tuple(ConnectionState),
-    "may_move": (False, True),
-    "mode": (None, *Mode),
-    "by_serial": (None, False, True),
-    "joint": (False, True),
-    "missing": ((), (1,)),
-    "faults": ((), (2,)),
-    "over_limit": ((), (1,)),
-    "uart": (UartError(0), UartError.TIMEOUT, UartError.CRC),
-    "locked_for": (0.0, 1.5),
-    "is_available": (False, True),
-    "armed": (False, True),
-}
+    statuses = drive_statuses(situation)
+    assert [status.blocker for status in statuses] == blockers
+    assert said in f"{statuses[0].text} {statuses[0].remedy}"
+    assert drive_status(situation) == statuses[0]
 
 
 def everything() -> Iterator[DriveInputs]:
-    for values in itertools.product(*_VALUES.values()):
-        yield DriveInputs(error_shutdown=True, **dict(zip(_VALUES, values, strict=True)))
-    yield DriveInputs(stop_reason="The gamepad is gone.")
-    yield DriveInputs(mode=Mode.RC, by_serial=False, perhaps_held=True)
+    boards = [
+        BoardInputs(mode=mode, by_serial=by_serial, faults=faults, uart=uart, error_shutdown=True)
+        for mode, by_serial, faults, uart in itertools.product(
+            Mode, (False, True), ((), (2,)), (UartError(0), UartError.TIMEOUT, UartError.CRC)
+        )
+    ]
+    for board, link, armed, may_move in itertools.product(
+        (None, *boards), ConnectionState, (False, True), (False, True)
+    ):
+        yield DriveInputs(board=board, link=link, armed=armed, may_move=may_move)
 
 
-def test_every_situation_has_sentences_and_is_obeyed_rightly() -> None:
-    met = set()
+def test_motors_follow_only_where_nothing_stops_or_blocks_them() -> None:
     for now in everything():
         status = drive_status(now)
         assert status.text.endswith("."), now
         assert not status.remedy or status.remedy.endswith("."), now
         obeyed = (
             now.link is ConnectionState.CONNECTED
-            and now.mode is not None
-            and now.by_serial is True
+            and now.board is not None
+            and now.board.by_serial
             and now.armed
-            and not now.faults
-            and not now.uart
+            and not now.board.faults
+            and not now.board.uart
         )
         assert status.blocker.is_obeyed is obeyed, now
-        met.add(status.blocker)
-    assert met == set(DriveBlocker)
 
 
 # --- What the models know ---------------------------------------------------------------
 
 
+def reported(device: Device) -> BoardInputs:
+    board = drive_inputs(device).board
+    assert board is not None
+    return board
+
+
 def test_situation_follows_the_override_switch(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    assert drive_inputs(rc_device).by_serial is False
-    assert "may be holding" not in drive_status(drive_inputs(rc_device)).text
+    assert not reported(rc_device).by_serial
+    assert drive_status(drive_inputs(rc_device)).blocker is DriveBlocker.RC_CHANNELS
     rc_board.do("channel 5 1000us")
-    qtbot.waitUntil(lambda: drive_inputs(rc_device).by_serial is True)
+    qtbot.waitUntil(lambda: reported(rc_device).by_serial)
     assert drive_status(drive_inputs(rc_device)).blocker is DriveBlocker.NOT_ARMED
 
 
-def test_channel_is_missing_only_after_it_was_read(
+def test_channels_that_keep_safe_start_are_known_after_they_were_read(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert rc_device.telemetry.raw is None
-    assert drive_inputs(rc_device).missing == ()
+    assert reported(rc_device).safe_start == ()
     for channel in (1, 2):  # the board requires the first of them
         rc_board.do(f"channel {channel} silent")
-    qtbot.waitUntil(lambda: drive_inputs(rc_device).missing == (1,))
+    rc_board.do("channel 3 1680us")
+
+    def said() -> list[str]:
+        return [status.text for status in drive_statuses(drive_inputs(rc_device))]
+
+    qtbot.waitUntil(lambda: "Channel 1 is required but has no signal." in said())
+    qtbot.waitUntil(lambda: "Channel 3 is 180 µs above neutral." in said())
+    assert len(said()) == 3
 
 
 def test_fault_names_the_motor_that_has_it(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     rc_board.do("fault 2 on")
-    qtbot.waitUntil(lambda: drive_inputs(rc_device).faults == (2,))
+    qtbot.waitUntil(lambda: reported(rc_device).faults == (2,))
 
 
 def test_situation_includes_the_serial_timeout_of_the_board(
@@ -193,3 +199,4 @@ def test_situation_includes_the_serial_timeout_of_the_board(
     quick_simulator.do("power cycle")
     device.connect_to(ConnectionSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: drive_inputs(device).timeout == "0.5 s")
+    assert reported(device).timeout == "0.5 s"

@@ -363,7 +363,7 @@ def test_written_values_request_a_test(setup: LearningSetup) -> None:
     setup.until(lambda: tests.passed)
     assert "would release the motors" in tests.safe_start_text
     setup.transmitter.put(1, 0.5)
-    setup.until(lambda: "channel 1 gives +" in tests.safe_start_text)
+    setup.until(lambda: "Channel 1 is " in tests.safe_start_text)
 
 
 def test_gap_in_telemetry_stalls_the_neutral_step(setup: LearningSetup) -> None:

@@ -5,7 +5,6 @@ import pytest
 from trex_gui.devices.trex.model.learning.stick_tests import (
     StickTest,
     idle_side,
-    safe_start_blockers,
 )
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 
@@ -92,39 +91,3 @@ def test_switch_position_counts_after_three_samples(*, active: bool) -> None:
 def test_switch_passes_once_both_positions_were_seen() -> None:
     assert switch_held_at((False, 3), (True, 3)).passed
     assert not switch_held_at((False, 3), (True, 2)).passed
-
-
-# --- Safe-start -------------------------------------------------------------------------
-
-AT_REST: dict[int, int | None] = dict.fromkeys(range(1, 6), 0)
-
-
-def reasons(
-    outputs: dict[int, int | None], *, override: bool = False, joint: bool = False
-) -> tuple[str, ...]:
-    return safe_start_blockers(
-        {**AT_REST, **outputs}, required=0b1, rc=True, override=override, joint=joint
-    )
-
-
-def test_sticks_at_rest_end_safe_start() -> None:
-    assert reasons({}) == ()
-    assert reasons({4: 127}) == ()
-    assert reasons({2: None}) == (), "only channel 1 is required"
-
-
-@pytest.mark.parametrize("channel", [1, 2, 3])
-def test_channel_off_neutral_keeps_safe_start(channel: int) -> None:
-    assert reasons({channel: -20}) == (f"channel {channel} gives −20",)
-    assert reasons({channel: 8}) == (), "that is near neutral"
-
-
-def test_safe_start_ignores_second_channel_in_joint_mode() -> None:
-    assert reasons({2: 127, 3: 50}, joint=True) == ("channel 3 gives +50",)
-
-
-def test_missing_signal_and_override_keep_safe_start() -> None:
-    assert reasons({1: None}, override=True) == (
-        "channel 1 is required and has no signal",
-        "channel 5 overrides",
-    )

@@ -4,15 +4,19 @@ The outputs are calculated here, each channel by itself: those that the board re
 mixed and flipped.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import QCoreApplication
 
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.calibration.neutral import LIMITS
 from trex_gui.devices.trex.calibration.travel import TASKS, Task
+from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT
+from trex_gui.devices.trex.driving.board_reasons import safe_start_reasons
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, NEARLY_NEUTRAL, Calibration
-from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
+from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 translate = QCoreApplication.translate
@@ -134,52 +138,29 @@ def idle_side(calibration: Calibration, *, reversed_: bool) -> int:
     return -1 if (up > down) != reversed_ else 1
 
 
-def safe_start_blockers(
-    outputs: Mapping[int, int | None], required: int, *, rc: bool, override: bool, joint: bool
-) -> tuple[str, ...]:
-    """Say why the motors would stay off after power-up with the channels in control.
-
-    Ref: TReX Jr User's Guide 4.e; how near to neutral is near is inferred. `outputs` are those
-    of each channel by itself, `required` is the parameter's mask, `override` says whether
-    channel 5 is active.
-    """
-    reasons = [
-        translate("StickTests", "channel {0} is required and has no signal").format(channel)
-        for channel in channels_in(required)
-        if rc and outputs.get(channel) is None
-    ]
-    for channel in (1, 3) if joint else (1, 2, 3):
-        output = outputs.get(channel)
-        if output is not None and abs(output) > NEARLY_NEUTRAL:
-            given = f"{output:+d}".replace("-", "−")
-            reasons.append(translate("StickTests", "channel {0} gives {1}").format(channel, given))
-    if override:
-        reasons.append(translate("StickTests", "channel 5 overrides"))
-    return tuple(reasons)
-
-
 class StickTests:
     """Tests some channels; the others only count for safe-start."""
 
     def __init__(self, device: Device, numbers: Sequence[int]) -> None:
         self.tests = tuple(StickTest(number) for number in numbers)
         self._device = device
-        self._outputs: dict[int, int | None] = {}
+        self._counts: Sequence[int | None] = ()
+        self._curves: dict[int, ChannelCurve] = {}
         self._reached: dict[int, tuple[int, int]] = {}
-        self._override = False
 
     def feed(self, moment: float, counts: Sequence[int | None]) -> None:
         tests = {test.channel: test for test in self.tests}
+        self._counts = tuple(counts)
+        self._curves.clear()
         for channel, raw in zip(CHANNELS, counts, strict=True):
             curve = self._device.draft.stored_curve(channel)
             output = None if raw is None or curve is None else curve.output(raw)
             switched = curve is not None and curve.is_switched(channel, raw)
-            self._outputs[channel] = output
+            if curve is not None:
+                self._curves[channel] = curve
             if raw is not None:
                 low, high = self._reached.get(channel, (raw, raw))
                 self._reached[channel] = min(low, raw), max(high, raw)
-            if channel == 5:
-                self._override = switched
             if channel in tests and curve is not None:
                 tests[channel].feed(
                     moment,
@@ -191,7 +172,7 @@ class StickTests:
 
     @property
     def heard(self) -> bool:
-        return bool(self._outputs)
+        return bool(self._counts)
 
     @property
     def passed(self) -> bool:
@@ -228,18 +209,19 @@ class StickTests:
         return self._device.calibrations.source.value
 
     @property
-    def safe_start_reasons(self) -> tuple[str, ...]:
+    def safe_start_reasons(self) -> str:
         """Why safe-start would hold the motors now if the channels were in control."""
         if not self.heard:
-            return ()
+            return ""
         stored_of = self._device.parameters.stored_of
-        return safe_start_blockers(
-            self._outputs,
+        reasons = safe_start_reasons(
+            self._curves,
+            self._counts,
             stored_of(ParameterKey.REQUIRED_CHANNELS) or 0,
-            rc=self._device.calibrations.source is InputSource.RC,
-            override=self._override,
+            source=self._device.calibrations.source,
             joint=stored_of(ParameterKey.MOTOR_MODE) == 1,
         )
+        return " ".join(reason.text(partial(translate, TEXT_CONTEXT)) for reason in reasons)
 
     @property
     def safe_start_text(self) -> str:
@@ -247,8 +229,7 @@ class StickTests:
         if not self.heard:
             return ""
         if reasons := self.safe_start_reasons:
-            return translate(
-                "StickTests", "In {0} mode safe-start would hold the motors now: {1}."
-            ).format(self.mode, "; ".join(reasons))
+            text = translate("StickTests", "In {0} mode safe-start would hold the motors now. {1}")
+            return text.format(self.mode, reasons)
         text = translate("StickTests", "In {0} mode safe-start would release the motors now.")
         return text.format(self.mode)

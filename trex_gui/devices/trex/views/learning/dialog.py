@@ -445,9 +445,9 @@ class LearnDialog(ReusedDialog):
                 )
             if tests.channels_passed:
                 text = self.tr(
-                    "The tested channels are good. But in {0} mode the motors would not start: {1}."
+                    "The tested channels are good. But in {0} mode the motors would not start. {1}"
                 )
-                return text.format(tests.mode, "; ".join(tests.safe_start_reasons))
+                return text.format(tests.mode, tests.safe_start_reasons)
         return self.tr(
             "Push every stick to all its ends, then release it. Move every switch to all its "
             "positions. The motors stay off: in serial mode the sticks do not drive them."

@@ -1,6 +1,8 @@
-"""Page of the board, its line, and every error that it has reported."""
+"""Page of the board, its line, why its motors do not run, and every error that it reported."""
 
-from PySide6.QtCore import Qt, Signal, Slot
+from html import escape
+
+from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFormLayout,
@@ -12,25 +14,91 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker, Effect
+from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, BoardInputs, led_patterns
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import DriveBlocker, drive_inputs, drive_status
+from trex_gui.devices.trex.model.drive_status import (
+    DriveStatus,
+    SafeStartWatch,
+    drive_inputs,
+    drive_statuses,
+)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import MODE_TEXT
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameters_of
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
-from trex_gui.ui.widgets.labels import Muted, Note
+from trex_gui.ui.widgets.labels import Muted, Note, Sign
+from trex_gui.ui.widgets.leds import Leds
+
+_SIGNS = {
+    Effect.STOPS: ("warning", "warning"),
+    Effect.BLOCKS: ("info", "info"),
+    Effect.LIMITS: ("warning", "warning"),
+    Effect.NOTE: ("ok", "good"),
+}
+
+
+class MotorsBox(ui.GroupBox):
+    """Every reason why the motors do what they do, and what the LEDs of the board show then."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__("", parent)
+        self.setTitle(self.tr("Motors"))
+        self.setObjectName("statusMotors")
+        self._rows: list[tuple[Sign, QLabel]] = []
+        self._reasons = ui.grid(spacing=(8, 4), stretch=[(1, 1)])
+        self._leds_line = QWidget(self)
+        self._leds = ui.named(
+            Leds(self._leds_line), "statusLeds", accessible=self.tr("LEDs that the board shows")
+        )
+        title = ui.label(self._leds_line, "", self.tr("LEDs on the board:"))
+        ui.row(title, (self._leds, 1), into=self._leds_line, margins=0, spacing=10)
+        ui.column(self._reasons, self._leds_line, into=self)
+
+    def show_statuses(self, statuses: tuple[DriveStatus, ...], board: BoardInputs | None) -> None:
+        for row in range(len(self._rows), len(statuses)):
+            sign = Sign(self)
+            text = ui.label(self, f"motorsReason{row + 1}", wrap=True, selectable=True)
+            self._reasons.addWidget(sign, row, 0, Qt.AlignmentFlag.AlignTop)
+            self._reasons.addWidget(text, row, 1)
+            self._rows.append((sign, text))
+        for row, (sign, text) in enumerate(self._rows):
+            is_used = row < len(statuses)
+            sign.setVisible(is_used)
+            text.setVisible(is_used)
+            if is_used:
+                status = statuses[row]
+                shown = f"<b>{escape(status.text)}</b> {escape(status.remedy)}".rstrip()
+                if text.text() != shown:
+                    sign.show_sign(*_SIGNS[status.blocker.effect])
+                    text.setText(shown)
+                    text.setAccessibleName(f"{status.text} {status.remedy}".rstrip())
+        self._leds_line.setVisible(board is not None)
+        if board is not None:
+            patterns = led_patterns(board)
+            red, green = (
+                QCoreApplication.translate(TEXT_CONTEXT, LED_TEXTS[one]) for one in patterns
+            )
+            self._leds.show_patterns(patterns, (red, green), (red, green))
 
 
 class StatusPage(QWidget):
     setup_requested = Signal()
 
-    def __init__(self, device: Device, start: QWidget, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        device: Device,
+        safe_start: SafeStartWatch,
+        start: QWidget,
+        parent: QWidget | None = None,
+    ) -> None:
         """`start` is shown while nothing is connected."""
         super().__init__(parent)
         self.setObjectName("statusPage")
         self._device = device
+        self._safe_start = safe_start
         self._start = start
         self._report = QWidget(self)
         self._lost = ui.named(Note(0, self), "statusLost")
@@ -75,14 +143,17 @@ class StatusPage(QWidget):
             on_click=device.errors.reset,
         )
         ui.column(self._table, (reset, 0, Qt.AlignmentFlag.AlignRight), into=errors)
+        self._motors = MotorsBox(self._report)
         forms = ui.row((board, 3), (line, 2))
-        ui.column(lead, forms, (errors, 1), into=self._report, margins=0)
+        ui.column(lead, self._motors, forms, (errors, 1), into=self._report, margins=0)
         ui.column(self._lost, start, (self._report, 1), into=self)
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
         device.errors.changed.connect(self._on_errors_changed)
         device.telemetry.text_due.connect(self._on_text_due)
+        for changed in (device.motors.arming_changed, device.motors.lockout_changed):
+            changed.connect(self._show_motors)
         self._on_device_changed()
         self._on_errors_changed()
 
@@ -123,7 +194,7 @@ class StatusPage(QWidget):
         state, settings = self._device.state, self._device.settings
         is_connected = self._device.is_connected
         is_idle = self._device.link is ConnectionState.DISCONNECTED
-        status = drive_status(drive_inputs(self._device))
+        status, *_ = self._show_motors()
         is_lost = status.blocker is DriveBlocker.LOST
         self._lost.show_note(f"{status.text} {status.remedy}" if is_lost else "", alarming=True)
         self._start.setVisible(is_idle)
@@ -168,8 +239,16 @@ class StatusPage(QWidget):
         return settings.line.real_baud(firmware) != settings.line.baud
 
     @Slot()
+    def _show_motors(self) -> tuple[DriveStatus, ...]:
+        inputs = drive_inputs(self._device, is_held=self._safe_start.may_hold)
+        statuses = drive_statuses(inputs)
+        self._motors.show_statuses(statuses, inputs.board)
+        return statuses
+
+    @Slot()
     @only_when_visible
     def _on_text_due(self) -> None:
+        self._show_motors()
         if not self._device.is_connected:
             return
         counters = self._device.connection.counters

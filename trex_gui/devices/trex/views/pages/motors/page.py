@@ -8,7 +8,7 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs, drive_status
+from trex_gui.devices.trex.model.drive_status import SafeStartWatch, drive_inputs, drive_statuses
 from trex_gui.devices.trex.model.drive_texts import channel_text, report_text, setpoint_text
 from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
@@ -43,14 +43,16 @@ class MotorsPage(QWidget):
 
     parameter_wanted = Signal(str)  # the key of a parameter that the user wants to see or change
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, device: Device, safe_start: SafeStartWatch, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("motorsPage")
         self._device = device
         self._motors = device.motors
         self._pad_drive = MomentaryDrive(device.motors, "drive pad")
         self._key_drive = MomentaryDrive(device.motors, "keyboard")
-        self._safe_start = SafeStartWatch(device, self)
+        self._safe_start = safe_start
 
         self._holder = ""
         self._dragged: int | None = None
@@ -253,17 +255,23 @@ class MotorsPage(QWidget):
             self._drive_box.setMaximumHeight(most)
 
     def _show_status(self) -> None:
-        status = drive_status(drive_inputs(self._device, perhaps_held=self._safe_start.may_hold))
-        alarming = status.blocker.is_alarming
+        """Show what matters most in bold, and every other reason behind it."""
+        inputs = drive_inputs(self._device, is_held=self._safe_start.may_hold)
+        first, *others = drive_statuses(inputs)
+        alarming = first.blocker.is_alarming
         if alarming:
             self._sign.show_sign("warning", "warning")
-        elif status.blocker.is_obeyed:
+        elif first.blocker.is_obeyed:
             self._sign.show_sign("ok", "good")
         else:
             self._sign.show_sign("info", "info")
-        text = f"<b>{escape(status.text)}</b> {escape(status.remedy)}".rstrip()
+        lines = [f"<b>{escape(first.text)}</b> {escape(first.remedy)}".rstrip()]
+        lines += [escape(other.text) for other in others]
+        # While a control may be held, what is below must not move.
+        text = (" " if self._motors.armed else "<br>").join(lines)
         self._reason.show_note(text, alarming=alarming)
-        self._reason.setAccessibleName(f"{status.text} {status.remedy}".strip())
+        spoken = [first.text, first.remedy, *(other.text for other in others)]
+        self._reason.setAccessibleName(" ".join(filter(None, spoken)))
 
     def _channels_drive(self) -> bool:
         state = self._device.state

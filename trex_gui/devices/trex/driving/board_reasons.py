@@ -1,0 +1,219 @@
+"""Why the motors of a board do not run, and what its LEDs show, from what was read of it."""
+
+from bisect import bisect_right
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from trex_gui.core.errors import QT_TRANSLATE_NOOP
+from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.driving.blockers import DriveBlocker, Reason, worst_first
+from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
+from trex_gui.devices.trex.protocol.flags import (
+    CHANNELS,
+    InputSource,
+    Mode,
+    Status,
+    UartError,
+    bit_names,
+    channels_in,
+)
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+
+NOISE_COUNTS = 1
+"""Counts of a motor's current that may be noise while none flows."""
+
+_OVERRIDE_CHANNEL = 5
+_NO_ERROR = UartError(0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BoardInputs:
+    """What a board reports that decides whether its motors run.
+
+    Attributes:
+        by_serial: whether serial commands reach the motors.
+        joint: whether both drivers work as one motor now.
+        safe_start: what keeps safe-start from ending, see `safe_start_reasons`.
+        is_held: whether safe-start may hold the motors: the board has no flag for it.
+        faults, over_limit: motors whose driver shut down recently, or whose current passed its
+            limit.
+        uart: recent UART errors.
+        error_shutdown: whether the board is set to stop the motors at a UART error.
+        timeout: the board's serial timeout as text.
+    """
+
+    mode: Mode = Mode.SERIAL_RC
+    by_serial: bool = True
+    joint: bool = False
+    safe_start: tuple[Reason, ...] = ()
+    is_held: bool = False
+    faults: tuple[int, ...] = ()
+    over_limit: tuple[int, ...] = ()
+    uart: UartError = _NO_ERROR
+    error_shutdown: bool = False
+    timeout: str = "off"
+
+    @property
+    def lacks_signal(self) -> bool:
+        """Whether a channel that the board requires has no signal: that begins safe-start."""
+        return any(one.blocker is DriveBlocker.CHANNEL_SILENT for one in self.safe_start)
+
+
+def board_reasons(now: BoardInputs) -> tuple[Reason, ...]:
+    """Return every reason that a board gives why its motors do not follow serial commands."""
+    reasons = [Reason(DriveBlocker.FAULT, (motor,)) for motor in now.faults]
+    reasons += [Reason(DriveBlocker.OVER_LIMIT, (motor,)) for motor in now.over_limit]
+    if now.uart & UartError.TIMEOUT:
+        reasons.append(Reason(DriveBlocker.TIMEOUT, (now.timeout,)))
+    if now.error_shutdown and (errors := now.uart & ~UartError.TIMEOUT):
+        reasons.append(Reason(DriveBlocker.LINE_ERROR, (", ".join(bit_names(errors)).lower(),)))
+    if now.joint:
+        reasons.append(Reason(DriveBlocker.JOINT))
+    if now.by_serial:
+        if not now.mode.is_serial:
+            reasons.append(Reason(DriveBlocker.OVERRIDE))
+    elif now.mode.is_serial:
+        reasons.append(Reason(DriveBlocker.NOT_SERIAL))
+    else:
+        is_rc = now.mode is Mode.RC
+        reasons.append(Reason(DriveBlocker.RC_CHANNELS if is_rc else DriveBlocker.ANALOG_CHANNELS))
+        reasons += _held_by_safe_start(now)
+    return worst_first(reasons)
+
+
+def _held_by_safe_start(now: BoardInputs) -> tuple[Reason, ...]:
+    """Return what safe-start waits for, if it holds the motors, or may, with channels in control.
+
+    It certainly does without a required signal, and (inferred) while channel 5 requests an
+    override that it does not get.
+    """
+    certain = {DriveBlocker.CHANNEL_SILENT, DriveBlocker.OVERRIDE_AT_START}
+    if not now.is_held and not any(one.blocker in certain for one in now.safe_start):
+        return ()
+    return now.safe_start or (Reason(DriveBlocker.SAFE_START),)
+
+
+def safe_start_reasons(
+    curves: Mapping[int, ChannelCurve],
+    raw: Sequence[int | None],
+    required: int,
+    *,
+    source: InputSource,
+    joint: bool,
+) -> tuple[Reason, ...]:
+    """Return what would keep safe-start from ending with the channels in control.
+
+    It ends when required channels have a signal (RC), those that drive are near neutral, and
+    channel 5 does not override, all at once. Ref: TReX Jr User's Guide 4.e; how near is near,
+    and the threshold of channel 5, are inferred.
+
+    Args:
+        curves: stored curve by channel, as far as known.
+        raw: counts of channels 1-5; `None` without a valid signal.
+        required: the mask of the parameter Required Channels.
+        source: how the inputs are measured.
+        joint: whether both drivers work as one motor.
+    """
+    counts = dict(zip(CHANNELS, raw, strict=True))
+    reasons = [
+        Reason(DriveBlocker.CHANNEL_SILENT, (channel,))
+        for channel in channels_in(required)
+        if source is InputSource.RC and counts[channel] is None
+    ]
+    for channel in (1, 3) if joint else (1, 2, 3):
+        count, curve = counts[channel], curves.get(channel)
+        if count is None or curve is None or abs(curve.output(count)) <= NEARLY_NEUTRAL:
+            continue
+        offset = count - curve.calibration.neutral
+        is_above = offset > 0
+        fields = (channel, source.text(abs(offset)), source.text(_near(curve, is_above=is_above)))
+        blocker = DriveBlocker.CHANNEL_ABOVE if is_above else DriveBlocker.CHANNEL_BELOW
+        reasons.append(Reason(blocker, fields))
+    switch = curves.get(_OVERRIDE_CHANNEL)
+    if switch is not None and switch.is_switched(_OVERRIDE_CHANNEL, counts[_OVERRIDE_CHANNEL]):
+        reasons.append(Reason(DriveBlocker.OVERRIDE_AT_START))
+    return tuple(reasons)
+
+
+def _near(curve: ChannelCurve, *, is_above: bool) -> int:
+    """Return how many counts from neutral still count as near."""
+    neutral, side = curve.calibration.neutral, 1 if is_above else -1
+    reach = max(curve.calibration.maximum - neutral, neutral - curve.calibration.minimum)
+
+    def output(distance: int) -> int:
+        return abs(curve.output(neutral + side * distance))
+
+    return max(0, bisect_right(range(reach), NEARLY_NEUTRAL, key=output) - 1)
+
+
+def board_inputs(
+    state: DeviceState,
+    raw: Sequence[int | None] | None,
+    status: Status,
+    uart: UartError,
+    *,
+    by_serial: bool,
+    joint: bool,
+    is_held: bool,
+) -> BoardInputs:
+    """Return what decides, from what was read of a board.
+
+    Args:
+        state: what the board stores.
+        raw: counts of channels 1-5; `None` while unknown.
+        status: bits reported lately.
+        uart: UART errors reported lately.
+        by_serial: whether serial commands reach the motors.
+        joint: whether both drivers work as one motor now.
+        is_held: whether safe-start may hold the motors.
+    """
+    stored = state.parameters.get
+    curves = {
+        channel: ChannelCurve.stored(channel, calibration, stored)
+        for channel, calibration in state.calibrations.items()
+    }
+    required = stored(ParameterKey.REQUIRED_CHANNELS) or 0
+    timeout = stored(ParameterKey.SERIAL_TIMEOUT) or 0
+    faults = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
+    limits = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
+    return BoardInputs(
+        mode=state.mode,
+        by_serial=by_serial,
+        joint=joint,
+        safe_start=()
+        if raw is None
+        else safe_start_reasons(curves, raw, required, source=state.source, joint=joint),
+        is_held=is_held,
+        faults=tuple(motor for motor, bit in faults.items() if bit & status),
+        over_limit=tuple(motor for motor, bit in limits.items() if bit & status),
+        uart=uart,
+        error_shutdown=bool(stored(ParameterKey.UART_ERROR_SHUTDOWN)),
+        timeout=state.specs[ParameterKey.SERIAL_TIMEOUT].text(timeout),
+    )
+
+
+# --- What the board shows ---------------------------------------------------------------
+
+PACKETS = "with packets"
+"""Pattern of a LED that lights during a packet; the simulator reports on or off."""
+
+SAFE_START_FLASH = "fast flash"
+
+LED_TEXTS = {
+    "on": QT_TRANSLATE_NOOP("DriveBlocker", "on"),
+    PACKETS: QT_TRANSLATE_NOOP("DriveBlocker", "flickers with each packet"),
+    SAFE_START_FLASH: QT_TRANSLATE_NOOP("DriveBlocker", "flashes fast"),
+}
+
+
+def led_patterns(now: BoardInputs) -> tuple[str, str]:
+    """Return the patterns of the red and the green LED in this state.
+
+    Ref: TReX Jr User's Guide 4.e (fast green flash: safe-start); manuals: the LED of what controls
+    the motors is on, the other one lights from the first to the last byte of a packet. Inferred:
+    red shows packets during safe-start, too.
+    """
+    if now.by_serial:
+        return "on", PACKETS
+    return PACKETS, SAFE_START_FLASH if _held_by_safe_start(now) else "on"
