@@ -57,14 +57,7 @@ class Run:
     def settle(self) -> None:
         """Let everything be read and saved that is due."""
         backup = self.backup
-        self.wait(
-            lambda: (
-                (not backup._due or backup._is_failing)
-                and not backup._task.is_running
-                and not backup._timer.isActive()
-                and backup._is_read
-            )
-        )
+        self.wait(lambda: backup.files.is_idle and backup._is_read)
 
     def die(self) -> None:
         self.draft.pending_changed.disconnect(self.backup._on_changed)
@@ -351,7 +344,7 @@ def test_edits_that_could_not_be_saved_are_saved_at_the_end(
     folder.write_text("in the way")
     first.edit(serial_timeout=15)
     folder.unlink()
-    assert first.backup.shut_down()
+    assert first.backup.files.shut_down()
     saved = EditFiles().load(TREX)
     assert saved is not None
     assert saved.settings.parameters["serial_timeout"] == 15
@@ -386,4 +379,4 @@ def test_backup_needs_no_board(qtbot: QtBot) -> None:
     backup.take_board(ask=True)
     backup.restore()
     backup.discard()
-    assert backup.shut_down()
+    assert backup.files.shut_down()

@@ -1,31 +1,21 @@
 """Keeps the edits of a board until they are applied or discarded, even if the program dies."""
 
-import logging
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.files import SettingsError
+from trex_gui.devices.trex.model.settings.board_files import BoardFiles
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft, diff_against_draft
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles, SavedEdits
-from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.translations import error_sentence
-from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
 KeyT = TypeVar("KeyT", bound=str)
 ValueT = TypeVar("ValueT")
-
-log = logging.getLogger(__name__)
-
-_DELAY_MS = 500
-"""Milliseconds of edits that a crash may lose."""
-
-_CLOSING_MS = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,14 +24,6 @@ class EditOffer:
 
     rows: tuple[ComparisonRow, ...]
     saved: SavedEdits
-
-
-@dataclass(frozen=True, slots=True)
-class _Result:
-    board: BoardIdentity | None  # whose file was read
-    found: SavedEdits | None
-    failure: SettingsError | None
-    unsaved: Mapping[BoardIdentity, Settings | None]
 
 
 class EditBackup(QObject):
@@ -66,18 +48,15 @@ class EditBackup(QObject):
         super().__init__(parent)
         self.offer: EditOffer | None = None
         self._draft = draft
-        self._files = files or EditFiles()
+        self.files = BoardFiles[Settings, SavedEdits](files or EditFiles(), self)
         self._board: BoardIdentity | None = None  # whose edits the draft holds
         self._is_read = False  # what was saved for it before is known
         self._has_file = False
         self._undecided: Settings | None = None  # saved edits that the draft does not hold
         self._left: tuple[BoardIdentity | None, bool] = (None, False)
         self._edits_left: Settings | None = None
-        self._due: dict[BoardIdentity, Settings | None] = {}
-        self._is_failing = False
-        self._task = FileTask(self)
-        self._timer = new_timer(self, _DELAY_MS, self._begin, single_shot=True)
-        self._task.done.connect(self._on_done)
+        self.files.found.connect(self._on_found)
+        self.files.failed.connect(self._on_failed)
         draft.pending_changed.connect(self._on_changed)
 
     def leave_board(self) -> None:
@@ -102,7 +81,7 @@ class EditBackup(QObject):
             self._is_read = self._has_file = False
             self._undecided = None
             self._set_offer(None)
-            self._begin()
+            self.files.read(self._board)
             return
         if self._edits_left is not None:
             keys = set() if self._undecided is None else _keys(self._undecided)
@@ -111,7 +90,7 @@ class EditBackup(QObject):
         self._on_changed()
         if self._undecided is not None and (ask or self.offer is None):
             self._is_read = False
-            self._begin()
+            self.files.read(self._board)
 
     # --- Decisions ----------------------------------------------------------------------
 
@@ -135,7 +114,7 @@ class EditBackup(QObject):
     def discard(self) -> None:
         """Forget the edits in the draft, at the end of the program."""
         if self._board is not None and self._has_file and self._draft.pending:
-            self._due[self._board] = self._undecided
+            self.files.save(self._board, self._undecided)
         self._board = None
 
     def _set_offer(self, offer: EditOffer | None) -> None:
@@ -146,15 +125,6 @@ class EditBackup(QObject):
 
     # --- Files --------------------------------------------------------------------------
 
-    def shut_down(self) -> bool:
-        """Save what is due; return whether that ended in time."""
-        self._timer.stop()
-        in_time = self._task.close(0, finish_ms=_CLOSING_MS)
-        if in_time and self._due:
-            self._begin()
-            in_time = self._task.close(0, finish_ms=_CLOSING_MS)
-        return in_time
-
     @Slot()
     def _on_changed(self) -> None:
         stored = self._draft.stored
@@ -164,13 +134,11 @@ class EditBackup(QObject):
         board = BoardIdentity.of(stored, is_simulated=is_simulated)
         edits = self._edits(stored)
         if board != self._board:  # its number was written
-            self._due[self._board] = None
+            self.files.save(self._board, None)
             self._board = board
         if edits is not None or self._has_file:
             self._has_file = edits is not None
-            self._due[board] = edits
-            if not self._timer.isActive():
-                self._timer.start()
+            self.files.save(board, edits)
 
     def _edits(self, stored: Settings) -> Settings | None:
         parameters = dict(self._draft.parameters.pending)
@@ -182,31 +150,16 @@ class EditBackup(QObject):
             return None
         return replace(stored, parameters=parameters, calibrations=calibrations)
 
-    @Slot()
-    def _begin(self) -> None:
-        if self._task.is_running:
-            return  # continues when it has ended
-        due, self._due = self._due, {}
-        board = None if self._is_read else self._board
-        self._task.start(partial(_work, self._files, due, board))
-
     @Slot(object)
-    def _on_done(self, done: Done) -> None:
-        result = done.result
-        if not isinstance(result, _Result):  # an internal error, which was logged
+    def _on_failed(self, failure: SettingsError) -> None:
+        text = self.tr("Unapplied edits cannot be saved for the next start. {0}")
+        self.failed.emit(text.format(error_sentence(failure)))
+
+    @Slot(object, object)
+    def _on_found(self, board: BoardIdentity, found: SavedEdits | None) -> None:
+        if board == self._board and not self._is_read:
             self._is_read = True
-            return
-        if result.failure is not None and not self._is_failing:
-            text = self.tr("Unapplied edits cannot be saved for the next start. {0}")
-            self.failed.emit(text.format(error_sentence(result.failure)))
-        self._is_failing = result.failure is not None
-        self._due = {**result.unsaved, **self._due}  # newer edits replace them
-        if result.board is not None and result.board == self._board and not self._is_read:
-            self._is_read = True
-            self._take(result.found)
-        has_new = self._due.keys() - result.unsaved.keys()  # the others wait for the next change
-        if has_new or (self._board is not None and not self._is_read):
-            self._timer.start()
+            self._take(found)
 
     def _take(self, found: SavedEdits | None) -> None:
         """Offer what differs from what is stored and edited now."""
@@ -242,25 +195,3 @@ def _only(edits: Settings, keys: Collection[str]) -> Settings | None:
 
 def _taken(values: Mapping[KeyT, ValueT], keys: Collection[str]) -> dict[KeyT, ValueT]:
     return {key: value for key, value in values.items() if key in keys}
-
-
-def _work(
-    files: EditFiles,
-    due: Mapping[BoardIdentity, Settings | None],
-    board: BoardIdentity | None,
-    _progress: ProgressCallback,
-) -> _Result:
-    """Save what is due, then read what is saved for a board."""
-    failure = found = None
-    unsaved: dict[BoardIdentity, Settings | None] = {}
-    for each, edits in due.items():
-        try:
-            files.save(each, edits)
-        except SettingsError as error:
-            failure = error
-            unsaved[each] = edits
-    try:
-        found = None if board is None else files.load(board)
-    except SettingsError as error:
-        log.warning("saved edits are left out: %s", error)
-    return _Result(board, found, failure, unsaved)

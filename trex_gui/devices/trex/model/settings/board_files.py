@@ -1,0 +1,134 @@
+"""Saves and reads what is kept for each board, in a thread, soon after it has changed."""
+
+import logging
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Generic, Protocol, TypeVar
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.files import SettingsError
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
+from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
+
+log = logging.getLogger(__name__)
+
+_DELAY_MS = 500
+"""Milliseconds of changes that a crash may lose."""
+
+_CLOSING_MS = 1000
+
+WrittenT_contra = TypeVar("WrittenT_contra", contravariant=True)
+ReadT_co = TypeVar("ReadT_co", covariant=True)
+SavedT = TypeVar("SavedT")
+FoundT = TypeVar("FoundT")
+
+
+class Folder(Protocol[WrittenT_contra, ReadT_co]):
+    """Files of boards; both may raise a `SettingsError`."""
+
+    def save(self, board: BoardIdentity, content: WrittenT_contra | None, /) -> None: ...
+
+    def load(self, board: BoardIdentity, /) -> ReadT_co | None: ...
+
+
+@dataclass(frozen=True, slots=True)
+class _Result(Generic[SavedT, FoundT]):
+    board: BoardIdentity | None  # whose file was read
+    found: FoundT | None
+    failure: SettingsError | None
+    unsaved: Mapping[BoardIdentity, SavedT | None]
+
+
+class BoardFiles(QObject, Generic[SavedT, FoundT]):
+    """One file for each board: the newest content is saved, before any is read.
+
+    Signals:
+        found: the board that was asked for with `read`, and its content; `None`: no sound file.
+        failed: the `SettingsError` that keeps files from being saved; once, until it works again.
+    """
+
+    found = Signal(object, object)
+    failed = Signal(object)
+
+    def __init__(self, files: Folder[SavedT, FoundT], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._files = files
+        self._due: dict[BoardIdentity, SavedT | None] = {}
+        self._wanted: BoardIdentity | None = None  # whose file is to be read
+        self._is_failing = False
+        self._task = FileTask(self)
+        self._timer = new_timer(self, _DELAY_MS, self._begin, single_shot=True)
+        self._task.done.connect(self._on_done)
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether nothing is being read or saved, or will be before the next change."""
+        is_saved = not self._due or self._is_failing
+        return is_saved and not self._task.is_running and not self._timer.isActive()
+
+    def save(self, board: BoardIdentity, content: SavedT | None) -> None:
+        """Save what is kept for a board; `None` removes its file."""
+        self._due[board] = content
+        if not self._timer.isActive():
+            self._timer.start()
+
+    def read(self, board: BoardIdentity) -> None:
+        self._wanted = board
+        self._begin()
+
+    def shut_down(self) -> bool:
+        """Save what is due; return whether that ended in time."""
+        self._timer.stop()
+        in_time = self._task.close(0, finish_ms=_CLOSING_MS)
+        if in_time and self._due:
+            self._begin()
+            in_time = self._task.close(0, finish_ms=_CLOSING_MS)
+        return in_time
+
+    @Slot()
+    def _begin(self) -> None:
+        if self._task.is_running:
+            return  # continues when it has ended
+        due, self._due = self._due, {}
+        self._task.start(partial(_work, self._files, due, self._wanted))
+
+    @Slot(object)
+    def _on_done(self, done: Done) -> None:
+        result = done.result
+        if not isinstance(result, _Result):  # an internal error, which was logged
+            result = _Result(self._wanted, None, None, {})
+        if result.failure is not None and not self._is_failing:
+            self.failed.emit(result.failure)
+        self._is_failing = result.failure is not None
+        self._due = {**result.unsaved, **self._due}  # newer contents replace them
+        if result.board is not None and result.board == self._wanted:
+            self._wanted = None
+            self.found.emit(result.board, result.found)
+        has_new = self._due.keys() - result.unsaved.keys()  # the others wait for the next change
+        if has_new or self._wanted is not None:
+            self._timer.start()
+
+
+def _work(
+    files: Folder[SavedT, FoundT],
+    due: Mapping[BoardIdentity, SavedT | None],
+    board: BoardIdentity | None,
+    _progress: ProgressCallback,
+) -> _Result[SavedT, FoundT]:
+    """Save what is due, then read what is saved for a board."""
+    failure = found = None
+    unsaved: dict[BoardIdentity, SavedT | None] = {}
+    for each, content in due.items():
+        try:
+            files.save(each, content)
+        except SettingsError as error:
+            failure = error
+            unsaved[each] = content
+    try:
+        found = None if board is None else files.load(board)
+    except SettingsError as error:
+        log.warning("a file of a board is left out: %s", error)
+    return _Result(board, found, failure, unsaved)
