@@ -1,5 +1,6 @@
 """Languages of the window, compiled from Qt Linguist files in `resources/translations/`."""
 
+from datetime import datetime
 from functools import partial
 
 from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
@@ -42,3 +43,8 @@ def error_text(error: BaseException) -> str:
 def error_sentence(error: BaseException | None) -> str:
     """Return the message of an error as one sentence with one full stop."""
     return f"{error_text(error).rstrip('. ')}." if error is not None else ""
+
+
+def local_time(moment: datetime) -> str:
+    """Return a moment as `2026-03-14 15:09` in local time."""
+    return f"{moment.astimezone():%Y-%m-%d %H:%M}"

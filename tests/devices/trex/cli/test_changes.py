@@ -379,3 +379,20 @@ def exchange_at(
             board.move_cable_to(other)
 
     board.on_write = watch
+
+
+def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -> None:
+    nothing = trexcmd("diff", "--last")
+    assert nothing.exit_code == 1
+    assert "Nothing was applied to this board from this computer yet." in nothing.stderr
+    assert trexcmd("diff").exit_code == trexcmd("diff", "--last", "x.txt").exit_code == 2
+
+    assert trexcmd("set", "serial_timeout", "1.5 s").exit_code == 0
+    assert trexcmd("set", "device_number", "9").exit_code == 0, "the record follows the number"
+    same = trexcmd("diff", "--last", "--device", "9")
+    assert (same.exit_code, same.stdout) == (0, "")
+    assert trexcmd("raw", "AF 07 00 55 2A").exit_code == 0  # by another program
+    lost = trexcmd("diff", "--last")
+    assert lost.exit_code == 0
+    assert " ".join(lost.stdout.split()) == "serial_timeout 0 → 15 off → 1.5 s"
+    assert "New: what was applied 20" in lost.stderr

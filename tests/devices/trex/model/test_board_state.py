@@ -10,6 +10,7 @@ from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult, after_writing
 from trex_gui.devices.trex.model.settings.apply import Apply
+from trex_gui.devices.trex.model.settings.board_memory import BoardMemory
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
@@ -97,7 +98,7 @@ def written(qtbot: QtBot, *results: WriteResult) -> SettingsDraft:
     draft = SettingsDraft()
     draft.take_state(STATE, None, power_cycled=True)
     outcome = Outcome(1, Written(results, STATE, ConnectionSettings("virtual")))
-    apply = Apply(draft, SettingsHistory(), lambda make, then: then(outcome))
+    apply = Apply(draft, SettingsHistory(), BoardMemory(), lambda make, then: then(outcome))
     with qtbot.waitSignal(apply.finished):
         apply.write(STATE, None, "test", (("motor_mode", 1),))
     return draft

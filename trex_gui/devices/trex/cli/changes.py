@@ -1,19 +1,27 @@
 """What every command does before and after it changes what a board stores."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from trex_gui.core.cli import Interruption, ProgressLine, say
+from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import DeviceState, read_everything
-from trex_gui.devices.trex.client.writing import write_all
-from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.client.reading import DeviceState, Progress, read_everything
+from trex_gui.devices.trex.client.writing import WriteResult, write_all
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_KEYS,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.session.reconnecting import after_power_cycle
+from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, utc_now
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings, settings_of
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.rules import Context, lint
 
@@ -65,31 +73,92 @@ def change_one(
     require_serial_mode(state, what)
     warn(after, context)
     say_changes(result)
-    keep(before, link, command)
     parameters = after.parameters.items() - before.parameters.items()
     calibrations = after.calibrations.items() - before.calibrations.items()
-    write_one(client, state, list(parameters), list(calibrations))
+    write_one(client, state, command, list(parameters), list(calibrations))
     say_what_follows(client, link, state, dict(parameters))
 
 
 def write_one(
     client: TrexClient,
     state: DeviceState,
+    command: str,
     parameters: Sequence[tuple[str, int]],
     calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
 ) -> None:
     """Store one setting, if the board still stores what was read; raise what prevents it."""
     with Interruption():
-        (stored,) = write_all(
-            client.request,
-            state.specs,
-            parameters,
-            calibrations,
-            before=state,
-            has_crc=client.has_crc,
-        )
+        (stored,) = write_kept(client, state, command, parameters, calibrations)
     if stored.error is not None:
         raise stored.error
+
+
+def write_kept(
+    client: TrexClient,
+    state: DeviceState,
+    command: str,
+    parameters: Sequence[tuple[str, int]],
+    calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
+    *,
+    progress: Progress = lambda _done, _total, _what: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> tuple[WriteResult, ...]:
+    """Save a snapshot, write, and remember what was applied; see `write_all`."""
+    before, link = settings_of(state), client.settings
+    record = remembered(before).after_reading(before, state.source, utc_now())
+    whole, remarks = record.with_hidden(before, state.source)
+    _keep(whole, link, command, remarks)
+    record = record.before_writing({key for key, _ in (*parameters, *calibrations)})
+    _remember(before, record)
+    results = write_all(
+        client.request,
+        state.specs,
+        parameters,
+        calibrations,
+        progress,
+        before=state,
+        has_crc=client.has_crc,
+        cancelled=cancelled,
+    )
+    after = settings_after(before, results)
+    uncertain = {result.key for result in results if result.error is not None}
+    record = record.after_writing(after, state.source, uncertain, utc_now())
+    if any(result.key == ParameterKey.FACTORY_RESET for result in results):
+        record = record.after_reset()
+    _remember(after, record, instead_of=before)
+    return results
+
+
+def settings_after(before: Settings, results: Sequence[WriteResult]) -> Settings:
+    parameters, calibrations = dict(before.parameters), dict(before.calibrations)
+    for result in results:
+        if isinstance(result.stored, Calibration):
+            calibrations[CALIBRATION_KEYS[result.key]] = result.stored
+        elif result.stored is not None and result.key in parameters:
+            parameters[result.key] = result.stored
+    return replace(before, parameters=parameters, calibrations=calibrations)
+
+
+def remembered(stored: Settings) -> BoardRecord:
+    """Return what this computer keeps of a board; empty, with a warning, if it is damaged."""
+    board = BoardIdentity.of(stored)
+    found = None
+    try:
+        found = BoardRecords().load(board)
+    except SettingsError as error:
+        say(f"Warning: what was applied to this board before is not known. {error}")
+    return found or BoardRecord(Settings(board.product, board.firmware))
+
+
+def _remember(stored: Settings, record: BoardRecord, instead_of: Settings | None = None) -> None:
+    """Save a record; the board may have got another number."""
+    records, board = BoardRecords(), BoardIdentity.of(stored)
+    try:
+        records.save(board, record)
+        if instead_of is not None and (old := BoardIdentity.of(instead_of)) != board:
+            records.save(old, None)
+    except SettingsError as error:
+        say(f"Warning: what was applied cannot be remembered. {error}")
 
 
 def say_what_follows(
@@ -119,10 +188,13 @@ def say_how_to_reach(used: ConnectionSettings, stored: dict[str, int], firmware:
         say(f"After it is switched off and on, reach it with {options}")
 
 
-def keep(settings: Settings, link: ConnectionSettings, reason: str) -> None:
+def _keep(
+    settings: Settings, link: ConnectionSettings, reason: str, remarks: Sequence[str]
+) -> None:
     """Save a snapshot where the window keeps its own; nothing must be written if that fails."""
     history = SettingsHistory()
-    snapshot = history.take(settings, adapter=link.name or link.url, reason=reason)
+    adapter = link.name or link.url
+    snapshot = history.take(settings, adapter=adapter, reason=reason, remarks=remarks)
     say(f"Snapshot of the previous settings: {snapshot.path}.")
     if problem := history.bound().problem:
         say(f"Warning: {problem} Set it again with `trexcmd history keep 500`.")

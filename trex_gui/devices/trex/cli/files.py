@@ -21,12 +21,13 @@ from trex_gui.core.cli import (
 from trex_gui.core.files import LARGEST_FILE, Finding, SettingsError, load, save
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import (
-    keep,
     read_board,
+    remembered,
     require_serial_mode,
     say_changes,
     say_what_follows,
     warn,
+    write_kept,
 )
 from trex_gui.devices.trex.cli.common import (
     identify,
@@ -37,7 +38,7 @@ from trex_gui.devices.trex.cli.common import (
 )
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import WriteResult, write_all
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_KEYS,
     Calibration,
@@ -176,21 +177,36 @@ def set_settings(file: str, dry_run: bool, fix: bool, convert: bool, **options: 
             return
         require_serial_mode(state, "These settings")
         say_changes(result)
-        keep(stored, chosen, f"trexcmd set-settings {name_of(file)}")
-        _write(client, chosen, state, [row for row in result.rows if row.changed])
+        command = f"trexcmd set-settings {name_of(file)}"
+        _write(client, chosen, state, command, [row for row in result.rows if row.changed])
 
 
 @click.command()
 @link_options
-@click.argument("first", metavar="FILE", type=FILE)
+@click.argument("first", metavar="FILE", required=False, type=FILE)
 @click.argument("second", metavar="[FILE]", required=False, type=FILE)
+@click.option("--last", is_flag=True, help="Compare with what was applied last to the board.")
 @json_option
-def diff(first: str, second: str | None, as_json: bool, **options: Any) -> None:
+def diff(first: str | None, second: str | None, last: bool, as_json: bool, **options: Any) -> None:
     """Show how the second FILE differs from the first, or FILE from the board.
 
-    Prints nothing if they are equal; old values are left of new ones.
+    Prints nothing if they are equal; old values are left of new ones. With --last the board is
+    compared with what this computer applied to it last, in the window or with trexcmd.
     """
-    if second is not None:
+    if last == (first is not None):
+        raise click.UsageError("Give a FILE, or --last without one.")
+    if first is None:
+        with open_line(link_settings(options)) as client:
+            identify(client)
+            state = read_board(client)
+        before = settings_of(state)
+        record = remembered(before)
+        if record.applied is None:
+            raise CommandFailed("Nothing was applied to this board from this computer yet.")
+        after = record.applied_to(before)
+        names = ("the board", f"what was applied {record.applied.astimezone():%Y-%m-%d %H:%M}")
+        say(f"Old: {names[0]}. New: {names[1]}.")
+    elif second is not None:
         before, after = read_file(first), read_file(second)
         names = (name_of(first), name_of(second))
     else:
@@ -249,7 +265,11 @@ def _visible(wanted: Settings, state: DeviceState) -> Settings:
 
 
 def _write(
-    client: TrexClient, chosen: ConnectionSettings, state: DeviceState, rows: list[ComparisonRow]
+    client: TrexClient,
+    chosen: ConnectionSettings,
+    state: DeviceState,
+    command: str,
+    rows: list[ComparisonRow],
 ) -> None:
     names = {row.key: row.name for row in rows}
     parameters = [(row.key, row.after) for row in rows if isinstance(row.after, int)]
@@ -257,14 +277,13 @@ def _write(
         (CALIBRATION_KEYS[row.key], row.after) for row in rows if isinstance(row.after, Calibration)
     ]
     with ProgressLine("Writing") as line, Interruption() as interrupted:
-        results = write_all(
-            client.request,
-            state.specs,
+        results = write_kept(
+            client,
+            state,
+            command,
             parameters,
             calibrations,
-            line,
-            before=state,
-            has_crc=client.has_crc,
+            progress=line,
             cancelled=interrupted.__bool__,
         )
     failed = [result for result in results if result.error is not None]

@@ -9,7 +9,6 @@ from trex_gui.core.cli import say
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.changes import (
     change_one,
-    keep,
     read_board,
     require_serial_mode,
     say_changes,
@@ -90,8 +89,7 @@ def restore_defaults(yes: bool, **options: Any) -> None:
         if not yes:
             question = "Reset every parameter of this board to its default?"
             click.confirm(question, abort=True, err=True)
-        keep(stored, link, "trexcmd restore-defaults")
-        write_one(client, state, [(spec.key, spec.maximum)])
+        write_one(client, state, "trexcmd restore-defaults", [(spec.key, spec.maximum)])
     line, number = (
         specs[key].text(specs[key].default)
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.DEVICE_NUMBER)

@@ -18,6 +18,7 @@ from trex_gui.devices.trex.model.errors import BoardEvents, ErrorLog
 from trex_gui.devices.trex.model.mix_jumper import MixJumper
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.model.settings.apply import Apply
+from trex_gui.devices.trex.model.settings.board_memory import BoardMemory
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.model.telemetry import Telemetry
@@ -36,7 +37,7 @@ from trex_gui.devices.trex.session.messages import (
     Written,
 )
 from trex_gui.devices.trex.session.reconnecting import reconnect_candidates
-from trex_gui.devices.trex.settings.document import factory_settings
+from trex_gui.devices.trex.settings.document import factory_settings, settings_of
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
@@ -56,6 +57,7 @@ class Device(QObject):
     Attributes:
         draft: what the board stores, and its edits.
         edit_backup: the edits of boards, over the end of the program.
+        memory: what this computer keeps of the board: what was applied last.
         history: what boards stored before each Apply.
         events: what happened since the line was opened, on the clock of `telemetry`.
         state: what was read from the board; `None` while none is connected.
@@ -81,7 +83,8 @@ class Device(QObject):
         self.mix_jumper = MixJumper(self.draft, self.telemetry, self)
         self.history = SettingsHistory()
         self.edit_backup = EditBackup(self.draft, parent=self)
-        self._apply = Apply(self.draft, self.history, self._request, self)
+        self.memory = BoardMemory(parent=self)
+        self._apply = Apply(self.draft, self.history, self.memory, self._request, self)
         self.connection = Connection(self)
         self.driving = DriveController(
             self.motors, self.telemetry, self.connection, self.notifier, self
@@ -108,6 +111,7 @@ class Device(QObject):
         self.connection.interfered.connect(self.notifier.report)
         self.driving.confirmed.connect(self.link_changed)
         self.edit_backup.failed.connect(self.notifier.error)
+        self.memory.failed.connect(self.notifier.error)
         self._apply.written.connect(self._on_written)
         self._apply.changed.connect(self.link_changed)
         self._apply.finished.connect(self._on_applied)
@@ -365,9 +369,10 @@ class Device(QObject):
         self.telemetry.serial_controls = state.serial_controls
         self.edit_backup.leave_board()
         self.draft.take_state(state, report.settings, power_cycled=occasion.power_cycled)
-        self.edit_backup.take_board(
-            ask=occasion is ReadReason.OPENED, is_simulated=bool(report.settings.name)
-        )
+        opened, is_simulated = occasion is ReadReason.OPENED, bool(report.settings.name)
+        self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
+        stored = settings_of(state)
+        self.memory.take_board(stored, state.source, opened=opened, is_simulated=is_simulated)
 
     @Slot()
     def _on_not_responding(self) -> None:
@@ -385,7 +390,10 @@ class Device(QObject):
         self.connection.settings = written.settings
         self.draft.note_stored(written.state)
         uncertain = {result.key for result in written.results if result.error is not None}
+        self.memory.note_written(settings_of(written.state), written.state.source, uncertain)
         keys = {result.key for result in written.results}
+        if ParameterKey.FACTORY_RESET in keys:
+            self.memory.note_reset()
         if self.draft.reset_pending or ParameterKey.FACTORY_RESET in keys:
             uncertain |= written.state.parameters.keys()
         self.driving.note_stored(written.state, uncertain)
@@ -437,6 +445,7 @@ class Device(QObject):
     @Slot(object)
     def _on_closed(self, _last: Closed | None) -> None:
         self.state = None
+        self.memory.leave_board()
         self._apply.end()
         self.telemetry.forget()
         self._forget_quality()

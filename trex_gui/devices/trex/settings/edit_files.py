@@ -56,16 +56,9 @@ class EditFiles:
         Raises:
             SettingsError: that failed; what was saved is still there.
         """
-        path = self.path(board)
-        try:
-            if edits is None:
-                path.unlink(missing_ok=True)
-                return
-            self.folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            why = error.strerror or str(error)
-            raise SettingsError.of(path, f"it cannot be changed: {why}") from error
-        save(path, write_settings(edits, title_lines=["Edits that were not applied"]))
+        title = ["Edits that were not applied"]
+        text = None if edits is None else write_settings(edits, title_lines=title)
+        replace_file(self.path(board), text)
 
     def load(self, board: BoardIdentity) -> SavedEdits | None:
         """Return what is saved for a board.
@@ -80,7 +73,33 @@ class EditFiles:
             return None
         except (OSError, ValueError, OverflowError) as error:  # also a time beyond the calendar
             raise SettingsError.of(path, f"it cannot be read: {error}") from error
-        settings, _ = read_settings(load(path), str(path))
-        if settings.product != board.product:
-            raise SettingsError.of(path, f"these are edits of a {settings.product.name}")
-        return SavedEdits(settings, saved)
+        return SavedEdits(settings_of_board(load(path), path, board), saved)
+
+
+def replace_file(path: Path, text: str | None) -> None:
+    """Write a file, in a folder that is made if it is missing; `None` removes it.
+
+    Raises:
+        SettingsError: that failed; the old file is still there.
+    """
+    try:
+        if text is None:
+            path.unlink(missing_ok=True)
+            return
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        why = error.strerror or str(error)
+        raise SettingsError.of(path, f"it cannot be changed: {why}") from error
+    save(path, text)
+
+
+def settings_of_board(data: bytes, path: Path, board: BoardIdentity) -> Settings:
+    """Return the settings in a file of a board.
+
+    Raises:
+        SettingsError: they are damaged, or of another model.
+    """
+    settings, _ = read_settings(data, str(path))
+    if settings.product != board.product:
+        raise SettingsError.of(path, f"these are settings of a {settings.product.name}")
+    return settings

@@ -87,9 +87,17 @@ class SettingsHistory:
         self.folder = folder or default_folder()
 
     def take(
-        self, settings: Settings, *, adapter: str, reason: str, now: datetime | None = None
+        self,
+        settings: Settings,
+        *,
+        adapter: str,
+        reason: str,
+        remarks: Sequence[str] = (),
+        now: datetime | None = None,
     ) -> Snapshot:
         """Save the settings of a board; `reason` is what follows: `Apply of 3 settings`.
+
+        `remarks` are further comments for the head of the file.
 
         Raises:
             SettingsError: they cannot be saved; then nothing must be written to the board.
@@ -105,7 +113,7 @@ class SettingsHistory:
             "reason": reason,
         }
         lines = [f"{name}: {' '.join(text.split())}" for name, text in notes.items() if text]
-        text = write_settings(settings, title_lines=lines)
+        text = write_settings(settings, title_lines=[*lines, *remarks])
         turn = 1
         while not save_new(path := self._path(taken, turn, settings.product.key, firmware), text):
             turn += 1

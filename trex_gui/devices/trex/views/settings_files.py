@@ -214,10 +214,17 @@ class SettingsFiles(QObject):
         if editor.document.settings is not None and self._device.state is not None:
             self._offer(editor.document).offer_editing(False)
 
-    def _offer(self, document: SettingsDocument) -> LoadDialog:
+    def offer_settings(self, settings: Settings, applied: str) -> None:
+        """Offer settings that were applied to the board at this time."""
+        title = self.tr("Settings applied {0}").format(applied)
+        document = SettingsDocument.of_settings(settings, title, title)
+        self._offer(document, self.tr("Applied")).offer_editing(False)
+
+    def _offer(self, document: SettingsDocument, heading: str = "") -> LoadDialog:
+        """Show what settings would change; `heading` names them in place of `File`."""
         if self._loading is not None:
             self._loading.close()
-        dialog = LoadDialog(self._device, document, self._window)
+        dialog = LoadDialog(self._device, document, self._window, heading=heading)
         dialog.staged.connect(self._on_staged)
         dialog.ended.connect(self._notifier.error)
         dialog.finished.connect(partial(self._on_offer_finished, dialog))

@@ -19,6 +19,7 @@ from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
@@ -38,7 +39,7 @@ from trex_gui.ui.frame.main_window import MainWindow
 from trex_gui.ui.frame.start_panel import StartPanel, StartTexts
 from trex_gui.ui.frame.workspace import SEPARATOR, Entry, FileKind, Menu, Menus, PageInfo, Workspace
 from trex_gui.ui.log import LogPage
-from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.translations import error_sentence, local_time
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import PromptAnswer
 
@@ -62,6 +63,7 @@ class TrexWorkspace(Workspace):
         self._keeps_edits = True
         self._linter = BoardLinter(device, self)
         self._safe_start = SafeStartWatch(device, self)
+        self._offered_losses: set[ComparisonRow] = set()  # lost settings
         self.log.follow(device.events)
 
         tabs = self.pages
@@ -121,6 +123,7 @@ class TrexWorkspace(Workspace):
         device.applied.connect(self._on_applied)
         device.applied.connect(self._question.reconsider)
         device.edit_backup.offered.connect(self._on_edits_offered)
+        device.memory.changed.connect(self._on_memory_changed)
         for changed in (
             self.recordings.changed,
             controller.changed,
@@ -391,7 +394,10 @@ class TrexWorkspace(Workspace):
         backup = self._device.edit_backup
         offer = backup.offer
         self._question.reconsider()
-        if offer is None or self._question.text:
+        if offer is None:
+            self._on_memory_changed()
+            return
+        if self._question.text:
             return  # what another question keeps from being asked is offered at the next connection
         text = self.tr(
             "Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending "
@@ -399,13 +405,44 @@ class TrexWorkspace(Workspace):
             "",
             len(offer.rows),
         )
-        saved = offer.saved.saved.astimezone().strftime("%Y-%m-%d %H:%M")
+        saved = local_time(offer.saved.saved)
         self._question.ask(
             text.format(offer.saved.settings.product.name, saved),
             PromptAnswer("restoreEdits", self.tr("Restore edits"), backup.restore),
             PromptAnswer("discardEdits", self.tr("Discard edits"), backup.discard_offer),
             still=lambda: backup.offer is offer,
         )
+
+    @Slot()
+    def _on_memory_changed(self) -> None:
+        """Ask once for each set of differences from what was applied last."""
+        """Ask about each difference from what was applied last, once for each connection."""
+        memory = self._device.memory
+        differing, record = memory.differing, memory.record
+        self._question.reconsider()
+        news = set(differing.rows) - self._offered_losses
+        if not differing.rows or record is None or record.applied is None:
+            self._offered_losses = set()
+        elif news and not self._question.text:
+            self._offered_losses = set(differing.rows)
+            text = self.tr(
+                "%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed "
+                "by something else, or this is another board.",
+                "",
+                len(differing.rows),
+            )
+            keep = self.tr("Keep the values of the board")
+            self._question.ask(
+                text.format(record.settings.product.name, local_time(record.applied)),
+                PromptAnswer("showDiffering", self.tr("Show…"), self._show_differing),
+                PromptAnswer("keepDiffering", keep, memory.accept),
+                still=lambda: memory.differing == differing,
+            )
+
+    def _show_differing(self) -> None:
+        applied, record = self._device.memory.applied, self._device.memory.record
+        if applied is not None and record is not None and record.applied is not None:
+            self.files.offer_settings(applied, local_time(record.applied))
 
     # --- The end ------------------------------------------------------------------------
 
@@ -477,11 +514,13 @@ class TrexWorkspace(Workspace):
 
     def finish(self) -> None:
         self.recordings.close_all()
-        self._device.edit_backup.shut_down()
+        self._device.edit_backup.files.shut_down()
+        self._device.memory.files.shut_down()
 
     def shut_down(self) -> bool:
-        ends = [self.recordings.shut_down(), self._device.edit_backup.shut_down()]
-        return all(ends)
+        device = self._device
+        kept = [files.shut_down() for files in (device.edit_backup.files, device.memory.files)]
+        return self.recordings.shut_down() and all(kept)
 
     def set_up_crc(self) -> None:
         key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.model.settings.board_memory import BoardMemory
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -39,6 +40,7 @@ class Apply(QObject):
         self,
         draft: SettingsDraft,
         history: SettingsHistory,
+        memory: BoardMemory,
         request: SendRequest,
         parent: QObject | None = None,
     ) -> None:
@@ -46,6 +48,7 @@ class Apply(QObject):
         self.running = False
         self._draft = draft
         self._history = history
+        self._memory = memory
         self._request = request
         self._cancel_snapshot: Callable[[], None] | None = None
 
@@ -87,14 +90,16 @@ class Apply(QObject):
             return
         self.running = True
         adapter = "" if link is None else link.name or link.url
-        stored = settings_of(state)
+        stored, remarks = self._memory.with_hidden(settings_of(state))
+        take = partial(self._history.take, stored, adapter=adapter, reason=reason, remarks=remarks)
 
         def make(number: int) -> Write:
+            self._memory.begin_writing({key for key, _ in (*parameters, *calibrations)})
             return Write(number, parameters, calibrations, before=state)
 
         self._cancel_snapshot = start_in_background(
             self,
-            lambda _progress: self._history.take(stored, adapter=adapter, reason=reason),
+            lambda _progress: take(),
             partial(self._on_saved, make),
             self._on_not_saved,
         )

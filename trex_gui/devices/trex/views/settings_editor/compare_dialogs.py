@@ -33,7 +33,10 @@ class LoadDialog(QDialog):
     edit_wanted = Signal()
     ended = Signal(str)  # why the dialog closed by itself
 
-    def __init__(self, device: Device, document: SettingsDocument, parent: QWidget) -> None:
+    def __init__(
+        self, device: Device, document: SettingsDocument, parent: QWidget, *, heading: str = ""
+    ) -> None:
+        """Name the side of the document `heading`, by default `File`."""
         super().__init__(parent)
         self.setObjectName("loadSettingsDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -41,6 +44,7 @@ class LoadDialog(QDialog):
         self.resize(940, 620)
         keep_on_screen(self)
         self._device = device
+        self._heading = heading or self.tr("File")
         # The document itself may be edited or deleted meanwhile.
         self._name, self._text = document.name, document.text
         self._settings, self._read_findings = document.settings, document.findings
@@ -144,8 +148,8 @@ class LoadDialog(QDialog):
             text += "\n" + self.tr("Not in the file, so they stay as they are: {0}.").format(names)
         self._foot.setText(text)
         given = replace(comparison, rows=tuple(r for r in comparison.rows if not r.is_missing))
-        now, then = self.tr("Board, as shown"), self.tr("File")
-        self._view.show_comparison(given, now, then, keep_ticks=True)
+        now = self.tr("Board, as shown")
+        self._view.show_comparison(given, now, self._heading, keep_ticks=True)
 
     def _show_findings(self, mismatch: str) -> None:
         found, summary = self._read_findings, ""

@@ -1,0 +1,163 @@
+"""What this computer keeps of the board that is connected: see `BoardRecord`."""
+
+from collections.abc import Callable, Collection
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.files import SettingsError
+from trex_gui.devices.trex.model.settings.board_files import BoardFiles
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.settings.board_records import (
+    BoardRecord,
+    BoardRecords,
+    Known,
+    utc_now,
+)
+from trex_gui.devices.trex.settings.comparison import Comparison
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
+from trex_gui.ui.translations import error_sentence
+
+Change = Callable[[BoardRecord], BoardRecord]
+
+
+class BoardMemory(QObject):
+    """Reads the record of a board, follows what is read and written, and saves it.
+
+    Attributes:
+        record: `None` until it was read from its file.
+        differing: the settings in which the board differs from what was applied last, the board
+            at the left; none for a simulated board, which is a new one each time.
+
+    Signals:
+        changed: `record` or `differing`.
+        failed: why nothing can be kept, for the user; once, until it works again.
+    """
+
+    changed = Signal()
+    failed = Signal(str)
+
+    def __init__(self, folder: BoardRecords | None = None, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.record: BoardRecord | None = None
+        self.differing = Comparison(())
+        self.files = BoardFiles[BoardRecord, BoardRecord](folder or BoardRecords(), self)
+        self._board: BoardIdentity | None = None
+        self._stored: Settings | None = None  # what the board stores, while it is connected
+        self._source = InputSource.RC  # the active one
+        self._is_renamed = False  # the next start of the board resets its number
+        self._later: list[Change] = []  # what happened before the record was read
+        self.files.found.connect(self._on_found)
+        self.files.failed.connect(self._on_failed)
+
+    # --- What is known ------------------------------------------------------------------
+
+    def hidden_calibration(
+        self, channel: int, source: InputSource
+    ) -> tuple[Calibration | None, Known | None]:
+        """Return the last known calibration for an input source, and since when it is known."""
+        if self.record is None:
+            return None, None
+        found = self.record.settings.calibrations.get(CalibrationKey.of(source, channel))
+        return found, self.record.known.get(source) if found is not None else None
+
+    @property
+    def applied(self) -> Settings | None:
+        """What was applied last, as far as the board shows it now; `None`: not known."""
+        if self.record is None or self._stored is None:
+            return None
+        return self.record.applied_to(self._stored)
+
+    def with_hidden(self, stored: Settings) -> tuple[Settings, list[str]]:
+        """Return what the board stores with the calibrations that it hides, and their age."""
+        if self.record is None:
+            return stored, []
+        return self.record.with_hidden(stored, self._source)
+
+    # --- Reports of the device ----------------------------------------------------------
+
+    def take_board(
+        self, stored: Settings, source: InputSource, *, opened: bool, is_simulated: bool = False
+    ) -> None:
+        """Take what was read; the record is read from its file for another board, or `opened`."""
+        self._stored, self._source = stored, source
+        board = BoardIdentity.of(stored, is_simulated=is_simulated)
+        is_same = self._board is not None and board.product == self._board.product
+        if self._is_renamed and is_same and not opened and board != self._board:
+            self._rename(board)
+        self._is_renamed = False
+        if opened or board != self._board:
+            self._board, self.record, self._later = board, None, []
+            self.files.read(board)
+            self._compare()
+        self._change(lambda record: record.after_reading(stored, source, utc_now()))
+
+    def leave_board(self) -> None:
+        """Compare no more: the line was closed."""
+        self._stored = None
+        self._compare()
+
+    def begin_writing(self, keys: Collection[str]) -> None:
+        self._change(lambda record: record.before_writing(keys))
+
+    def note_written(
+        self, stored: Settings, source: InputSource, uncertain: Collection[str]
+    ) -> None:
+        """Take what the board stores after a write that began; some values may be `uncertain`."""
+        self._stored, self._source = stored, source
+        if self._board is not None:
+            self._rename(BoardIdentity.of(stored, is_simulated=self._board.is_simulated))
+        self._change(lambda record: record.after_writing(stored, source, uncertain, utc_now()))
+
+    def note_reset(self) -> None:
+        """Expect the factory defaults after the next start of the board."""
+        self._is_renamed = True
+        self._change(BoardRecord.after_reset)
+
+    def _rename(self, board: BoardIdentity) -> None:
+        """Follow another device number of the same board."""
+        if self._board is not None and board != self._board and self.record is not None:
+            self.files.save(self._board, None)
+            self.files.save(board, self.record)
+            self._board = board
+
+    # --- Decisions ----------------------------------------------------------------------
+
+    def accept(self) -> None:
+        """Take what the board stores in place of what was applied."""
+        stored, source = self._stored, self._source
+        if stored is not None:
+            self._change(lambda record: record.accepting(stored, source, utc_now()))
+
+    # --- The record ---------------------------------------------------------------------
+
+    def _change(self, change: Change) -> None:
+        if self.record is None:
+            self._later.append(change)
+            return
+        before, self.record = self.record, change(self.record)
+        if self._board is not None and self.record != before:
+            self.files.save(self._board, self.record)
+        self._compare()
+
+    def _compare(self) -> None:
+        self.differing = Comparison(())
+        is_real = self._board is not None and not self._board.is_simulated
+        if is_real and self.record is not None and self._stored is not None:
+            self.differing = self.record.differences(self._stored)
+        self.changed.emit()
+
+    @Slot(object, object)
+    def _on_found(self, board: BoardIdentity, found: BoardRecord | None) -> None:
+        if board != self._board or self.record is not None:
+            return
+        self.record = found or BoardRecord(Settings(board.product, board.firmware))
+        later, self._later = self._later, []
+        for change in later:
+            self._change(change)
+
+    @Slot(object)
+    def _on_failed(self, failure: SettingsError) -> None:
+        text = self.tr("What was applied to this board cannot be remembered. {0}")
+        self.failed.emit(text.format(error_sentence(failure)))

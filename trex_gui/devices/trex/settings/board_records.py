@@ -1,0 +1,198 @@
+"""What this computer keeps of a board beside what the board stores, in a file for each board.
+
+A record is a settings file. Its parameters are those that were applied last, none if nothing ever
+was; its calibrations are those of both input sources, although a board shows one set only. Comments
+at its head say when the parameters were applied, and since when each set is known.
+"""
+
+import re
+from collections.abc import Collection, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+from trex_gui.core.files import data_folder, load
+from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_files import (
+    BoardIdentity,
+    replace_file,
+    settings_of_board,
+)
+from trex_gui.devices.trex.settings.writer import write_settings
+
+_TITLE = "What this computer keeps of a board: the settings that were applied last"
+_HEAD = re.compile(
+    r"^# (parameters|rc calibrations|analog calibrations): (applied|read) (\S+)$", re.MULTILINE
+)
+_PARAMETERS = "parameters"
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """Since when values are known: the time of the last write, or of the last reading."""
+
+    time: datetime  # in UTC
+    is_applied: bool
+
+
+@dataclass(frozen=True, slots=True)
+class BoardRecord:
+    """The settings in a record, and what its head says; changes make a new one."""
+
+    settings: Settings
+    applied: datetime | None = None  # when parameters were written last; `None`: never
+    known: Mapping[InputSource, Known] = field(default_factory=dict)  # the calibrations
+
+    def calibrations(self, source: InputSource) -> dict[CalibrationKey, Calibration]:
+        given = self.settings.calibrations
+        return {key: found for key, found in given.items() if key.source is source}
+
+    def applied_to(self, stored: Settings) -> Settings:
+        """Return what was applied, as far as a board that stores this shows it."""
+        applied = {
+            key: found
+            for key, found in self.settings.calibrations.items()
+            if key in stored.calibrations and self.known[key.source].is_applied
+        }
+        return replace(self.settings, firmware=stored.firmware, calibrations=applied)
+
+    def differences(self, stored: Settings) -> Comparison:
+        """Compare what a board stores with what was applied; has the rows that differ."""
+        if self.applied is None:
+            return Comparison(())
+        rows = compare(stored, self.applied_to(stored)).rows
+        return Comparison(tuple(row for row in rows if row.changed))
+
+    def after_reading(self, stored: Settings, source: InputSource, now: datetime) -> "BoardRecord":
+        """Take the calibrations of the active input source, unless others were applied."""
+        known = self.known.get(source)
+        if known is not None and known.is_applied:
+            if self.calibrations(source) != stored.calibrations:
+                return self
+            return replace(self, known={**self.known, source: Known(now, True)})
+        given = {**self.settings.calibrations, **stored.calibrations}
+        return replace(
+            self,
+            settings=replace(self.settings, calibrations=given),
+            known={**self.known, source: Known(now, False)},
+        )
+
+    def before_writing(self, keys: Collection[str]) -> "BoardRecord":
+        """Forget values that may change without a confirmation."""
+        settings = self.settings
+        return replace(
+            self,
+            settings=replace(
+                settings,
+                parameters={k: w for k, w in settings.parameters.items() if k not in keys},
+                calibrations={k: c for k, c in settings.calibrations.items() if k not in keys},
+            ),
+        )
+
+    def after_writing(
+        self, stored: Settings, source: InputSource, uncertain: Collection[str], now: datetime
+    ) -> "BoardRecord":
+        """Take what was not known before; what was applied earlier and got lost stays wanted."""
+        was_applied = source in self.known and self.known[source].is_applied
+        earlier = self.settings.calibrations if was_applied else {}
+        others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
+        record = BoardRecord(
+            replace(
+                self.settings,
+                firmware=stored.firmware,
+                parameters={**stored.parameters, **self.settings.parameters},
+                calibrations={**others, **stored.calibrations, **earlier},
+            ),
+            now,
+            {**self.known, source: Known(now, True)},
+        )
+        return record.before_writing(uncertain)
+
+    def accepting(self, stored: Settings, source: InputSource, now: datetime) -> "BoardRecord":
+        """Take what a board stores in place of what was applied."""
+        keys = {*self.settings.parameters, *self.calibrations(source)}
+        return self.before_writing(keys).after_writing(stored, source, (), now)
+
+    def after_reset(self) -> "BoardRecord":
+        """Expect nothing of the parameters, which the next start of the board resets."""
+        return replace(self, settings=replace(self.settings, parameters={}), applied=None)
+
+    def with_hidden(self, stored: Settings, source: InputSource) -> tuple[Settings, list[str]]:
+        """Return what a board stores with its other calibrations, and comments on their age."""
+        others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
+        lines = [_line(_name(key), each) for key, each in self.known.items() if key is not source]
+        whole = replace(stored, calibrations={**stored.calibrations, **others})
+        return whole, lines if others else []
+
+
+class BoardRecords:
+    """The records in one folder, which is created with the first one."""
+
+    def __init__(self, folder: Path | None = None) -> None:
+        self.folder = folder or data_folder() / "boards"
+
+    def path(self, board: BoardIdentity) -> Path:
+        return self.folder / f"{board}.txt"
+
+    def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
+        """Replace the record of a board; `None` removes it.
+
+        Raises:
+            SettingsError: that failed; the old one is still there.
+        """
+        replace_file(self.path(board), None if record is None else _text(record))
+
+    def load(self, board: BoardIdentity) -> BoardRecord | None:
+        """Return the record of a board; `None`: there is none.
+
+        Raises:
+            SettingsError: it cannot be read, is damaged, or is of another model.
+        """
+        path = self.path(board)
+        if not path.exists():
+            return None
+        data = load(path)
+        return _record(settings_of_board(data, path, board), data.decode("utf-8-sig"))
+
+
+def _line(name: str, known: Known) -> str:
+    verb = "applied" if known.is_applied else "read"
+    return f"{name}: {verb} {known.time.isoformat()}"
+
+
+def _text(record: BoardRecord) -> str:
+    lines = [_TITLE]
+    if record.applied is not None:
+        lines.append(_line(_PARAMETERS, Known(record.applied, True)))
+    lines += [_line(_name(source), known) for source, known in record.known.items()]
+    return write_settings(record.settings, title_lines=lines)
+
+
+def _name(source: InputSource) -> str:
+    return f"{source.value.casefold()} calibrations"
+
+
+def _record(settings: Settings, text: str) -> BoardRecord:
+    """Read the head; values without a line in it, or with a damaged one, are not known."""
+    found: dict[str, Known] = {}
+    for name, verb, stamp in _HEAD.findall(text):
+        with suppress(ValueError):
+            time = datetime.fromisoformat(stamp)
+            found[name] = Known(time.astimezone(UTC), verb == "applied")
+    known = {source: found[_name(source)] for source in InputSource if _name(source) in found}
+    given = {key: c for key, c in settings.calibrations.items() if key.source in known}
+    applied = found.get(_PARAMETERS)
+    parameters = {} if applied is None else settings.parameters
+    return BoardRecord(
+        replace(settings, parameters=parameters, calibrations=given),
+        None if applied is None else applied.time,
+        known,
+    )
+
+
+def utc_now() -> datetime:
+    return datetime.now(UTC).replace(microsecond=0)
