@@ -367,6 +367,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
     assert bar.tabText(0) == "RC pulses (active)"
     page.select_source(1)
     assert "have not been read yet" in page.text("otherSourceWords")
+    assert page.text("otherSetLabel").startswith("For RC pulses: 1000 / 1500 / 2000 µs, deadband")
     for name in ("minimumEdit", "neutralEdit", "maximumEdit", "deadbandEdit", "changeButton"):
         assert not page.is_enabled(name), name
     for name in ("learnButton", "learnAllButton", "reversedBox", "ignoredBox"):
@@ -398,9 +399,11 @@ def test_inactive_source_is_shown_and_can_be_activated(
     page.wait(lambda: "2.50 V" in page.live)
     page.type_into("minimumEdit", "500 mV")
     assert page.shown().minimum == 102
+    assert page.text("otherSetLabel").startswith("For RC pulses, applied 20")
 
     page.select_source(0)
-    assert "were read earlier" in page.text("otherSourceWords")
+    assert "The values below were applied 20" in page.text("otherSourceWords")
+    assert page.text("otherSetLabel").startswith("For analog voltages: 0.50 / 2.50 / 5.00 V")
     assert page.find(QSpinBox, "neutralEdit").text() == "1500 µs"
     assert not page.is_enabled("neutralEdit")
     assert page.device.draft.pending == 1

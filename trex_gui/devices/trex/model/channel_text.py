@@ -7,7 +7,8 @@ from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
-from trex_gui.ui.translations import error_sentence
+from trex_gui.devices.trex.settings.board_records import Known
+from trex_gui.ui.translations import error_sentence, local_time
 from trex_gui.ui.units import units
 
 CHANNEL_NAMES = {1: "Motor 1", 2: "Motor 2", 3: "Auxiliary", 4: "Flip", 5: "Override"}
@@ -155,6 +156,16 @@ def source_instructions(source: InputSource, mode: Mode) -> str:
             "these: switch it off, put the mode jumper to analog, switch it on.",
         )
     return text.format(SOURCE_NAMES[mode.source], SOURCE_NAMES[source])
+
+
+def known_text(known: Known) -> str:
+    """Return since when calibrations are known: `read 2026-03-14 15:09`."""
+    text = (
+        translate("ChannelText", "applied {0}")
+        if known.is_applied
+        else translate("ChannelText", "read {0}")
+    )
+    return text.format(local_time(known.time))
 
 
 def write_failure(error: StudioError) -> str:

@@ -156,24 +156,10 @@ def test_calibration_of_a_board_cannot_be_left_out(model: Calibrations) -> None:
     assert not model.left_out
 
 
-def test_last_seen_keeps_values_of_the_other_source(model: Calibrations) -> None:
+def test_other_source_cannot_be_edited(model: Calibrations) -> None:
     model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
-    rc = InputSource.RC
     assert model.stored(CalibrationKey.RC_CHANNEL_2) is None
-    assert model.last_seen(2, rc) == DEFAULT_CALIBRATION[rc]
-    assert model.last_seen(2, InputSource.ANALOG) == OTHER
     assert not model.can_edit(CalibrationKey.RC_CHANNEL_2)
-
-
-def test_last_seen_keeps_a_written_value(model: Calibrations) -> None:
-    model.note_stored({1: LEARNED})
-    model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
-    assert model.last_seen(1, InputSource.RC) == LEARNED
-
-
-def test_last_seen_is_empty_for_another_model(model: Calibrations) -> None:
-    model.load("trexjr", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
-    assert model.last_seen(1, InputSource.RC) is None
 
 
 def test_restoring_one_channel_can_be_undone(qtbot: QtBot) -> None:

@@ -67,10 +67,6 @@ class Calibrations(QObject):
         """Return the stored calibration; `None`: not known."""
         return self._stored.get(self._key(channel))
 
-    def last_seen(self, channel: int, source: InputSource) -> Calibration | None:
-        """Return what this kind of board last stored, also for the other input source."""
-        return self._seen.get(CalibrationKey.of(source, channel))
-
     def shown(self, channel: Channel) -> Calibration | None:
         """Return the calibration after Apply or Save; `None`: not known, or left out."""
         key = self._key(channel)

@@ -9,6 +9,7 @@ from trex_gui.devices.trex.model import channel_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.settings.board_records import Known
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets.builders import button, column, label, named, row
@@ -185,8 +186,8 @@ class OtherSource(QWidget):
         )
         column(self._text, row(self._switch, self._cycle, 1), into=self, margins=0)
 
-    def show_source(self, source: InputSource, seen: bool) -> None:
-        """Describe a source that the board does not read; `seen`: its calibrations are shown."""
+    def show_source(self, source: InputSource, known: Known | None) -> None:
+        """Describe a source that the board does not read; `None`: no calibrations are shown."""
         state, parameters = self._device.state, self._device.parameters
         self._source = source
         if state is None:
@@ -204,8 +205,8 @@ class OtherSource(QWidget):
         elif is_serial and is_edited:
             text = self.tr("Edited: apply it, then power-cycle the board to read {0}.").format(name)
         values = self.tr("Its values have not been read yet.")
-        if seen:
-            values = self.tr("The values below were read earlier.")
+        if known is not None:
+            values = self.tr("The values below were {0}.").format(channel_text.known_text(known))
         self._text.setText(f"{text} {values}")
         self._switch.setText(self.tr("Read {0} after the next power cycle").format(name))
         self._switch.setVisible(is_serial and not is_edited)

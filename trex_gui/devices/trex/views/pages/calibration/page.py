@@ -15,6 +15,7 @@ from trex_gui.devices.trex.model.linter import BoardLinter
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.settings.rules import LintFinding
+from trex_gui.devices.trex.settings.writer import calibration_text
 from trex_gui.devices.trex.views.findings_list import FindingsList
 from trex_gui.devices.trex.views.pages.calibration.change_menu import ChangeMenu
 from trex_gui.devices.trex.views.pages.calibration.fields import (
@@ -34,7 +35,7 @@ from trex_gui.ui.units import units
 from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.builders import button, column, label, named, row
-from trex_gui.ui.widgets.labels import Note
+from trex_gui.ui.widgets.labels import ElidedLabel, Note
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
@@ -78,6 +79,7 @@ class CalibrationPage(PlotPage):
         self._other = OtherSource(device, body)
         self._legend = CurveLegend(body)
         self._fields = CalibrationFields(body)
+        self._both = named(ElidedLabel("", body), "otherSetLabel")
         self._note = named(Note(2, body), "calibrationNote")
         self._options = ChannelOptions(device.parameters, body)
         self._findings = FindingsList("calibration", self._options, body, is_wide=True)
@@ -110,7 +112,7 @@ class CalibrationPage(PlotPage):
         above = column(self._heading, self._other, self._legend)
         buttons = row(self._learn, self._learn_all, 1, self._change, self._discard)
         self._right = column(
-            above, self._fields, self._note, self._options, self._findings, buttons
+            above, self._fields, self._both, self._note, self._options, self._findings, buttons
         )
         row(self._channels, (self._right, 1), into=body, margins=0)
         layout = column(self._empty, (body, 1), into=self)
@@ -131,6 +133,7 @@ class CalibrationPage(PlotPage):
         device.telemetry.frame_due.connect(self._on_frame_due)
         device.telemetry.text_due.connect(self._on_text_due)
         device.calibrations.changed.connect(self._refresh)
+        device.memory.changed.connect(self._show_channel)
         device.parameters.pending_changed.connect(self._refresh)
         self._on_device_changed()
 
@@ -155,7 +158,7 @@ class CalibrationPage(PlotPage):
         calibrations = self._device.calibrations
         if self._is_active:
             return calibrations.shown(self.channel)
-        return calibrations.last_seen(self.channel, self.source)
+        return self._device.memory.hidden_calibration(self.channel, self.source)[0]
 
     @Slot()
     def _on_device_changed(self) -> None:
@@ -186,14 +189,33 @@ class CalibrationPage(PlotPage):
         self._legend.set_curves(shown is not None, differs=before != after, live=is_active)
         self._other.setVisible(not is_active)
         if not is_active:
-            self._other.show_source(self.source, seen=shown is not None)
+            known = self._device.memory.hidden_calibration(channel, self.source)[1]
+            self._other.show_source(self.source, known)
         if self._plot is not None:
             self._plot.show_channel(channel, self.source, before, after, editable=editable)
             self._plot.trace.setVisible(is_active)
+        self._both.show_text(self._other_set_text())
         self._show_marks()
         self._show_note()
         self._on_frame_due()
         self._on_text_due()
+
+    def _other_set_text(self) -> str:
+        """Return the calibration for the input source that is not shown, on one line."""
+        source = InputSource.ANALOG if self.source is InputSource.RC else InputSource.RC
+        name, calibrations = channel_text.SOURCE_NAMES[source], self._device.calibrations
+        since = ""
+        if source is calibrations.source:
+            calibration = calibrations.shown(self.channel)
+        else:
+            calibration, known = self._device.memory.hidden_calibration(self.channel, source)
+            since = "" if known is None else channel_text.known_text(known)
+        if calibration is None:
+            return self.tr("For {0}: not read yet").format(name)
+        values = calibration_text(source, calibration)
+        if not since:
+            return self.tr("For {0}: {1}").format(name, values)
+        return self.tr("For {0}, {1}: {2}").format(name, since, values)
 
     @Slot()
     def _show_heading(self) -> None:
