@@ -4,11 +4,16 @@ import csv
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QListView, QTableView
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QApplication, QListView, QTableView
+from shiboken6 import Shiboken
 
+from tests.support.keyboard import check_keyboard
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
 from trex_gui.ui.event_log import EventKind
+from trex_gui.ui.plotting.figures import TraceColumn
 from trex_gui.ui.plotting.panel import TracePanel
 
 
@@ -59,6 +64,33 @@ def test_currents_are_shown_and_exported(
     page.wait_for_files()
     picture = (tmp_path / "currents.svg").read_text(encoding="utf-8")
     assert ">Motor currents, TReX 1.2, device 7, 2" in picture
+
+
+def test_plot_in_its_own_window_is_drawn_beside_another_page(
+    page: CurrentsPage, quick_simulator: SimulatedDevice
+) -> None:
+    page.parts.find(QAction, "plotWindowAction").trigger()
+    page.open_page("motorsPage")
+    (shown,) = (each for each in QApplication.topLevelWidgets() if isinstance(each, PlotWindow))
+    shown.panel.plot.set_window(10)
+    quick_simulator.do("current 1 6")
+    model = WidgetDriver(shown, page.qtbot).find(QTableView, "traceTable").model()
+    page.wait(lambda: model.index(0, TraceColumn.NOW).data() == "6.00 A")
+    assert shown.panel.plot.points_drawn > 0
+    assert page.panel.plot.span.length == 30, "each has choices of its own"
+    assert "One count of this board is 150 mA" in WidgetDriver(shown, page.qtbot).text(
+        "currentsNote"
+    )
+    check_keyboard(shown)
+    page.trigger("plot")
+    assert shown.isVisible(), "there is one"
+    shown.close()
+    page.wait(lambda: not Shiboken.isValid(shown))
+    page.trigger("plot")
+    (again,) = (each for each in QApplication.topLevelWidgets() if isinstance(each, PlotWindow))
+    assert again.panel.plot.span.length == 30
+    page.window.close()  # closes it, too
+    page.wait(lambda: not Shiboken.isValid(again))
 
 
 def test_stop_apply_fault_and_timeout_become_events(

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
 from tests.devices.trex.recording.samples import an_hour, write
 from tests.support.program import trex
@@ -50,6 +50,12 @@ def open_bench(window: WindowDriver, folder: Path) -> QWidget:
     return window.find(QWidget, "benchDialog")
 
 
+def open_plot(window: WindowDriver, folder: Path) -> QWidget:
+    window.trigger("plot")
+    (plot,) = (each for each in QApplication.topLevelWidgets() if each.objectName() == "plotWindow")
+    return plot
+
+
 def open_setup(window: WindowDriver, folder: Path) -> QWidget:
     window.trigger("setup")
     return window.find(QWidget, "setupDialog")
@@ -70,4 +76,5 @@ WINDOWS_WITH_STOP = (
     open_defaults,
     open_bench,
     open_setup,
+    open_plot,
 )

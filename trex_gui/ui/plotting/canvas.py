@@ -34,6 +34,10 @@ class _Shape:
     def set_visible(self, visible: bool) -> None:
         self.item.setVisible(visible)
 
+    def set_color(self, color: str) -> None:
+        self._color = color
+        self.recolor()
+
     def recolor(self) -> None:
         self._pen.setColor(theme().color(self._color))
         self.item.setPen(self._pen)

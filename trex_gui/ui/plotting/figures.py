@@ -161,7 +161,7 @@ class TraceTable(QAbstractTableModel):
                 return Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked
             case Qt.ItemDataRole.DecorationRole:
                 dotted = self._plot.is_right(trace)
-                return _swatch(theme().color(trace.color), QSize(14, 4), dotted=dotted)
+                return swatch(theme().color(trace.color), QSize(14, 4), dotted=dotted)
         return None
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
@@ -214,7 +214,7 @@ class TraceTable(QAbstractTableModel):
         return math.nan
 
 
-def _swatch(color: QColor, size: QSize, *, dotted: bool = False) -> QPixmap:
+def swatch(color: QColor, size: QSize, *, dotted: bool = False) -> QPixmap:
     picture = QPixmap(size)
     picture.fill(Qt.GlobalColor.transparent if dotted else color)
     if dotted:
@@ -311,7 +311,7 @@ class EventList(QListWidget):
     def _fill(self) -> None:
         self.clear()
         for event in self._events:
-            dot = _swatch(theme().color(EVENT_COLORS[event.kind]), QSize(8, 8))
+            dot = swatch(theme().color(EVENT_COLORS[event.kind]), QSize(8, 8))
             text = f"{self._plot.text_of_time(event.time)}  {event.text}"
             item = QListWidgetItem(QIcon(dot), text, self)
             item.setToolTip(event.text)

@@ -3,24 +3,25 @@
 Importing it loads pyqtgraph: do so when a plot is to be shown.
 """
 
-from collections.abc import Sequence
-
-from PySide6.QtCore import QEvent, Qt, Slot
+from PySide6.QtCore import QEvent, QPoint, Qt, Slot
 from PySide6.QtWidgets import QSplitter, QWidget
 
 from trex_gui.ui.event_log import Event
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN
 from trex_gui.ui.plotting.export import ExportButton
 from trex_gui.ui.plotting.figures import EventList, FiguresAndEvents, TraceTable, TraceTableView
+from trex_gui.ui.plotting.layout_button import LayoutButton
+from trex_gui.ui.plotting.layout_file import COLORS, LARGEST_TOP, PlotLayout, color_name
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets.builders import button, column, combo_box, label, row, splitter
+from trex_gui.ui.widgets.builders import button, column, combo_box, label, row, splitter, tab_order
 
 _WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # seconds that can be chosen to be shown
+_USUAL_SECONDS = 30.0
 _TOPS = (1, 2, 5, 10, 20, 50)  # in the unit of the left axis
-_KEY = "currents/"
 
 
 class TracePanel(QWidget):
@@ -30,9 +31,14 @@ class TracePanel(QWidget):
     the user chooses is remembered: curves, time, range and layout.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None, *, key: str = "currents") -> None:
+        """`key` begins the keys under which the choices are remembered."""
         super().__init__(parent)
         self._store = Preferences()
+        self._key = f"{key}/"
+        # Of the source, until the user chooses; all curves have a colour, shown or not.
+        self._usual = PlotLayout(_USUAL_SECONDS, 0, {})
+        self._usual_colors: dict[str, str] = {}
 
         self._note = label(self, "currentsNote", wrap=True)
         self._window = combo_box(
@@ -69,6 +75,9 @@ class TracePanel(QWidget):
         )
         self.plot = TracePlot(self)
         self.notifier = Notifier(self)
+        self.layout_button = LayoutButton(
+            self.plot, self.notifier, self, layout=self.shown_layout, use=self._use_layout
+        )
         self.export = ExportButton(self.plot, self.notifier, self)
         self._table = TraceTable(self.plot, self)
         self._view = TraceTableView(self._table, self)
@@ -79,42 +88,46 @@ class TracePanel(QWidget):
         parts = splitter(self, "tracesSplitter", vertical, (self.plot, 1), (below, 0))
         bar = row(
             *((self._note, 1), window_label, self._window, top_label, self._top),
-            *(self._pause, self._hold, self.export),
+            *(self._pause, self._hold, self.layout_button, self.export),
         )
         column(bar, (parts, 1), into=self, margins=0)
+        tab_order(self._hold, self.layout_button, self.export, self.plot, self._view, self._list)
         self._restore_layout(parts, "plot_splitter")
         if self._restore_layout(below, "figures_splitter"):
             below.keep_sizes()
-        self.plot.set_window(float(self._chosen("window", 30, _WINDOWS)))
-        top = self._chosen("top", 0, _TOPS)
-        self.plot.set_top(top or None)
-        self._top.setCurrentIndex(self._top.findData(top))
+        seconds = self._store.real(f"{self._key}window", _USUAL_SECONDS, MIN_SPAN, MAX_SPAN)
+        self.plot.set_window(seconds)
+        self._show_top(self._store.real(f"{self._key}top", 0, 0, LARGEST_TOP))
 
         self.plot.view_changed.connect(self._on_view_changed)
         self.plot.cursor_changed.connect(self._on_cursor_changed)
         self.plot.event_chosen.connect(self._list.choose)
         self.plot.shown_changed.connect(self._on_shown_changed)
+        self.plot.colors_changed.connect(self._on_colors_changed)
+        self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self._view.customContextMenuRequested.connect(self._on_menu_requested)
         self._list.chosen.connect(self._on_event_chosen)
         self.notifier.info.connect(self.set_note)
         self.notifier.error.connect(self.set_note)
         self._show_state()
 
-    def _chosen(self, key: str, default: int, choices: Sequence[int]) -> int:
-        """Return what the user chose in an earlier run, if it can be chosen."""
-        found = self._store.integer(_KEY + key, default, 0, choices[-1])
-        return found if found in choices else default
-
     def _restore_layout(self, parts: QSplitter, key: str) -> bool:
         """Return whether the user arranged these parts in an earlier run; remember the next."""
-        key, store = _KEY + key, self._store
+        key, store = self._key + key, self._store
         parts.splitterMoved.connect(lambda *_: store.set(key, parts.saveState()))
         return parts.restoreState(store.data(key))
 
     def set_source(self, source: Traces) -> None:
         self.plot.set_source(source)
-        names = {trace.name for trace in source.traces}
-        default = " ".join(self.plot.shown)
-        self.plot.shown = names & set(self._store.text(f"{_KEY}shown", default).split())
+        colors = {trace.name: color_name(trace.color) for trace in source.traces}
+        drawn = {name: color for name, color in colors.items() if name in self.plot.shown}
+        self._usual, self._usual_colors = PlotLayout(_USUAL_SECONDS, 0, drawn), colors
+        shown = self._store.text(f"{self._key}shown", " ".join(drawn)).split()
+        self.plot.shown = colors.keys() & set(shown)
+        chosen = self._store.text(f"{self._key}colors").split()
+        for name, _, color in (entry.partition("=") for entry in chosen):
+            if name in colors and color in COLORS:
+                self.plot.set_color(name, COLORS[color])
         self._table.show_source()
         self._view.resizeColumnToContents(0)
         self.refresh()
@@ -146,19 +159,67 @@ class TracePanel(QWidget):
 
     @Slot(int)
     def _on_window_chosen(self, index: int) -> None:
-        seconds = int(self._window.itemData(index))
-        self._store.set(f"{_KEY}window", seconds)
-        self.plot.set_window(float(seconds))
+        self._choose_window(self._window.itemData(index))
+
+    def _choose_window(self, seconds: float) -> None:
+        self._store.set(f"{self._key}window", seconds)
+        self.plot.set_window(seconds)
 
     @Slot(int)
     def _on_top_chosen(self, index: int) -> None:
-        amps = int(self._top.itemData(index))
-        self._store.set(f"{_KEY}top", amps)
-        self.plot.set_top(float(amps) if amps else None)
+        self._choose_top(self._top.itemData(index))
+
+    def _choose_top(self, amps: float) -> None:
+        self._store.set(f"{self._key}top", amps)
+        self._show_top(amps)
+
+    def _show_top(self, amps: float) -> None:
+        self.plot.set_top(amps or None)
+        self._top.setCurrentIndex(self._top.findData(amps))
+        self._top.setPlaceholderText(f"0–{amps:g} A")
 
     @Slot()
     def _on_shown_changed(self) -> None:
-        self._store.set(f"{_KEY}shown", " ".join(sorted(self.plot.shown)))
+        self._store.set(f"{self._key}shown", " ".join(sorted(self.plot.shown)))
+
+    @Slot()
+    def _on_colors_changed(self) -> None:
+        chosen = [
+            f"{name}={color}"
+            for name, color in self._colors().items()
+            if color != self._usual_colors[name]
+        ]
+        self._store.set(f"{self._key}colors", " ".join(chosen))
+        self._table.show_source()
+
+    @Slot(QPoint)
+    def _on_menu_requested(self, place: QPoint) -> None:
+        row, source = self._view.rowAt(place.y()), self.plot.source
+        if source is not None and row >= 0:
+            at = self._view.viewport().mapToGlobal(place)
+            self.layout_button.show_colors_of(source.traces[row], at)
+
+    # --- Layouts ------------------------------------------------------------------------
+
+    def _colors(self) -> dict[str, str]:
+        traces = self.plot.source.traces if self.plot.source is not None else ()
+        return {trace.name: color_name(trace.color) for trace in traces}
+
+    def shown_layout(self) -> PlotLayout:
+        shown = self.plot.shown
+        curves = {name: color for name, color in self._colors().items() if name in shown}
+        return PlotLayout(self.plot.span.length, self.plot.top or 0, curves)
+
+    def _use_layout(self, layout: PlotLayout | None) -> None:
+        """Show the plot in another way, or as before any choice."""
+        layout = layout or self._usual
+        self._choose_window(layout.seconds)
+        self._choose_top(layout.top)
+        self.plot.shown = set(layout.curves)
+        for name, color in (self._usual_colors | dict(layout.curves)).items():
+            self.plot.set_color(name, COLORS[color])
+        self.plot.shown_changed.emit()
+        self.refresh()
 
     @Slot()
     def _on_pause_clicked(self) -> None:

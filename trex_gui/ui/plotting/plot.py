@@ -48,6 +48,7 @@ class TracePlot(QWidget):
     view_changed = Signal()  # another span is shown, or it is live again or no longer
     cursor_changed = Signal()  # `cursor_time` or `mark_time`
     shown_changed = Signal()
+    colors_changed = Signal()
     event_chosen = Signal(object)  # the `Event` that was clicked
 
     def __init__(
@@ -134,6 +135,17 @@ class TracePlot(QWidget):
         (self.shown.add if shown else self.shown.discard)(name)
         self.shown_changed.emit()
         self.draw()
+
+    def set_color(self, name: str, color: str) -> None:
+        """Draw a curve in another colour of the theme."""
+        if self.source is None:
+            return
+        self.source.set_color(name, color)
+        for shapes in (self._curves, self._limits, self._peaks):
+            shapes[name].set_color(color)
+        self._tags.set_traces(self.source.traces)
+        self._tags.update()
+        self.colors_changed.emit()
 
     def set_top(self, top: float | None) -> None:
         """Let the left axis reach from 0 to a value, or fit what is shown."""

@@ -2,7 +2,7 @@
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
@@ -47,6 +47,12 @@ class Traces:
         self._columns = {trace.name: column for column, trace in enumerate(traces)}
         self._history = history
         self._events = events
+
+    def set_color(self, name: str, color: str) -> None:
+        """Give a curve another colour of the theme."""
+        self.traces = tuple(
+            replace(trace, color=color) if trace.name == name else trace for trace in self.traces
+        )
 
     @property
     def span(self) -> tuple[float, float] | None:

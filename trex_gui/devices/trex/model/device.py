@@ -26,7 +26,7 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import who_controls
 from trex_gui.devices.trex.protocol.errors import BoardElsewhere, suggests_scan
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -195,6 +195,12 @@ class Device(QObject):
     def is_joint(self) -> bool:
         """Whether both drivers work as one motor now, whatever is stored for the next start."""
         return self.parameters.active_of(ParameterKey.MOTOR_MODE) == 1
+
+    def current_limit(self, motor: int) -> float | None:
+        """Return the limit in A that the board stores; `None` when off or not known."""
+        key = MotorParameter.CURRENT_LIMIT.of(motor)
+        wire = self.parameters.stored_of(key)
+        return wire * self.parameters.spec_of(key).scale if wire else None
 
     @property
     def control_text(self) -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
+from shiboken6 import Shiboken
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.client.writing import WriteResult
@@ -44,6 +45,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import PromptAnswer
 
 if TYPE_CHECKING:
+    from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow
     from trex_gui.devices.trex.views.setup.dialog import SetupDialog
 
 
@@ -75,7 +77,7 @@ class TrexWorkspace(Workspace):
                 PageInfo("channels", self.tr("&Channels"), partial(ChannelsPage, device, self)),
                 PageInfo("calibration", self.tr("Cali&bration"), self._make_calibration_page),
                 PageInfo("motors", self.tr("&Motors"), self._make_motors_page),
-                PageInfo("currents", self.tr("C&urrents"), partial(CurrentsPage, device, self)),
+                PageInfo("currents", self.tr("C&urrents"), self._make_currents_page),
                 PageInfo("parameters", self.tr("&Parameters"), self._make_parameters_page),
                 PageInfo("log", self.tr("Lo&g"), self._make_log_page),
                 PageInfo("transcript", self.tr("T&raffic"), self._make_traffic_page),
@@ -99,6 +101,7 @@ class TrexWorkspace(Workspace):
         self._learning = learning
         self._learn = LearnDialog(learning, frame)
         self._setup: SetupDialog | None = None  # made when it is first opened
+        self._plot: PlotWindow | None = None
         learning.begun.connect(controller.demo_board.centre_sticks)
         self._bench = BenchDialog(device, Bench(device, self), frame)
 
@@ -198,6 +201,21 @@ class TrexWorkspace(Workspace):
         self._parameter_shown.connect(page.table.show_parameter)
         return page
 
+    def _make_currents_page(self) -> QWidget:
+        page = CurrentsPage(self._device, self)
+        page.window_wanted.connect(self._show_plot)
+        return page
+
+    @Slot()
+    def _show_plot(self) -> None:
+        """Show the plot of the currents in a window of its own, beside any page."""
+        from trex_gui.devices.trex.views.pages.currents_panel import PlotWindow  # noqa: PLC0415
+
+        if self._plot is None or not Shiboken.isValid(self._plot):
+            self._plot = PlotWindow(self._device)
+        self._plot.show()
+        self._plot.activateWindow()
+
     def _make_log_page(self) -> QWidget:
         return LogPage(self.log, self.key, self.notifier, self)
 
@@ -295,6 +313,13 @@ class TrexWorkspace(Workspace):
             Menu.WINDOW: (
                 *self.page_entries(),
                 SEPARATOR,
+                Entry(
+                    "plot",
+                    tr("Plot of currents in its o&wn window"),
+                    self._show_plot,
+                    "Ctrl+Shift+U",
+                    "plot",
+                ),
                 Entry("demo", tr("&Demo TReX panel"), self._demo.toggle, checkable=True),
             ),
         }
@@ -509,6 +534,8 @@ class TrexWorkspace(Workspace):
         if self._setup is not None:
             self._setup.close()
         self._bench.close()
+        if self._plot is not None and Shiboken.isValid(self._plot):
+            self._plot.close()
         self._demo.leave()
         self.files.close_all()
 

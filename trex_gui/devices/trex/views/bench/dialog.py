@@ -15,7 +15,6 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.action_bar import RunButton, StopButton
 from trex_gui.devices.trex.views.bench.forms import PlanForm, TuningForm
 from trex_gui.devices.trex.views.bench.results import BenchFiles, FiguresTable
-from trex_gui.devices.trex.views.pages.currents import current_limit
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.theme import tint
 from trex_gui.ui.widgets import builders as ui
@@ -268,7 +267,7 @@ class BenchDialog(ReusedDialog):
             return
         plan = self.bench.plan
         profile = plan.profile.limited(self._device.motors.ceiling)
-        self._plot.show_plan(profile, plan.abort_current, current_limit(self._device, plan.motor))
+        self._plot.show_plan(profile, plan.abort_current, self._device.current_limit(plan.motor))
         self._plot.show_runs(self.bench.current, self._before)
         if self.bench.phase is not Phase.IDLE:
             self._want_frame()

@@ -16,7 +16,6 @@ from trex_gui.devices.trex.model.parameters.text import value_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.views.action_bar import RunButton
-from trex_gui.devices.trex.views.pages.currents import current_limit
 from trex_gui.devices.trex.views.pages.motors.drive_control import DriveControl
 from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
@@ -175,7 +174,7 @@ class MotorsPage(QWidget):
         if state is not None:
             usual = _USUAL_COUNTS * state.signature.model.current_unit
             for number in (1, 2):
-                limit = current_limit(self._device, number)
+                limit = self._device.current_limit(number)
                 self._controls[number].current.set_scale(usual, limit)
         self._stored.setAccessibleName("" if text else self.tr("Stored motor settings: not known"))
         self._show_setpoints()

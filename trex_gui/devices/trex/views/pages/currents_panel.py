@@ -1,0 +1,111 @@
+"""The plot of a board's currents, on its page and in a window of its own.
+
+Importing it loads pyqtgraph: do so when a plot is to be shown.
+"""
+
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut, QShowEvent
+from PySide6.QtWidgets import QMainWindow, QWidget
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.telemetry import board_traces
+from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.plotting.panel import TracePanel
+from trex_gui.ui.plotting.traces import Traces
+from trex_gui.ui.theme.icons import application_icon
+from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.builders import column, row
+from trex_gui.ui.widgets.placement import keep_on_screen, restore_geometry, save_geometry
+
+
+class CurrentsPanel(TracePanel):
+    """Follows the currents of a board while it can be seen."""
+
+    def __init__(
+        self, device: Device, parent: QWidget | None = None, *, key: str = "currents"
+    ) -> None:
+        super().__init__(parent, key=key)
+        self._device = device
+        self._limits: dict[str, float] = {}
+        self._note_text = ""
+        self.plot.setObjectName("currentsPlot")
+        device.notifier.log_also(self.notifier)
+        history, events = device.telemetry.currents, device.events.all
+        self.set_source(Traces(board_traces(), history, events, self._limits))
+
+        device.link_changed.connect(self._on_device_changed)
+        device.state_changed.connect(self._on_device_changed)
+        device.telemetry.frame_due.connect(self._on_frame_due)
+        device.telemetry.text_due.connect(self._on_text_due)
+        device.events.happened.connect(self._on_text_due)
+
+    @Slot()
+    def _on_device_changed(self) -> None:
+        limits = {motor: self._device.current_limit(motor) for motor in (1, 2)}
+        self._limits.clear()
+        self._limits |= {f"motor{m}_current": limit for m, limit in limits.items() if limit}
+        state = self._device.state
+        if state is None:
+            note = empty = self.tr("Connect to a board to see its motor currents.")
+            if self._device.link is ConnectionState.DISCONNECTED:
+                empty = self.tr(
+                    "No board is connected. Choose a port at the top and press Connect; without "
+                    "hardware, choose the demo board."
+                )
+        elif self._device.is_joint:
+            note = empty = self.tr("Joint mode: the board does not sense currents.")
+        else:
+            empty = self.tr("No current has been read yet.")
+            step = state.signature.model.current_unit * 1000
+            note = self.tr("One count of this board is {0:.0f} mA.").format(step)
+        if name := self._device.board_name:  # the curves remain when it is disconnected
+            self.export.heading = self.tr("Motor currents, {0}").format(name)
+        # The result of an export remains until the note changes.
+        if note != self._note_text:
+            self._note_text = note
+            self.set_note(note)
+        self.plot.set_empty_text(empty)
+        self.refresh()
+
+    @Slot()
+    @only_when_visible
+    def _on_frame_due(self) -> None:
+        self.draw_live()
+
+    @Slot()
+    @only_when_visible
+    def _on_text_due(self) -> None:
+        self.refresh_figures()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._on_device_changed()
+
+
+class PlotWindow(QMainWindow):
+    """The plot beside another page; what it shows is chosen apart from the page's.
+
+    The window may cover the main window while motors turn, so it has a stop button.
+    """
+
+    _KEY = "plot_window"
+
+    def __init__(self, device: Device) -> None:
+        super().__init__()
+        self.setObjectName("plotWindow")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowIcon(application_icon())
+        self.setWindowTitle(self.tr("Motor currents"))
+        self.panel = CurrentsPanel(device, self, key=self._KEY)
+        stop = StopButton(device, "plotStopButton", self)
+        frame = QWidget(self)
+        column((self.panel, 1), row(stop, 1), into=frame)
+        self.setCentralWidget(frame)
+        QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
+        restore_geometry(self, self._KEY, 900, 560)
+        keep_on_screen(self)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        save_geometry(self, self._KEY)
+        super().closeEvent(event)

@@ -1,0 +1,180 @@
+"""The menu in which the colours and the layout of a plot are chosen, opened and saved."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QPoint, QSize, Qt, Slot
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QFileDialog, QMenu, QToolButton, QWidget
+
+from trex_gui.core.errors import StudioError
+from trex_gui.core.files import load, save
+from trex_gui.ui.files import in_background
+from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.plotting.figures import swatch
+from trex_gui.ui.plotting.layout_file import (
+    COLORS,
+    LARGEST_FILE,
+    PlotLayout,
+    read_layout,
+    write_layout,
+)
+from trex_gui.ui.plotting.plot import TracePlot
+from trex_gui.ui.plotting.traces import TraceInfo
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.translations import error_sentence
+from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.builders import action
+
+_SUFFIX = ".toml"
+
+
+def color_text(name: str) -> str:
+    """Return the name of a colour for the user."""
+    tr = partial(QCoreApplication.translate, "PlotColors")
+    return {
+        "blue": tr("Blue"),
+        "orange": tr("Orange"),
+        "green": tr("Green"),
+        "yellow": tr("Yellow"),
+        "purple": tr("Purple"),
+        "red": tr("Red"),
+        "teal": tr("Teal"),
+        "pink": tr("Pink"),
+        "grey": tr("Grey"),
+        "foreground": tr("As text"),
+    }[name]
+
+
+class LayoutButton(QToolButton):
+    """Opens a menu of colours and of layout files."""
+
+    def __init__(
+        self,
+        plot: TracePlot,
+        notifier: Notifier,
+        parent: QWidget,
+        *,
+        layout: Callable[[], PlotLayout],
+        use: Callable[[PlotLayout | None], object],
+    ) -> None:
+        """`layout` returns what is shown; `use` shows another one, or with `None` the usual."""
+        super().__init__(parent)
+        self._plot = plot
+        self._notifier = notifier
+        self._layout = layout
+        self._use = use
+        self.setObjectName("layoutButton")
+        self.setText(self.tr("La&yout"))
+        self.setAccessibleName(self.tr("Layout"))
+        self.setToolTip(self.tr("Colours of the curves; save and open how the plot is shown"))
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        set_icon(self, "settings")
+        menu = QMenu(parent)
+        self.setMenu(menu)
+        self._window = action(self, "plotWindowAction", self.tr("Show in a &window of its own"))
+        self._window.setVisible(False)
+        self._colors = QMenu(self.tr("&Colours"), menu)
+        self._colors.aboutToShow.connect(self._fill_colors)
+        menu.addAction(self._window)
+        menu.addMenu(self._colors)
+        menu.addSeparator()
+        for name, text, slot in (
+            ("layoutOpenAction", self.tr("&Open layout…"), self._ask_and_open),
+            ("layoutSaveAction", self.tr("&Save layout…"), self._ask_and_save),
+            ("layoutResetAction", self.tr("&Reset layout"), partial(self._use, None)),
+        ):
+            menu.addAction(action(self, name, text, on_trigger=partial(_call, slot)))
+
+    def offer_window(self, show: Callable[[], object]) -> None:
+        """Let the user show the same plot in a window of its own."""
+        self._window.triggered.connect(partial(_call, show))
+        self._window.setVisible(True)
+
+    @Slot()
+    def _fill_colors(self) -> None:
+        for old in self._colors.findChildren(QMenu):
+            old.deleteLater()
+        self._colors.clear()
+        if self._plot.source is not None:
+            for trace in self._plot.source.traces:
+                self._colors.addMenu(self.colors_of(trace, self._colors))
+
+    def colors_of(self, trace: TraceInfo, parent: QWidget) -> QMenu:
+        """Return a menu of colours for one curve."""
+        menu = QMenu(trace.label, parent)
+        for name, color in COLORS.items():
+            entry = action(menu, f"color_{trace.name}_{name}", color_text(name), checkable=True)
+            entry.setIcon(QIcon(swatch(theme().color(color), QSize(14, 14))))
+            entry.setChecked(trace.color == color)
+            entry.triggered.connect(partial(_call, partial(self._choose, trace.name, name)))
+            menu.addAction(entry)
+        return menu
+
+    def show_colors_of(self, trace: TraceInfo, place: QPoint) -> None:
+        """Open the menu of colours for one curve at a place on the screen."""
+        menu = self.colors_of(trace, self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.popup(place)
+
+    def _choose(self, name: str, color: str) -> None:
+        self._plot.set_color(name, COLORS[color])
+
+    # --- Files --------------------------------------------------------------------------
+
+    def _ask_and_open(self) -> None:
+        chosen, _ = QFileDialog.getOpenFileName(
+            self.window(),
+            self.tr("Open layout"),
+            str(file_questions.last_folder()),
+            self._filter(),
+        )
+        if chosen:
+            self.open(Path(chosen))
+
+    def open(self, path: Path) -> None:
+        """Show the plot as a file says; the file is read beside the window's thread."""
+        source = self._plot.source
+        known = [] if source is None else [trace.name for trace in source.traces]
+
+        def work() -> PlotLayout:
+            return read_layout(load(path, "plot layouts", LARGEST_FILE), str(path), known)
+
+        def use(layout: PlotLayout) -> None:
+            file_questions.remember_folder(path)
+            self._use(layout)
+            self._notifier.info.emit(self.tr("The layout of {0} is shown.").format(path.name))
+
+        in_background(self, work, use, self._on_failed)
+
+    def _ask_and_save(self) -> None:
+        proposal = file_questions.last_folder() / f"plot_layout{_SUFFIX}"
+        path = file_questions.ask_to_save(
+            self.window(), self.tr("Save layout"), proposal, self._filter(), _SUFFIX
+        )
+        if path is not None:
+            self.save(path)
+
+    def save(self, path: Path) -> None:
+        """Write how the plot is shown to a file, beside the window's thread."""
+        file_questions.remember_folder(path)
+        saved = self.tr("The layout was saved in {0}.").format(path)
+        in_background(
+            self,
+            partial(save, path, write_layout(self._layout())),
+            lambda _: self._notifier.info.emit(saved),
+            self._on_failed,
+        )
+
+    def _on_failed(self, error: StudioError) -> None:
+        self._notifier.error.emit(error_sentence(error))
+
+    def _filter(self) -> str:
+        return self.tr("Plot layouts (*{0})").format(_SUFFIX)
+
+
+def _call(slot: Callable[[], object], _checked: bool = False) -> None:
+    slot()

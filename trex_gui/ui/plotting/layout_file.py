@@ -1,0 +1,113 @@
+"""Layouts of a plot as small TOML files: time shown, range, and each curve with its colour."""
+
+import tomllib
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from trex_gui.core.files import Finding, SettingsError, decode
+from trex_gui.ui.plotting.axes import MAX_SPAN, MIN_SPAN
+
+VERSION = 1
+LARGEST_FILE = 64 * 1024  # bytes; one has some 600
+LARGEST_TOP = 1e6
+
+COLORS = {
+    "blue": "motor1",
+    "orange": "motor2",
+    "green": "good",
+    "yellow": "warning",
+    "purple": "dirty",
+    "red": "danger",
+    "teal": "teal",
+    "pink": "pink",
+    "grey": "muted",
+    "foreground": "plot_text",
+}
+"""Colours of curves by their names in files; each theme has its own shade of them."""
+
+
+def color_name(color: str) -> str:
+    """Return the name in files of a colour of the theme."""
+    return next((name for name, own in COLORS.items() if own == color), "foreground")
+
+
+@dataclass(frozen=True, slots=True)
+class PlotLayout:
+    """How a plot is shown.
+
+    Attributes:
+        seconds: how much time is shown.
+        top: where the left axis ends, in its unit; 0 if it fits what is shown.
+        curves: those that are drawn, and the name of the colour of each, as in `COLORS`.
+    """
+
+    seconds: float
+    top: float
+    curves: Mapping[str, str]
+
+
+def write_layout(layout: PlotLayout) -> str:
+    lines = [
+        "# Plot layout of TReX Studio",
+        f"version = {VERSION}",
+        f"seconds = {layout.seconds:.10g}  # time shown",
+        f"top = {layout.top:.10g}  # where the left axis ends; 0: where the values do",
+        "",
+        f"[curves]  # those that are drawn: {', '.join(COLORS)}",
+        *(f'{name} = "{color}"' for name, color in layout.curves.items()),
+    ]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def read_layout(data: bytes, name: str, known: Collection[str]) -> PlotLayout:
+    """Read the bytes of a file called `name` for a plot with the `known` curves.
+
+    Raises:
+        SettingsError: it is no layout, or not for this plot; with everything that is wrong.
+    """
+    try:
+        found: dict[str, Any] = tomllib.loads(decode(data, name))
+    except tomllib.TOMLDecodeError as error:
+        raise SettingsError.of(name, f"this is not a plot layout: {error}") from error
+    if (version := found.pop("version", None)) != VERSION or isinstance(version, bool):
+        said = "has no version" if version is None else f"has the version {version!r}"
+        raise SettingsError.of(name, f"{said}; this program reads layouts of version {VERSION}")
+    problems: list[Finding] = []
+
+    def take(key: str, check: Callable[[Any], str]) -> Any:
+        value = found.pop(key, None)
+        message = "is missing" if value is None else check(value)
+        if message:
+            problems.append(Finding(None, key, message))
+        return value
+
+    def check_curves(curves: Any) -> str:
+        if not isinstance(curves, dict):
+            return "is not a table of curves"
+        for curve, color in curves.items():
+            if curve not in known:
+                message = f"is no curve of this plot, which has {', '.join(known)}"
+                problems.append(Finding(None, curve, message))
+            elif not isinstance(color, str) or color not in COLORS:
+                message = f"has the colour {color!r}, which is none of {', '.join(COLORS)}"
+                problems.append(Finding(None, curve, message))
+        return ""
+
+    seconds = take("seconds", lambda value: _number(value, MIN_SPAN, MAX_SPAN))
+    top = take("top", lambda value: _number(value, 0, LARGEST_TOP))
+    curves = take("curves", check_curves)
+    problems += [Finding(None, key, "is not known in a plot layout") for key in found]
+    if problems:
+        raise SettingsError(name, problems)
+    return PlotLayout(float(seconds), float(top), curves)
+
+
+def _number(value: Any, lowest: float, highest: float) -> str:
+    if (
+        isinstance(value, int | float)
+        and not isinstance(value, bool)
+        and lowest <= value <= highest
+    ):
+        return ""
+    return f"is {value!r}, not a number from {lowest:g} to {highest:g}"
