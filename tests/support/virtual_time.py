@@ -28,7 +28,7 @@ from trex_gui.ui.runtime import Runtime
 START = 1000.0
 """Virtual seconds at which every test begins."""
 
-FRAME = 0.25
+FRAME = 1.0
 """Virtual seconds between two times that Qt paints, which costs more than all the rest."""
 
 LOOK = 0.01
