@@ -3,13 +3,13 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QDialog, QMessageBox
+from PySide6.QtWidgets import QDialog, QMessageBox, QTableWidget
 
 from tests.support.bad_files import BAD_FILES
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import ComparisonDialog, SettingsFiles, answer_questions
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from tests.support.window import WindowDriver
+from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.settings.code_export import Language
 
@@ -147,7 +147,6 @@ def test_invalid_files_change_nothing_and_findings_name_lines(
 def test_load_dialog_explains_mismatches_with_the_board(
     connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
 ) -> None:
-    device = connected_window.device
     text = "product: TReX\nfirmware: 1.0\nserial_timeout: 5\n"
     dialog = files.load(tmp_path / "older.txt", text)
     assert "with firmware 1.0; the board has" in dialog.text("loadHead")
@@ -156,17 +155,61 @@ def test_load_dialog_explains_mismatches_with_the_board(
     dialog = files.load(tmp_path / "analog.txt", f"product: TReX\n{ANALOG}")
     assert "analog calibrations are left out" in dialog.text("comparisonLeftOut")
 
-    text = "# small\nproduct: TReX Jr\nserial_timeout: 5\n"
-    dialog = files.load(tmp_path / "junior.txt", text)
-    assert "for another board" in dialog.text("loadTrouble")
-    line, message = dialog.findings()[0]
-    assert line == "2"
-    assert "for a TReX Jr" in message
-    assert not dialog.is_enabled("takeChangesButton")
-    dialog.click("editFileButton")
-    connected_window.wait_for_files()
-    assert files.editor().document.name == "junior.txt"
-    assert device.draft.pending == 0
+    dialog.root.close()
+
+
+JUNIOR = """# small rover
+product: TReX Jr
+motor1_current_limit: 60  # measured
+serial_timeout: 5
+rc_channel_2: {minimum: 2600, neutral: 3700, maximum: 4900, deadband: 60}
+"""
+
+
+def conversion(dialog: WidgetDriver) -> list[list[str]]:
+    """Return the cells of each converted setting."""
+    table = dialog.find(QTableWidget, "conversionTable")
+    rows, columns = range(table.rowCount()), range(table.columnCount())
+    return [[str(table.model().index(row, n).data()) for n in columns] for row in rows]
+
+
+def test_file_of_the_other_model_opens_with_what_was_converted(
+    connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
+) -> None:
+    window, device = connected_window, connected_window.device
+    path = tmp_path / "junior.txt"
+    dialog = files.load(path, JUNIOR)
+    assert dialog.text("loadHead") == "junior.txt: settings for a TReX Jr; the board is a TReX 1.2."
+    assert "For a TReX 1.2: 2 carried over, 1 changed, 0 left out." in dialog.text(
+        "conversionSummary"
+    )
+    limit, timeout, calibration = conversion(dialog)
+    assert limit[:3] == ["Motor 1 Current Limit", "4.8 A", "4.8 A"]
+    assert limit[3].startswith("Changed. The same value in steps of 0.3 A")
+    assert [timeout[3], calibration[3]] == ["Carried over."] * 2
+    check_keyboard(dialog.root)
+    dialog.click("takeChangesButton")
+    assert dict(device.parameters.pending) == {"motor1_current_limit": 16, "serial_timeout": 5}
+    assert device.draft.pending == 3
+
+    files.files.edit_file(path)
+    window.wait_for_files()
+    editor = files.editor()
+    editor.action("Convert").trigger()
+    convert = WidgetDriver(editor.find(QDialog, "convertDialog"), window.qtbot)
+    check_keyboard(convert.root)
+    assert convert.combo("convertBoard").currentText() == "TReX, firmware 1.2"
+    box = convert.combo("convertBoard")
+    for text in ("TReX Jr, firmware 1.0", "TReX, firmware 1.2"):
+        box.setCurrentIndex(box.findText(text))
+        box.activated.emit(box.currentIndex())
+        assert text.replace(", firmware", "") in convert.text("conversionSummary")
+    convert.click("convertButton")
+    old, new = files.files.editors
+    assert new.document.name == "junior_trex.txt"
+    assert "# small rover" in new.document.text
+    assert "motor1_current_limit: 16  # measured" in new.document.text
+    assert old.document.text == JUNIOR == path.read_text(encoding="utf-8")
     files.files.close_all()
 
 
@@ -177,7 +220,8 @@ def test_settings_unknown_to_firmware_are_left_out(
     text = "product: TReX\nfirmware: 1.2\nuart_response_delay: 1\nserial_timeout: 5\n"
     dialog = SettingsFiles(window).load(tmp_path / "newer.txt", text)
     assert "with firmware 1.2; the board has 1.0" in dialog.text("loadHead")
-    assert "firmware 1.0 does not have it" in dialog.text("comparisonLeftOut")
+    assert "1 left out" in dialog.text("conversionSummary")
+    assert "firmware 1.0 does not have it" in conversion(dialog)[0][3]
     dialog.click("takeChangesButton")
     assert window.device.parameters.pending == (("serial_timeout", 5),)
 

@@ -201,6 +201,7 @@ class SettingsFiles(QObject):
         editor.send_requested.connect(partial(self._send, editor))
         editor.new_requested.connect(self.ask_and_begin)
         editor.open_requested.connect(partial(self._ask_and, self.edit_file))
+        editor.converted.connect(self.open_editor)
         editor.saved.connect(self._note_used)
         editor.closed.connect(partial(self._on_editor_closed, editor))
         _raise(editor)

@@ -7,14 +7,15 @@ from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtWidgets import QDialog, QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.files import Finding
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.settings.conversion import Conversion, convert
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
-from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel, line_of_key
+from trex_gui.devices.trex.views.conversion_view import ConversionView
+from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, column, label, named, row
 from trex_gui.ui.widgets.labels import Note
@@ -46,12 +47,13 @@ class LoadDialog(QDialog):
         self._device = device
         self._heading = heading or self.tr("File")
         # The document itself may be edited or deleted meanwhile.
-        self._name, self._text = document.name, document.text
+        self._name = document.name
         self._settings, self._read_findings = document.settings, document.findings
 
         self._head = label(self, "loadHead", wrap=True, plain=True)
         self._trouble = named(Note(0, self), "loadTrouble")
         self._findings = named(FindingsPanel(self, with_lines=False), "loadFindings")
+        self._conversion = ConversionView(self)
         self._view = ComparisonView(self)
         self._foot = label(self, "loadFoot", wrap=True)
         self._edit = button(
@@ -69,6 +71,7 @@ class LoadDialog(QDialog):
             self._head,
             self._trouble,
             (self._findings, 1),
+            (self._conversion, 2),
             (self._view, 3),
             self._foot,
             row(self._edit, 1, self._take, cancel),
@@ -116,28 +119,40 @@ class LoadDialog(QDialog):
     @Slot()
     def _on_draft_changed(self) -> None:
         """Compare again; cleared check boxes stay cleared."""
-        trouble, mismatch = "", ""
-        comparison: Comparison | None = None
-        if self._settings is None:
+        trouble, comparison = "", None
+        settings, state = self._settings, self._device.state
+        conversion: Conversion | None = None
+        if settings is None:
             trouble = self.tr("This file cannot be used: it has errors. Nothing was changed.")
-        else:
+        elif state is not None:
+            board = state.signature
+            conversion = convert(settings, board.model, board.firmware)
+            if settings.product == board.model and not conversion.alters:
+                conversion = None
+            # Settings that only the board's firmware has are not missed.
+            given = replace(settings, firmware=None)
             try:
-                # Settings that only the board's firmware has are not missed.
-                given = replace(self._settings, firmware=None)
-                comparison = diff_against_draft(self._device.draft, given)
+                comparison = diff_against_draft(
+                    self._device.draft, given if conversion is None else conversion.settings
+                )
             except BadRequest as error:
-                trouble = self.tr("This file is for another board. Nothing was changed.")
-                mismatch = str(error)
+                trouble = error_sentence(error)
+        if conversion is not None:
+            self._conversion.show_conversion(conversion)
         if comparison is not None:
-            self._show_rows(comparison)
-        self._show_findings(mismatch)
+            heading = self._heading
+            if conversion is not None:
+                heading = self.tr("{0}, converted").format(heading)
+            self._show_rows(comparison, heading)
+        self._show_findings(is_short=comparison is not None)
+        self._conversion.setVisible(conversion is not None)
         self._view.setVisible(comparison is not None)
         self._foot.setVisible(comparison is not None)
         self._trouble.show_note(trouble, alarming=True)
         self._head.setText(self._head_text())
         self._update_take()
 
-    def _show_rows(self, comparison: Comparison) -> None:
+    def _show_rows(self, comparison: Comparison, heading: str) -> None:
         text = self.tr(
             "Checked changes become edits. Nothing is written to the board until you click Apply."
         )
@@ -149,17 +164,12 @@ class LoadDialog(QDialog):
         self._foot.setText(text)
         given = replace(comparison, rows=tuple(r for r in comparison.rows if not r.is_missing))
         now = self.tr("Board, as shown")
-        self._view.show_comparison(given, now, self._heading, keep_ticks=True)
+        self._view.show_comparison(given, now, heading, keep_ticks=True)
 
-    def _show_findings(self, mismatch: str) -> None:
-        found, summary = self._read_findings, ""
-        if mismatch:
-            line = line_of_key(self._text, "product")
-            found = (Finding(line, "product", mismatch), *found)
-            summary = self.tr("The board accepts no settings of this file.")
-        self._findings.show_findings(found, summary=summary)
+    def _show_findings(self, *, is_short: bool) -> None:
+        found = self._read_findings
+        self._findings.show_findings(found)
         self._findings.setVisible(bool(found))
-        is_short = self._settings is not None and not mismatch
         lines = min(len(found), _NAMED) + 4
         height = lines * (self.fontMetrics().height() + 12)
         self._findings.setMaximumHeight(height if is_short else _NO_LIMIT)
@@ -169,6 +179,9 @@ class LoadDialog(QDialog):
         if settings is None:
             return self._name
         product, firmware = settings.product, settings.firmware
+        if state is not None and state.signature.model != product:
+            text = self.tr("{0}: settings for a {1}; the board is a {2}.")
+            return text.format(self._name, product.name, state.signature)
         if firmware is None:
             return self.tr("{0}: settings for a {1}.").format(self._name, product.name)
         text = self.tr("{0}: settings for a {1} with firmware {2}.")

@@ -15,6 +15,7 @@ from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.action_bar import StopButton
+from trex_gui.devices.trex.views.conversion_view import ConvertDialog
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.devices.trex.views.settings_editor.calibration_page import CalibrationEditor
 from trex_gui.devices.trex.views.settings_editor.compare_dialogs import CompareDialog
@@ -40,6 +41,7 @@ class SettingsEditor(QMainWindow):
     send_requested = Signal()  # the user wants to load the settings into the board
     new_requested = Signal()
     open_requested = Signal()
+    converted = Signal(object)  # a `SettingsDocument` for another board
     saved = Signal(object)  # the `Path` of the file
     closed = Signal()
 
@@ -112,6 +114,8 @@ class SettingsEditor(QMainWindow):
             tr("&Edit"): (
                 Entry("undo", tr("&Undo"), self._undo, keys.Undo, "undo"),
                 Entry("redo", tr("&Redo"), self._redo, keys.Redo, "redo"),
+                SEPARATOR,
+                Entry("convert", tr("&Convert for another board…"), self.convert),
             ),
             tr("&Compare"): (
                 Entry("compareFile", tr("With another &file…"), self._ask_and_compare),
@@ -242,6 +246,14 @@ class SettingsEditor(QMainWindow):
         dialog.taken.connect(self._banner.show_news)
         dialog.show()
 
+    def convert(self) -> None:
+        """Show what becomes of the settings on another board, and open that as a new file."""
+        state = self._device.state if self._device.is_connected else None
+        dialog = ConvertDialog(self.document, state, self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.converted.connect(self.converted)
+        dialog.show()
+
     # --- Updates ------------------------------------------------------------------------
 
     def _undo(self) -> None:
@@ -272,6 +284,7 @@ class SettingsEditor(QMainWindow):
         for key, enabled in {
             "print": readable,
             "pdf": readable,
+            "convert": readable,
             "compareFile": readable,
             "compareBoard": readable and connected,
             "compareFactory": readable,

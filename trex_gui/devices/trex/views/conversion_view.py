@@ -1,0 +1,176 @@
+"""Settings of another model or firmware: what is carried over, changed and left out."""
+
+from pathlib import Path
+
+from PySide6.QtCore import Signal, Slot
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QDialog, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+
+from trex_gui.core.errors import StudioError
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.protocol.device_table import Model, device_table
+from trex_gui.devices.trex.settings.conversion import Conversion, Fate, convert
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.edit_in_place import amend
+from trex_gui.devices.trex.settings.writer import write_settings
+from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.builders import button, column, combo_box, flat_table, label, row
+from trex_gui.ui.widgets.placement import keep_on_screen
+
+_SIGNS = {
+    Fate.CHANGED: ("edited", "icon"),
+    Fate.LEFT_OUT: ("warning", "warning"),
+    Fate.CARRIED_OVER: ("ok", "good"),
+}
+
+
+class ConversionView(QWidget):
+    """The counts, and a table with a row for each setting of a file, changes first."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("conversionView")
+        self._conversion: Conversion | None = None
+        self._summary = label(self, "conversionSummary", wrap=True)
+        self._table = flat_table(
+            QTableWidget(0, 4, self), "conversionTable", self.tr("Converted settings")
+        )
+        header = self._table.horizontalHeader()
+        header.setStretchLastSection(True)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        self._fitting = new_timer(self, 0, self._table.resizeRowsToContents, single_shot=True)
+        column(self._summary, (self._table, 1), into=self, margins=0)
+
+        header.sectionResized.connect(self._fitting.start)
+        theme().changed.connect(self._fill)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fitting.start()
+
+    def show_conversion(self, conversion: Conversion) -> None:
+        if conversion != self._conversion:
+            self._conversion = conversion
+            self._fill()
+
+    @Slot()
+    def _fill(self) -> None:
+        conversion = self._conversion
+        if conversion is None:
+            return
+        counts = (len(conversion.of(fate)) for fate in (Fate.CARRIED_OVER, *_SIGNS))
+        text = self.tr("For a {0}: {1} carried over, {2} changed, {3} left out.")
+        self._summary.setText(text.format(conversion.board, *counts))
+        results = {
+            Fate.CHANGED: self.tr("Changed."),
+            Fate.LEFT_OUT: self.tr("Left out."),
+            Fate.CARRIED_OVER: self.tr("Carried over."),
+        }
+        board = self.tr("For a {0}").format(conversion.board)
+        titles = (self.tr("Setting"), self.tr("In the file"), board, self.tr("Result"))
+        self._table.setRowCount(len(conversion.rows))
+        self._table.setHorizontalHeaderLabels(titles)
+        for number, each in enumerate(conversion.rows):
+            result = f"{results[each.fate]} {each.reason}".rstrip()
+            for section, cell in enumerate((each.name, each.before, each.after or "–", result)):
+                item = QTableWidgetItem(cell)
+                item.setToolTip(cell)
+                if section == 0:
+                    item.setIcon(icon(*_SIGNS[each.fate]))
+                self._table.setItem(number, section, item)
+        character = self.fontMetrics().averageCharWidth()
+        for section, widest in enumerate((34, 26, 26)):  # the result wraps in the rest
+            self._table.resizeColumnToContents(section)
+            width = min(self._table.columnWidth(section) + 2 * character, widest * character)
+            self._table.setColumnWidth(section, width)
+        self._fitting.start()
+
+
+class ConvertDialog(QDialog):
+    """Makes a new file of the settings of an editor, for another board; that file stays."""
+
+    converted = Signal(object)  # the new `SettingsDocument`
+
+    def __init__(
+        self, document: SettingsDocument, state: DeviceState | None, parent: QWidget
+    ) -> None:
+        """Offer the board with this `state` first, if the file is not for it."""
+        super().__init__(parent)
+        self.setObjectName("convertDialog")
+        self._document = document
+        self.setWindowTitle(self.tr("Convert {0}").format(document.name))
+        self.resize(860, 520)
+        keep_on_screen(self)
+        boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
+        self._board = combo_box(
+            self,
+            "convertBoard",
+            self.tr("Board to convert for"),
+            items=[
+                (self.tr("{0}, firmware {1}").format(model.name, firmware), (model, firmware))
+                for model, firmware in boards
+            ],
+            on_activate=self._on_changed,
+        )
+        self._board.setCurrentIndex(boards.index(self._first_choice(state)))
+        self._view = ConversionView(self)
+        note = label(
+            self,
+            "convertNote",
+            self.tr(
+                "Opens the converted settings as a new file, with the comments of this one. {0} "
+                "stays as it is."
+            ).format(document.name),
+            wrap=True,
+        )
+        self._convert = button(
+            self, "convertButton", self.tr("&Convert"), default=True, on_click=self._on_clicked
+        )
+        cancel = button(self, "cancelConvertButton", self.tr("Cancel"), on_click=self.close)
+        above = label(self, text=self.tr("Convert &for:"), buddy=self._board)
+        column(
+            row(above, self._board, 1),
+            (self._view, 1),
+            note,
+            row(1, self._convert, cancel),
+            into=self,
+        )
+        document.changed.connect(self._on_changed)
+        self._on_changed()
+
+    def _first_choice(self, state: DeviceState | None) -> tuple[Model, str]:
+        settings = self._document.settings
+        own = None if settings is None else (settings.product, settings.specs.firmware)
+        if state is not None and (state.signature.model, state.signature.firmware) != own:
+            return state.signature.model, state.signature.firmware
+        models = [model for model in device_table().models if own is None or model != own[0]]
+        return models[0], models[0].firmware[-1]
+
+    def _conversion(self) -> Conversion | None:
+        settings: Settings | None = self._document.settings
+        model, firmware = self._board.currentData()
+        return None if settings is None else convert(settings, model, firmware)
+
+    @Slot()
+    def _on_changed(self) -> None:
+        conversion = self._conversion()
+        self._convert.setEnabled(conversion is not None)
+        if conversion is not None:
+            self._view.show_conversion(conversion)
+
+    @Slot()
+    def _on_clicked(self) -> None:
+        conversion = self._conversion()
+        if conversion is None:
+            return
+        try:
+            text = amend(self._document.text, conversion.settings, self._document.name)
+        except StudioError:  # written in a way that cannot be changed in place
+            text = write_settings(conversion.settings)
+        stem = Path(self._document.name).stem
+        name = f"{stem}_{conversion.settings.product.key}.txt"
+        self.converted.emit(SettingsDocument(text, name))
+        self.close()
