@@ -31,7 +31,15 @@ def test_version_option_prints_version(capsys: pytest.CaptureFixture[str]) -> No
 
 
 @pytest.mark.parametrize(
-    "words", [["--nonsense"], ["--timeout", "-1"], ["--timeout", "61"], ["--timeout", "soon"]]
+    "words",
+    [
+        ["--nonsense"],
+        ["--timeout", "-1"],
+        ["--timeout", "61"],
+        ["--timeout", "soon"],
+        ["--port", "foo://x"],
+        ["--port", "socket://nohost"],
+    ],
 )
 def test_invalid_option_exits_2(words: list[str]) -> None:
     with pytest.raises(SystemExit) as ending:

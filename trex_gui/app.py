@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trex_gui import __version__, composition
+from trex_gui.core.transport.settings import url_problem
 
 if TYPE_CHECKING:
     from trex_gui.ui.program import Program
@@ -27,12 +28,18 @@ def _seconds(text: str) -> float:
     return seconds
 
 
+def _url(text: str) -> str:
+    if problem := url_problem(text):
+        raise argparse.ArgumentTypeError(problem)
+    return text
+
+
 def _arguments(argv: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="trex-gui",
         description="Set up, calibrate, drive and understand a Pololu TReX motor controller.",
     )
-    parser.add_argument("--port", metavar="URL", help="connect to this port at once")
+    parser.add_argument("--port", metavar="URL", type=_url, help="connect to this port at once")
     parser.add_argument("--demo", action="store_true", help="connect to the simulated board")
     parser.add_argument(
         "--device",

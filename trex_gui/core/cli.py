@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import math
 import signal
 import sys
 import time
@@ -18,7 +19,7 @@ from trex_gui.core.host import host
 from trex_gui.core.plugin import Lazy
 from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_signals
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.core.transport.settings import PortSettings
+from trex_gui.core.transport.settings import PortSettings, url_problem
 from trex_gui.core.transport.traffic import Decoder, logged
 from trex_gui.core.transport.transcript import TranscriptWriter
 
@@ -130,6 +131,18 @@ def hexadecimal(text: str) -> int:
         raise click.UsageError(f"{text!r} is not a hexadecimal number such as 89.") from None
 
 
+class FiniteRange(click.FloatRange):
+    """A range of numbers, which "nan" and "inf" are not."""
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        number: float = super().convert(value, param, ctx)
+        if not math.isfinite(number):
+            self.fail(f"{value} is not a number.", param, ctx)
+        return number
+
+
 def required_port(port: str | None) -> str:
     """Return the URL given with `--port`; UsageError if none was given."""
     if not port:
@@ -148,9 +161,16 @@ def _complete_port(
     return [port for port in ports if port.startswith(incomplete)]
 
 
+def _check_port(_context: click.Context, _option: click.Parameter, port: str | None) -> str | None:
+    if port and (problem := url_problem(port)):
+        raise click.BadParameter(problem)
+    return port
+
+
 port_option = click.option(
     "--port",
     envvar="TREX_PORT",
+    callback=_check_port,
     metavar="URL",
     shell_complete=_complete_port,
     help="Port of the device, such as /dev/ttyUSB0, COM3, socket://host:port or "
@@ -159,7 +179,7 @@ port_option = click.option(
 timeout_option = click.option(
     "--timeout",
     "extra_timeout",
-    type=click.FloatRange(0),
+    type=FiniteRange(0),
     default=0.0,
     metavar="S",
     help="Seconds added to the deadline of every reply.",

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from importlib.util import find_spec
+from urllib.parse import urlsplit
 
 from trex_gui.core.texts import counted
 from trex_gui.core.timing import Timeouts
@@ -73,3 +75,20 @@ class PortSettings:
 
     def text(self) -> str:
         return f"{self.label} at {self.line.text()}"
+
+
+def url_problem(url: str) -> str:
+    """Return why a port cannot have this URL, as a sentence; empty if it may."""
+    scheme, is_url, _ = url.partition("://")
+    if not is_url:
+        return ""
+    if not scheme.isidentifier() or find_spec(f"serial.urlhandler.protocol_{scheme}") is None:
+        return f"{url}: there is no kind of port {scheme!r}; try socket:// or rfc2217://."
+    try:
+        parts = urlsplit(url)
+        is_complete = bool(parts.hostname) and parts.port is not None
+    except ValueError:  # no number, or none that a port can have
+        is_complete = False
+    if scheme in {"socket", "rfc2217"} and not is_complete:
+        return f"{url} is not {scheme}://host:port, such as {scheme}://192.168.1.20:2217."
+    return ""

@@ -115,17 +115,40 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (("set", "serial_timeout", "200"), "off to 12.7 s"),
-        (("set", "serial_timeot", "2"), "did you mean serial_timeout"),
-        (("get", "factory_reset"), "can only be written"),
+        ("set serial_timeout 999", "off to 12.7 s (wire value 0 to 127), not 999"),
+        ("set serial_timeout soon", "off to 12.7 s, not soon"),
+        ("set serial_timeot 2", "Did you mean serial_timeout?"),
+        ("set factory_reset 127", "restore-defaults"),
+        ("get nosuch", "No TReX has a parameter 'nosuch'."),
+        ("get factory_reset", "can only be written"),
+        ("calibration set 1 99999 99999 99999 20", "a calibration value is 0 to 16383"),
+        ("calibration set 1 3000 2000 4000 20", "minimum 3000 is above neutral 2000"),
+        ("calibration set 1 1ms 2V 2ms 20", "in µs or in V, not in both"),
+        ("calibration set 1 a 1 2 3", "counts (3750), or like 1500us"),
+        ("calibration set 6 1 2 3 4", "1<=x<=5"),
+        ("status --timeout nan", "nan is not a number"),
+        ("status --baud 1234", "not 1234"),
+        ("status --polynomial 11", "80"),
+        ("status --crc --parity even", "either CRC or parity"),
+        ("status --port foo://x", "there is no kind of port 'foo'"),
+        ("status --port socket://nohost", "socket://host:port"),
+        ("list --port socket://host:99999", "socket://host:port"),
+        ("aracna query --port rfc2217://:1", "rfc2217://host:port"),
+        ("motor 1 20 --seconds inf", "inf is not a number"),
+        ("motor 1 128", "-127 to 127"),
+        ("stream --seconds nan", "nan is not a number"),
+        ("raw GG", "GG"),
+        ("decode 8", "hexadecimal"),
+        ("diff - -", "standard input"),
+        ("history path -- -1", "is not a number"),
+        ("get", "Missing argument"),
+        ("fly", "No such command"),
     ],
 )
-def test_invalid_parameter_or_value_is_rejected_with_message(
-    trexcmd: RunCommand, words: tuple[str, ...], sentence: str
-) -> None:
-    result = trexcmd(*words)
-    assert result.exit_code == 1
+def test_wrong_usage_exits_with_2_before_a_port_is_opened(words: str, sentence: str) -> None:
+    result = CliRunner().invoke(main, words.split(), env={"TREX_PORT": "/dev/none"})
     assert sentence in result.stderr
+    assert result.exit_code == 2
     assert "Traceback" not in result.stderr
 
 
@@ -157,18 +180,13 @@ def test_stop_without_a_reply_fails(trexcmd: RunCommand, quick_simulator: Simula
     assert "No TReX responds" in result.stderr
 
 
-@pytest.mark.parametrize(
-    "words",
-    [
-        ("get", "device_number", "--crc", "--parity", "even"),
-        ("get", "device_number", "--baud", "1234"),
-        ("get", "device_number", "--polynomial", "11"),
-        ("get",),
-        ("fly",),
-    ],
-)
-def test_usage_error_exits_with_2(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
-    assert trexcmd(*words).exit_code == 2
+def test_what_the_board_does_not_have_exits_with_1(
+    trexcmd: RunCommand, start_simulator: StartSimulator
+) -> None:
+    url = start_simulator("--firmware", "1.0").url
+    result = trexcmd("set", "uart_response_delay", "1", "--port", url)
+    assert result.exit_code == 1
+    assert "TReX 1.0 has no parameter" in result.stderr
 
 
 def test_missing_port_is_usage_error_naming_trex_port() -> None:

@@ -108,7 +108,7 @@ def test_unchanged_setting_is_not_written_again(
     "words", [("set", "serial_timeout", "200"), ("calibration", "set", "1", "3", "2", "1", "0")]
 )
 def test_invalid_value_leaves_no_snapshot(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
-    assert trexcmd(*words).exit_code == 1
+    assert trexcmd(*words).exit_code == 2
     assert not SettingsHistory().snapshots()
 
 
@@ -166,7 +166,7 @@ def test_set_rejects_factory_reset(trexcmd: RunCommand, quick_simulator: Simulat
     before = memory(trexcmd)
     for value in ("127", "0", "restore"):
         result = trexcmd("set", "factory_reset", value)
-        assert result.exit_code == 1
+        assert result.exit_code == 2
         assert "`trexcmd restore-defaults`" in result.stderr
     quick_simulator.do("power cycle")
     assert memory(trexcmd) == before

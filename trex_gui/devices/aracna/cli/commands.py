@@ -6,6 +6,7 @@ import click
 
 from trex_gui.core.cli import (
     CommandFailed,
+    FiniteRange,
     Interruption,
     json_option,
     port_option,
@@ -142,7 +143,7 @@ def pose(
 @click.option("--loop", is_flag=True, help="Play until Ctrl-C.")
 @click.option(
     "--scale",
-    type=click.FloatRange(0.05, 20),
+    type=FiniteRange(0.05, 20),
     default=1.0,
     metavar="F",
     help="Factor on the times of all steps: 2 is half as fast.",

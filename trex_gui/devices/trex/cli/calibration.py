@@ -92,13 +92,23 @@ def set_command(channel: int, **options: Any) -> None:
     """
     given = {name: _parse(name, options.pop(name)) for name in CALIBRATION_FIELDS}
     link = link_settings(options)
+    meant = {_UNITS[unit][0] for _, unit in given.values() if unit}
+    if len(meant) > 1:
+        raise click.UsageError("A calibration is in µs or in V, not in both.")
+    try:  # before a snapshot is saved
+        wanted = Calibration(**{name: _counts(*value) for name, value in given.items()})
+        wanted.encode()
+    except BadRequest as error:
+        raise click.UsageError(f"{error}.") from error
     with open_line_to_change(link) as (client, rates):
         identify(client)
         state = read_board(client)
         source = state.source
-        counts = {name: _counts(name, value, source) for name, value in given.items()}
-        wanted = Calibration(**counts)
-        wanted.encode()  # rejects what no board accepts, before a snapshot is saved
+        if meant - {source}:
+            raise BadRequest(
+                f"The board measures its inputs as {source.value} now, so values are in "
+                f"{source.unit}."
+            )
         key = CalibrationKey.of(source, channel)
         stored = settings_of(state)
         change_one(
@@ -122,16 +132,11 @@ def _parse(name: str, text: str) -> tuple[float, str]:
     return float(found[1]), unit
 
 
-def _counts(name: str, value: tuple[float, str], source: InputSource) -> int:
-    number, unit = value
-    if not unit:
-        return int(min(number, HIGHEST_CODED + 1))
-    measured, factor = _UNITS[unit]
-    if measured is not source:
-        raise BadRequest(
-            f"The board measures its inputs as {source.value} now, so {name} is in {source.unit}."
-        )
-    return min(source.counts(number * factor), HIGHEST_CODED + 1)
+def _counts(number: float, unit: str) -> int:
+    if unit:
+        source, factor = _UNITS[unit]
+        number = source.counts(number * factor)
+    return int(min(number, HIGHEST_CODED + 1))
 
 
 def _text(channel: int, row: Calibration, source: InputSource) -> str:

@@ -1,6 +1,7 @@
 """What several commands share: options, the open line, and what list and find report."""
 
 import contextlib
+import difflib
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -28,6 +29,7 @@ from trex_gui.devices.trex.diagnosis import diagnose
 from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.errors import BoardElsewhere
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing
@@ -41,8 +43,6 @@ def complete_parameter(
     ctx: click.Context, param: click.Parameter, incomplete: str
 ) -> list[CompletionItem]:
     del ctx, param
-    from trex_gui.devices.trex.protocol.device_table import device_table  # noqa: PLC0415
-
     rows = {row["key"]: row["name"] for row in device_table().rows}
     return [
         CompletionItem(key, help=name) for key, name in rows.items() if key.startswith(incomplete)
@@ -257,6 +257,21 @@ def _row(found: FoundBoard) -> dict[str, Any]:
 
 
 PORT_REPORTS = PortReports(_identify, _describe, _row)
+
+
+def specs_of(name: str) -> list[ParameterSpec]:
+    """Return a parameter as each model and firmware has it; UsageError if none does."""
+    specs = []
+    for model in device_table().models:
+        for firmware in model.firmware:
+            with contextlib.suppress(BadRequest):
+                specs.append(parameters_of(model.key, firmware)[name])
+    if not specs:
+        keys = [row["key"] for row in device_table().rows]
+        close = difflib.get_close_matches(name.lower(), keys, n=1)
+        hint = f" Did you mean {close[0]}?" if close else ""
+        raise click.UsageError(f"No TReX has a parameter {name!r}.{hint}")
+    return specs
 
 
 def spec_of(client: TrexClient, name: str) -> ParameterSpec:

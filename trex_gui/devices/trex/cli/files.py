@@ -193,6 +193,8 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
     Prints nothing if they are equal; old values are left of new ones. With --last the board is
     compared with what this computer applied to it last, in the window or with trexcmd.
     """
+    if first == second == "-":
+        raise click.UsageError("Only one of the files can be standard input.")
     if last == (first is not None):
         raise click.UsageError("Give a FILE, or --last without one.")
     if first is None:

@@ -168,7 +168,7 @@ def _path_of(word: str) -> Path:
         return snapshots[int(word) - 1].path
     if not snapshots:
         raise CommandFailed(f"There are no snapshots in {history.folder} yet.")
-    raise CommandFailed(
+    raise click.UsageError(
         f"There is no snapshot {word}; snapshots are numbered 1 to {len(snapshots)}."
     )
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, Interruption, refusals, say
+from trex_gui.core.cli import CommandFailed, FiniteRange, Interruption, refusals, say
 from trex_gui.core.errors import (
     BadReply,
     BadRequest,
@@ -66,7 +66,7 @@ _FAULTS = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
 @click.option("--accelerate", is_flag=True, help="Use the acceleration set in the board.")
 @click.option(
     "--seconds",
-    type=click.FloatRange(0, min_open=True),
+    type=FiniteRange(0, min_open=True),
     metavar="S",
     help="Duration; without it, until Ctrl-C.",
 )

@@ -4,7 +4,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, hexadecimal, say
+from trex_gui.core.cli import CommandFailed, FiniteRange, hexadecimal, say
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.common import (
     crc_option,
@@ -37,7 +37,7 @@ def _bytes(words: tuple[str, ...]) -> bytes:
 )
 @click.option(
     "--seconds",
-    type=click.FloatRange(0, min_open=True),
+    type=FiniteRange(0, min_open=True),
     metavar="S",
     help="With --motors: how long the motors run.",
 )

@@ -23,10 +23,12 @@ from trex_gui.devices.trex.cli.common import (
     open_line,
     open_line_to_change,
     spec_of,
+    specs_of,
 )
 from trex_gui.devices.trex.protocol.parameters import (
     ParameterKey,
     ParameterSet,
+    ParameterSpec,
 )
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import factory_settings, settings_of
@@ -45,15 +47,10 @@ def set_command(name: str, value: str, **options: Any) -> None:
     has this value already.
     """
     link = link_settings(options)
+    _check_value(name, value)
     with open_line_to_change(link) as (client, rates):
         spec = spec_of(client, name)
-        if not spec.readable:
-            raise BadRequest(
-                f"{spec.name} is a command, not a value to store: `trexcmd restore-defaults` "
-                "shows what it would change, saves a snapshot and asks first"
-            )
-        is_wire = value.strip().isdecimal() and len(value) < 10
-        wire = spec.check(int(value)) if is_wire else spec.wire(value)
+        wire = _wire(spec, value)
         state = read_board(client)
         stored = settings_of(state)
         change_one(
@@ -65,6 +62,30 @@ def set_command(name: str, value: str, **options: Any) -> None:
             command=f"trexcmd set {spec.key}",
         )
         click.echo(f"{wire}\t{spec.text(wire)}")
+
+
+def _wire(spec: ParameterSpec, value: str) -> int:
+    is_wire = value.strip().isdecimal() and len(value) < 10
+    return spec.check(int(value)) if is_wire else spec.wire(value)
+
+
+def _check_value(name: str, value: str) -> None:
+    """Raise a UsageError for a value that no board takes."""
+    specs = specs_of(name)
+    if not specs[0].readable:
+        raise click.UsageError(
+            f"{specs[0].name} is a command, not a value to store: `trexcmd restore-defaults` "
+            "shows what it would change, saves a snapshot and asks first."
+        )
+    problem: BadRequest | None = None
+    for spec in specs:
+        try:
+            _wire(spec, value)
+        except BadRequest as error:
+            problem = problem or error
+        else:
+            return
+    raise click.UsageError(f"{problem}.")
 
 
 @click.command("restore-defaults")

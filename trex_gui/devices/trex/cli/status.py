@@ -7,7 +7,6 @@ from typing import Any
 import click
 
 from trex_gui.core.cli import json_option, print_json
-from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.common import (
     PHYSICAL_KEYS,
     complete_parameter,
@@ -17,6 +16,7 @@ from trex_gui.devices.trex.cli.common import (
     open_line,
     rounded,
     spec_of,
+    specs_of,
 )
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, agreed, query, read_everything
@@ -103,10 +103,10 @@ def status(as_json: bool, **options: Any) -> None:
 @json_option
 def get_command(name: str, as_json: bool, **options: Any) -> None:
     """Show one parameter, such as serial_timeout: its wire value and its meaning."""
+    if not (known := specs_of(name)[0]).readable:
+        raise click.UsageError(f"{known.name} can only be written.")
     with open_line(link_settings(options)) as client:
         spec = spec_of(client, name)
-        if not spec.readable:
-            raise BadRequest(f"{spec.name} can only be written")
         wire = agreed(client.request, GetParameter(spec.number), has_crc=client.has_crc)
     if as_json:
         click.echo(json.dumps({"name": spec.key, "value": wire, "text": spec.text(wire)}))

@@ -12,7 +12,7 @@ from typing import Any, TextIO
 import click
 from click.core import ParameterSource
 
-from trex_gui.core.cli import CommandFailed, Interruption, say
+from trex_gui.core.cli import CommandFailed, FiniteRange, Interruption, say
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.recording.kinds import SampleKind
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
@@ -56,13 +56,13 @@ def _read_separator(_context: click.Context, _option: click.Parameter, text: str
 )
 @click.option(
     "--seconds",
-    type=click.FloatRange(0, min_open=True),
+    type=FiniteRange(0, min_open=True),
     metavar="S",
     help="Duration; without it, until Ctrl-C.",
 )
 @click.option(
     "--interval",
-    type=click.FloatRange(0),
+    type=FiniteRange(0),
     default=0.0,
     metavar="S",
     help="Least seconds between two rows. Default: every row.",
