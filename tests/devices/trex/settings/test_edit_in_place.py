@@ -63,7 +63,7 @@ def test_edit_changes_only_values_and_generated_comments() -> None:
         "serial_timeout: 127             # 12.7 s\n"
         "\n"
         "# slippery floor\n"
-        "'motor1_acceleration' : 12  # 12 per 100 ms\n"
+        "'motor1_acceleration' : 12  # 12 per 100 ms, 1.1 s to full speed\n"
         "# end\n"
     )
 
@@ -333,9 +333,11 @@ def any_calibration_lines(draw: st.DrawFn, key: str, calibration: Calibration) -
 
 
 @st.composite
-def any_parameter_lines(draw: st.DrawFn, spec: ParameterSpec, wire: int) -> list[str]:
+def any_parameter_lines(
+    draw: st.DrawFn, spec: ParameterSpec, wire: int, settings: Settings
+) -> list[str]:
     number = draw(any_number(wire))
-    trailer = draw(any_trailer(parameter_text(spec, wire)))
+    trailer = draw(any_trailer(parameter_text(spec, wire, settings)))
     match draw(st.sampled_from(["line", "line", "line", "two lines", "explicit"])):
         case "line":
             return [f"{draw(any_key(spec.key))}: {number}{trailer}"]
@@ -353,7 +355,7 @@ def any_written(draw: st.DrawFn, given_settings: Settings) -> Written:
     for spec in given_settings.specs.readable:
         if spec.key in given_settings.parameters:
             wire = given_settings.parameters[spec.key]
-            groups[spec.key] = draw(any_parameter_lines(spec, wire))
+            groups[spec.key] = draw(any_parameter_lines(spec, wire, given_settings))
     for key, place in CALIBRATION_KEYS.items():
         if place in given_settings.calibrations:
             groups[key] = draw(any_calibration_lines(key, given_settings.calibrations[place]))

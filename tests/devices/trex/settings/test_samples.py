@@ -67,7 +67,7 @@ def test_sample_lines_match_written_parameter_lines(name: str) -> None:
     specs = {spec.key: spec for spec in settings.specs}
     for line in lines[1:]:
         key = line.partition(":")[0]
-        assert line == parameter_line(specs[key], settings.parameters[key])
+        assert line == parameter_line(specs[key], settings.parameters[key], settings)
 
 
 @every_sample

@@ -35,10 +35,10 @@ channel_input_source: 0         # RC
 # Motors
 motor1_deadband_brake_pwm: 127  # 100 %
 motor2_deadband_brake_pwm: 127  # 100 %
-motor1_pwm_prescaler: 1         # clock / 64
-motor2_pwm_prescaler: 1         # clock / 64
-motor1_pwm_maximum: 63          # 127
-motor2_pwm_maximum: 63          # 127
+motor1_pwm_prescaler: 1         # clock / 64, 2441 Hz
+motor2_pwm_prescaler: 1         # clock / 64, 2441 Hz
+motor1_pwm_maximum: 63          # 127, 2441 Hz
+motor2_pwm_maximum: 63          # 127, 2441 Hz
 aux_pwm_maximum: 63             # 127
 motor1_acceleration: 0          # no ramp
 motor2_acceleration: 0          # no ramp

@@ -67,6 +67,34 @@ def motor_name(key: str) -> str:
     return _NAMES.get(key.partition("_")[0], "")
 
 
+def pwm_keys(key: str) -> tuple[str, ...]:
+    """Return the keys of prescaler and maximum that a key belongs to; else the key alone."""
+    for part in (MotorParameter.PWM_PRESCALER, MotorParameter.PWM_MAXIMUM):
+        if key.endswith(part) and motor_name(key):
+            motor = key.removesuffix(part)
+            return motor + MotorParameter.PWM_PRESCALER, motor + MotorParameter.PWM_MAXIMUM
+    return (key,)
+
+
+FULL_SPEED_S = 12.7
+"""Seconds to full speed (127) at one speed step in 100 ms."""
+
+_FASTEST = 127  # the highest wire value of an acceleration
+
+
+def acceleration_wire(seconds: float) -> int:
+    """Return the wire value with the nearest time to full speed; 0 for none."""
+    if seconds <= 0:
+        return 0
+    return min(range(1, _FASTEST + 1), key=lambda wire: abs(FULL_SPEED_S / wire - seconds))
+
+
+def ramp_seconds(wire: int) -> str:
+    """Return the shortest number of seconds to full speed that means this wire value."""
+    texts = (f"{FULL_SPEED_S / wire:.{decimals}f}" for decimals in range(1, 5))
+    return next(text for text in texts if acceleration_wire(float(text)) == wire)
+
+
 _NUMBER = re.compile(r"\s*([-+]?\d+(?:[.,]\d*)?|[-+]?[.,]\d+)\s*(.*?)\s*")
 _ROUNDING = 0.01  # part of a step by which a number may be outside the limits
 _PREFIXES = {"m": 1e-3, "k": 1e3, "": 1.0}

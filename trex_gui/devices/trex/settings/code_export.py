@@ -99,7 +99,7 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
         signature=plain(product.signature.decode("ascii")),
         ampere=product.current_unit,
         power_cycle=min(spec.number for spec in settings.specs if spec.needs_power_cycle),
-        parameters=[_parameter_row(*item) for item in parameters],
+        parameters=[_parameter_row(*item, settings) for item in parameters],
         calibrations=[_calibration_row(*item) for item in valid.calibration_items()],
         left_out="\n".join(map(plain, left_out)),
     )
@@ -138,13 +138,13 @@ def plain(text: str) -> str:
 _ASCII = str.maketrans({"µ": "u", "μ": "u", "−": "-", "–": "-", "—": "-", "×": "x", "…": "..."})
 
 
-def _parameter_row(spec: ParameterSpec, wire: int) -> dict[str, object]:
+def _parameter_row(spec: ParameterSpec, wire: int, settings: Settings) -> dict[str, object]:
     return {
         "number": spec.number,
         "wire": wire,
         "name": plain(spec.name),
         "text": plain(spec.text(wire)),
-        "comment": plain(parameter_text(spec, wire)),
+        "comment": plain(parameter_text(spec, wire, settings)),
     }
 
 

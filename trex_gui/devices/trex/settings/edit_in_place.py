@@ -8,7 +8,7 @@ So the text is edited at the positions of ruamel.yaml's nodes.
 import re
 from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
 from ruamel.yaml.nodes import MappingNode, Node
@@ -23,6 +23,7 @@ from trex_gui.devices.trex.settings.writer import (
     check_keys,
     parameter_line,
     parameter_text,
+    plain_text,
 )
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END, compose
 
@@ -123,15 +124,17 @@ class _Document:
         if int(old, 0) != wire:
             self._edit(start, end, _spelled_like(old, wire))
 
-    def update_comment(self, key: str, old: str, new: str) -> None:
-        """Replace the comments beside a setting that read `old`."""
+    def update_comment(self, key: str, old: Collection[str], new: str) -> None:
+        """Replace the comments beside a setting that read one of `old`."""
+        if new in old:
+            return
         for number in self._lines_of(self.entries[key]):
             code, _, comment, _ = self._parts(number)
             line_end = self._line_starts[number] + len(code)
             is_last = not any(
                 self.entries[key].start < entry.start < line_end for entry in self.entries.values()
             )
-            if code and comment == f"# {old}" and is_last:
+            if code and is_last and comment.removeprefix("# ") in old and comment:
                 self._comments[number] = f"# {new}"
 
     def remove(self, key: str) -> None:
@@ -216,14 +219,16 @@ def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
         elif key in new.parameters:
             wire = new.parameters[key]
             document.set_number(entry.value, wire)
-            before = parameter_text(old.specs[key], old.parameters[key])
-            document.update_comment(key, before, new.specs[key].text(wire))
+            old_wire = old.parameters[key]
+            spec = old.specs[key]
+            texts = {parameter_text(spec, old_wire, old), plain_text(spec, old_wire)}
+            document.update_comment(key, texts, parameter_text(new.specs[key], wire, new))
         elif calibration_key is not None and calibration_key in new.calibrations:
             calibrations = [both.calibrations[calibration_key] for both in (old, new)]
             for part, node in entry.value.value:
                 document.set_number(node, getattr(calibrations[1], str(part.value)))
             before, after = (calibration_text(calibration_key.source, c) for c in calibrations)
-            document.update_comment(key, before, after)
+            document.update_comment(key, {before}, after)
         else:
             document.remove(key)
 
@@ -232,7 +237,10 @@ def _missing_lines(document: _Document, settings: Settings) -> Iterator[str]:
     """Yield a line for each setting that the text lacks, in the order of the table."""
     if settings.firmware is not None and "firmware" not in document.entries:
         yield f"firmware: {settings.firmware}"
-    lines = [(spec.key, parameter_line(spec, wire)) for spec, wire in settings.parameter_items()]
+    lines = [
+        (spec.key, parameter_line(spec, wire, settings))
+        for spec, wire in settings.parameter_items()
+    ]
     lines += [(key, calibration_line(key, c)) for key, c in settings.calibration_items()]
     present = {line.strip() for line in document.body.splitlines()}
     for key, line in lines:

@@ -11,7 +11,12 @@ from trex_gui.devices.trex.protocol.calibration import (
 )
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import (
+    ParameterKind,
+    ParameterSpec,
+    pwm_keys,
+    ramp_seconds,
+)
 from trex_gui.devices.trex.settings.document import Settings
 
 _CALIBRATION_TITLES = {
@@ -51,24 +56,47 @@ def _parameter_blocks(settings: Settings) -> Iterator[list[str]]:
     groups = list(dict.fromkeys(spec.group for spec, _ in items))
     items.sort(key=lambda item: groups.index(item[0].group))
     for group, members in groupby(items, key=lambda item: item[0].group):
-        yield [f"# {group.capitalize()}", *(parameter_line(*item) for item in members)]
+        yield [f"# {group.capitalize()}", *(parameter_line(*item, settings) for item in members)]
 
 
-def parameter_line(spec: ParameterSpec, wire: int) -> str:
+def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
     """Return a setting with its comment, or a comment if the board would reject the value."""
     setting = f"{spec.key}: {wire}"
     if problem := spec.problem(wire):
         return _left_out(setting, problem)
-    text = parameter_text(spec, wire)
+    text = parameter_text(spec, wire, settings)
     # As wide as the widest line can be, so that a change of one value changes one line.
     width = max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
     return f"{setting:{width}}  # {text}" if text else setting
 
 
-def parameter_text(spec: ParameterSpec, wire: int) -> str:
-    """Return the comment beside a value; empty if it would repeat the value."""
+def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:
+    """Return the comment beside a value, `25 per 100 ms, 0.5 s to full speed` for a ramp.
+
+    Prescaler and maximum of a PWM get its frequency, which depends on both.
+    """
+    texts = (plain_text(spec, wire), _meaning(spec, wire, settings))
+    return ", ".join(filter(None, texts))
+
+
+def plain_text(spec: ParameterSpec, wire: int) -> str:
+    """Return a value in its own unit; empty if that would repeat the value."""
     text = spec.text(wire)
     return "" if text == str(wire) else text
+
+
+def _meaning(spec: ParameterSpec, wire: int, settings: Settings) -> str:
+    """Return what a value does that its own unit does not show; mostly empty."""
+    if spec.kind is ParameterKind.ACCELERATION and wire:
+        return f"{ramp_seconds(wire)} s to full speed"
+    pair = pwm_keys(spec.key)
+    wires = [settings.parameters[key] for key in pair if key in settings.parameters]
+    if len(wires) < 2:
+        return ""
+    try:
+        return f"{device_table().pwm.frequency(*wires):.0f} Hz"
+    except BadRequest:
+        return ""
 
 
 def _calibration_blocks(settings: Settings) -> Iterator[list[str]]:

@@ -13,10 +13,9 @@ from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, Ro
 from trex_gui.devices.trex.model.parameters.text import (
     ParameterColumn,
     acceleration_text,
-    acceleration_wire,
 )
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterSet, acceleration_wire, parameters_of
 
 SPECS = parameters_of("trex", "1.2")
 JUNIOR = parameters_of("trexjr", "1.2")

@@ -12,16 +12,15 @@ from trex_gui.devices.trex.model.parameters.draft import Draft
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.device_table import Model, device_table
 from trex_gui.devices.trex.protocol.parameters import (
-    MotorParameter,
     ParameterKind,
     ParameterSpec,
     motor_name,
     other_motor_key,
+    pwm_keys,
+    ramp_seconds,
 )
 from trex_gui.ui.units import units
 
-FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step in 100 ms
-_PRESCALER, _MAXIMUM = MotorParameter.PWM_PRESCALER, MotorParameter.PWM_MAXIMUM
 _MAXIMA = FULL_SCALE + 1
 _IN_WORDS = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
 _HIGHEST_PWM = 20_000.0  # Hz; of the drivers of boards without a rated one; inferred
@@ -68,7 +67,7 @@ class ParameterText(QObject):
     def set_board(self, board: Model) -> None:
         """Follow new specifications, those of a board of this model."""
         self.frequencies = frequency_codes(board)
-        pairs = ((key, _frequency_keys(key)) for key in self._specs)
+        pairs = ((key, pwm_keys(key)) for key in self._specs)
         self._pairs = {key: pair for key, pair in pairs if self._specs.keys() >= set(pair)}
 
     def together(self, key: str) -> tuple[str, ...]:
@@ -219,15 +218,6 @@ def value_text(spec: ParameterSpec, wire: int) -> str:
 # --- PWM frequency ----------------------------------------------------------------------
 
 
-def _frequency_keys(key: str) -> tuple[str, ...]:
-    """Return the keys of prescaler and maximum that a key belongs to; else the key alone."""
-    for part in (_PRESCALER, _MAXIMUM):
-        if key.endswith(part):
-            motor = key.removesuffix(part)
-            return motor + _PRESCALER, motor + _MAXIMUM
-    return (key,)
-
-
 def frequency_code(prescaler: int, maximum: int) -> int:
     """Return the wire values of prescaler and maximum as one number."""
     return prescaler * _MAXIMA + maximum
@@ -269,25 +259,12 @@ def _numbers(wires: Sequence[int]) -> str:
 
 def acceleration_text(wire: int) -> str:
     """Return an acceleration as the time to full speed: `0.5 s to full speed`."""
-    return _tr("{0} s to full speed").format(_seconds_text(wire))
+    return _tr("{0} s to full speed").format(ramp_seconds(wire))
 
 
 def acceleration_range(spec: ParameterSpec) -> str:
-    fast, slow = _seconds_text(spec.maximum), _seconds_text(1)
+    fast, slow = ramp_seconds(spec.maximum), ramp_seconds(1)
     return _tr("{0} to {1} s to full speed, or {2}").format(fast, slow, spec.zero)
-
-
-def acceleration_wire(seconds: float) -> int:
-    """Return the wire value with the nearest time to full speed; 0 for none."""
-    if seconds <= 0:
-        return 0
-    return min(range(1, FULL_SCALE + 1), key=lambda wire: abs(FULL_SPEED_S / wire - seconds))
-
-
-def _seconds_text(wire: int) -> str:
-    """Return the shortest number of seconds that means this wire value."""
-    texts = (f"{FULL_SPEED_S / wire:.{decimals}f}" for decimals in range(1, 5))
-    return next(text for text in texts if acceleration_wire(float(text)) == wire)
 
 
 def _tr(text: str) -> str:

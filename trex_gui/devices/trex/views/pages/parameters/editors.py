@@ -9,9 +9,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.text import (
-    FULL_SPEED_S,
     acceleration_range,
-    acceleration_wire,
     frequency_code,
     frequency_range,
     frequency_text,
@@ -22,7 +20,12 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
-from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import (
+    FULL_SPEED_S,
+    ParameterKind,
+    ParameterSpec,
+    acceleration_wire,
+)
 from trex_gui.devices.trex.views.count_editor import UnitSpinBox
 from trex_gui.ui.widgets.builders import NoWheelComboBox, check_box, combo_box, row
 
