@@ -54,9 +54,9 @@ class SimulatedDevice(ABC):
         assert answer.startswith("ok"), f"{line}: {answer}"
         return answer.removeprefix("ok").strip()
 
-    def show(self) -> dict[str, Any]:
-        """What the device is and does."""
-        state: dict[str, Any] = json.loads(self.do("show"))
+    def show(self, board: str = "") -> dict[str, Any]:
+        """What the device is and does; `board` names one of several on the line, as in `@9`."""
+        state: dict[str, Any] = json.loads(self.do(f"{board} show".strip()))
         return state
 
 

@@ -16,9 +16,12 @@ BRAKE = ("brake", 127)
 FULL = ("forward", 127)
 
 
-def is_stopped(simulator: SimulatedDevice) -> bool:
-    """Return whether both motors brake fully, stay so, and the auxiliary motor is off."""
-    shown = simulator.show()
+def is_stopped(simulator: SimulatedDevice, board: str = "") -> bool:
+    """Return whether both motors brake fully, stay so, and the auxiliary motor is off.
+
+    `board` names one of several on the line, as in `@9`.
+    """
+    shown = simulator.show(board)
     braked = {"direction": "brake", "speed": 127, "target_direction": "brake", "target_speed": 127}
     return shown["aux"] == {"speed": 0, "target_speed": 0} and all(
         {key: motor[key] for key in braked} == braked for motor in shown["motors"]

@@ -2,10 +2,11 @@
 
 import logging
 import math
+from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.session import Close, Progress
+from trex_gui.core.session import Close, Outcome, Progress
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.driving.requests import (
     MotorsStopped,
@@ -19,6 +20,7 @@ from trex_gui.devices.trex.session.messages import (
     Connected,
     GuardianChanged,
     NotResponding,
+    SelectBoard,
     SetWatched,
     Write,
 )
@@ -35,7 +37,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
 
     device_read = Signal(object)  # the board was read, or read again: the `Connected`
     ready = Signal()  # `device_read` was handled, and `link` is `CONNECTED`
-    closing = Signal()  # the line is about to be closed on request
+    leaving = Signal()  # the line is about to be closed, or another board selected, on request
     not_responding = Signal()
     guardian_changed = Signal()  # `is_guarded`
     stop_sent = Signal()  # a stop has left; its confirmation follows
@@ -48,6 +50,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         super().__init__(self._decoder, parent)
         self.echo = False  # whether everything sent comes back: the RS-232 side of the board
         self.port_rates: frozenset[int] | None = None  # what the port supports; `None`: unknown
+        self.selection = 0  # see `Connected.selection`
         self.is_guarded = False  # a process stops the motors if this one fails
         self.counters = Counters()  # line statistics since it was opened
         self._watchers = {"window"}
@@ -78,7 +81,29 @@ class Connection(DeviceConnection[ConnectionSettings]):
         )
 
     def prepare_to_close(self) -> None:
-        self.closing.emit()
+        self.leaving.emit()
+
+    def select(
+        self, number: int, sharing: tuple[int, ...], then: Callable[[Outcome], None]
+    ) -> None:
+        """Address another board on the open line; `link` is `CONNECTING` until it is read.
+
+        `sharing` are the numbers of all boards that are known on it. If it cannot be selected,
+        the present board stays connected, or silent.
+        """
+        before = self.link, self.status
+
+        def report(outcome: Outcome) -> None:
+            if outcome.error is not None and self.link is ConnectionState.CONNECTING:
+                self._set_state(*before)
+                if before[0] is ConnectionState.CONNECTED:
+                    self.ready.emit()
+            then(outcome)
+
+        self.leaving.emit()
+        text = self.tr("Selecting device {0} …").format(number)
+        self._set_state(ConnectionState.CONNECTING, text)
+        self.request(lambda request: SelectBoard(request, number, sharing), report)
 
     def stop_now(self, *, ending: bool = False) -> None:
         """Stop every motor, and close the port if the program is `ending`; from any thread.
@@ -120,6 +145,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.settings = report.settings
         self.echo = report.echo
         self.port_rates = report.port_rates
+        self.selection = report.selection
         self.traffic.note_settings(report.settings, echo=report.echo)
         signature = report.state.signature
         if self._decoder.board != signature:

@@ -22,11 +22,19 @@ from trex_gui.devices.trex.model.settings.board_memory import BoardMemory
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.model.telemetry import Telemetry
-from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
+from trex_gui.devices.trex.protocol.calibration import (
+    CALIBRATION_KEYS,
+    Calibration,
+    CalibrationKey,
+)
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import who_controls
 from trex_gui.devices.trex.protocol.errors import BoardElsewhere, suggests_scan
-from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
+from trex_gui.devices.trex.protocol.parameters import (
+    MotorParameter,
+    ParameterKey,
+    ParameterSpec,
+)
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -36,8 +44,9 @@ from trex_gui.devices.trex.session.messages import (
     Write,
     Written,
 )
-from trex_gui.devices.trex.session.reconnecting import reconnect_candidates
+from trex_gui.devices.trex.session.reconnecting import REACH, reconnect_candidates
 from trex_gui.devices.trex.settings.document import factory_settings, settings_of
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.event_log import EventKind
@@ -245,13 +254,37 @@ class Device(QObject):
         Raises:
             BadRequest: the board cannot wait so long.
         """
+        self._set(_TIMEOUT, lambda spec: round(seconds / spec.scale))
+
+    def set_device_number(self, number: int) -> None:
+        """Write another device number (0-127), unless another board on this line has it.
+
+        As `set_serial_timeout`.
+        """
+        self._set(ParameterKey.DEVICE_NUMBER, lambda _spec: number)
+
+    def _set(self, key: str, wire_of: Callable[[ParameterSpec], int]) -> None:
         if self.state is None or not self.connection.is_open:
             self._on_request_failed(self.tr("No board is connected."))
             return
-        spec = self.state.specs[_TIMEOUT]
-        wire = spec.check(round(seconds / spec.scale))
-        reason = self.tr("{0} set").format(spec.name)
-        self._apply.write(self.state, self.settings, reason, ((_TIMEOUT, wire),))
+        spec = self.state.specs[key]
+        wire = spec.check(wire_of(spec))
+        if key in REACH:
+            self._expect_after({**self.state.parameters, key: wire})
+        self.write(self.tr("{0} set").format(spec.name), ((key, wire),))
+
+    def write(
+        self,
+        reason: str,
+        parameters: tuple[tuple[str, int], ...],
+        calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = (),
+    ) -> None:
+        """Write and verify these values after a snapshot for this `reason`; edits stay pending.
+
+        `applied` or `request_failed` reports the result.
+        """
+        if self.state is not None and self.connection.is_open:
+            self._apply.write(self.state, self.settings, reason, parameters, calibrations)
 
     def reload(self) -> None:
         self._request(Reload, self._on_reloaded)
@@ -342,6 +375,9 @@ class Device(QObject):
     @Slot(object)
     def _on_read(self, report: Connected) -> None:
         state, occasion = report.state, report.occasion
+        if occasion is ReadReason.SELECTED:
+            self._on_selected(report)
+            return
         is_other = occasion is ReadReason.OPENED or (
             occasion.power_cycled
             and self.state is not None
@@ -374,11 +410,41 @@ class Device(QObject):
             self.telemetry.begin(state.signature.model.current_unit)
         self.telemetry.serial_controls = state.serial_controls
         self.edit_backup.leave_board()
-        self.draft.take_state(state, report.settings, power_cycled=occasion.power_cycled)
-        opened, is_simulated = occasion is ReadReason.OPENED, bool(report.settings.name)
+        opened = occasion is ReadReason.OPENED
+        self.draft.take_state(
+            state, report.settings, power_cycled=occasion.power_cycled, opened=opened
+        )
+        self._take_files(report, opened=opened)
+
+    def _take_files(self, report: Connected, *, opened: bool) -> None:
+        """Follow in its files what the board stores; `opened`: it may be another board."""
+        state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.take_board(ask=opened, is_simulated=is_simulated)
         stored = settings_of(state)
         self.memory.take_board(stored, state.source, opened=opened, is_simulated=is_simulated)
+
+    def _on_selected(self, report: Connected) -> None:
+        """Show another board on the line, with its edits and counts; those of the last are kept."""
+        reason = self.tr("Nothing was written: another board was selected.")
+        self._give_up_apply(reason)
+        before = self.draft.stored
+        if pending := self.draft.pending:
+            text = self.tr(
+                "%n edit(s) of the former board kept: they return when it is selected again.",
+                "",
+                pending,
+            )
+            self.notifier.delayed_info.emit(text)
+        url, state = report.settings.url, report.state
+        if before is not None:
+            board = BoardIdentity.of(settings_of(state))
+            self.errors.select(f"{url} {BoardIdentity.of(before)}", f"{url} {board}")
+        self.state = state
+        self.telemetry.begin(state.signature.model.current_unit)
+        self.telemetry.serial_controls = state.serial_controls
+        self.edit_backup.leave_board(is_deselected=True)
+        self.draft.select_state(state, report.settings)
+        self._take_files(report, opened=True)
 
     @Slot()
     def _on_not_responding(self) -> None:

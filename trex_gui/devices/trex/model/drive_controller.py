@@ -66,6 +66,7 @@ class DriveController(QObject):
         self._connection = connection
         self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
         self._board: Connected | None = None  # the board at the line, as far as it is known
+        self._reaches_several = False
         self._was_read = False  # since the line was opened
         self._is_identified = False  # and since it was quiet: `_board` is at the line
         self._lost: list[Connected] = []  # boards that were driven before another one answered
@@ -81,7 +82,7 @@ class DriveController(QObject):
         connection.started.connect(self._on_line_opened)
         connection.not_responding.connect(self._on_unidentified)
         connection.device_read.connect(self._on_read)
-        connection.closing.connect(self._on_out_of_reach)
+        connection.leaving.connect(self._on_out_of_reach)
         connection.not_responding.connect(self._on_out_of_reach)
         connection.line_closed.connect(self._on_closed)
         connection.ready.connect(self._report_lost)
@@ -95,11 +96,18 @@ class DriveController(QObject):
         Where channels are in control the board keeps a command until channel 5 hands over:
         what was meant for now would start later.
         """
-        allowed = self._is_connected and bool(self._telemetry.serial_controls)
+        reaches_one = self._is_connected and not self._reaches_several
+        allowed = reaches_one and bool(self._telemetry.serial_controls)
         if allowed != self._motors.is_available:
             if self._motors.armed and self._is_connected and not allowed:
                 self._motors.stop(self.tr("Serial commands no longer reach the motors."))
             self._motors.set_available(allowed)
+
+    def set_reaching_several(self, several: bool) -> None:
+        """Let no motor be armed while commands without a number would reach `several` boards."""
+        if several != self._reaches_several:
+            self._reaches_several = several
+            self.follow_control()
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
         """Stop everything and disarm; `then` is called once with the confirmation or its error."""
@@ -120,7 +128,7 @@ class DriveController(QObject):
         if not self._motors.armed:
             self._heartbeat.stop()
         elif not self._heartbeat.isActive():
-            self._connection.submit(Arm())
+            self._connection.submit(Arm(self._connection.selection))
             self._heartbeat.start()
 
     @Slot()
@@ -209,6 +217,11 @@ class DriveController(QObject):
         )
         return text.format(_name_of(self._lost[0]), _port_of(self._lost[0]))
 
+    def note_unconfirmed(self) -> None:
+        """Note that a motor may be moving: a stop that somebody else requested is unconfirmed."""
+        self.may_move = True
+        self.confirmed.emit()
+
     def note_stored(self, state: DeviceState, uncertain: Collection[str]) -> None:
         """Take what the board stores after a write; values with `uncertain` keys are not known."""
         if self._board is not None:
@@ -230,6 +243,8 @@ class DriveController(QObject):
         """
         before, self._board = self._board, report
         self._was_read = self._is_identified = True
+        if report.occasion is ReadReason.SELECTED:  # else the former one would still be selected
+            self.may_move = False
         if self.may_move and before is not None and not _may_be_same(before, report):
             self._lost.append(before)
             self._lost_with = None

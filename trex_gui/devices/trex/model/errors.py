@@ -59,6 +59,7 @@ class ErrorLog(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.entries = _UNSEEN  # of motor 1, of motor 2, UART error and its kinds
+        self._others: dict[str, tuple[ErrorEntry, ...]] = {}  # of boards that are not selected
 
     def recent(self, motor: int, seconds: float = 3.0) -> list[ErrorEntry]:
         """Return the entries about motor 1 or 2 that are at most `seconds` old.
@@ -84,6 +85,12 @@ class ErrorLog(QObject):
             else entry
             for entry in self.entries
         )
+        self.changed.emit()
+
+    def select(self, before: str, board: str) -> None:
+        """Show the counts of another board on the line; keep those of the one `before`."""
+        self._others[before] = self.entries
+        self.entries = self._others.pop(board, _UNSEEN)
         self.changed.emit()
 
     def reset(self) -> None:
@@ -160,6 +167,10 @@ class BoardEvents(EventLog):
                     "A setting changed: the board was restarted, or another program wrote to it"
                 )
                 self.add(EventKind.LINK, text, is_problem=True)
+            case ReadReason.SELECTED:
+                text = self.tr("Device {0} selected: {1}")
+                number = report.settings.device_number
+                self.add(EventKind.LINK, text.format(number, report.state.signature))
             case ReadReason.RELOADED:
                 pass
 

@@ -147,8 +147,7 @@ class ErrorCode(Enum):
     )
     NUMBER_TAKEN = QT_TRANSLATE_NOOP(
         "TrexErrors",
-        "Nothing was written: another board on this line has the device number {0}. Choose a "
-        "number that is free.",
+        "Another board on this line has the device number {0}. Choose a number that is free.",
     )
     # Writes
     BAD_PARAMETER = QT_TRANSLATE_NOOP(

@@ -144,8 +144,9 @@ class ParameterModel(QAbstractTableModel):
         power_cycled: bool,
         active: Mapping[str, int] | None = None,
         open_ended: bool = False,
+        keep_edits: bool = True,
     ) -> None:
-        """Take everything that was read; edits stay if the board is of the same model.
+        """Take everything that was read; with `keep_edits` they stay if the model is the same.
 
         `active` are values known to be active, whatever is stored. `open_ended` (a file): any
         parameter may be added or left out.
@@ -159,7 +160,7 @@ class ParameterModel(QAbstractTableModel):
         self._arrange()
         self._draft.load(
             stored,
-            keep_edits=specs.model.key == self.model_key,
+            keep_edits=keep_edits and specs.model.key == self.model_key,
             power_cycled=power_cycled,
             optional=self._specs if open_ended else (),
         )
@@ -270,6 +271,11 @@ class ParameterModel(QAbstractTableModel):
 
     def spec_of(self, key: str) -> ParameterSpec:
         return self._specs[key]
+
+    @property
+    def all_active(self) -> dict[str, int]:
+        """The active wire values that differ from the stored ones, by key."""
+        return dict(self._draft.active)
 
     @property
     def waiting_for_power(self) -> tuple[str, ...]:

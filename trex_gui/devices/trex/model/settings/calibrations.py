@@ -95,12 +95,13 @@ class Calibrations(QObject):
         stored: Mapping[int, Calibration] | Mapping[CalibrationKey, Calibration],
         *,
         open_ended: bool = False,
+        keep_edits: bool = True,
     ) -> None:
-        """Take what was read; edits stay if the board is of the same model.
+        """Take what was read; with `keep_edits` they stay if the model is the same.
 
         `open_ended` (a file): any calibration may be added or left out.
         """
-        if model_key != self._model_key:
+        if model_key != self._model_key or not keep_edits:
             self.edited.clear()
             self.left_out.clear()
             self._seen.clear()

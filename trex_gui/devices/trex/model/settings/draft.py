@@ -1,8 +1,8 @@
 """The settings of a board or a file with their edits and undo."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
@@ -18,9 +18,19 @@ from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
-from trex_gui.devices.trex.settings.document import Settings, specs_for
+from trex_gui.devices.trex.settings.document import Settings, settings_of, specs_for
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 translate = QCoreApplication.translate
+
+
+@dataclass(frozen=True, slots=True)
+class _SetAside:
+    """What is known of a board that another one was selected for, but not stored."""
+
+    stored: Mapping[str, int]
+    active: Mapping[str, int]
+    reset_pending: bool
 
 
 class SettingsDraft(QObject):
@@ -37,6 +47,7 @@ class SettingsDraft(QObject):
         self.reset_pending = False  # the next start will reset what is written until then
         self._product: Model | None = None
         self._firmware: str | None = None
+        self._set_aside: dict[BoardIdentity, _SetAside] = {}  # while its line is open
 
         self.parameters.pending_changed.connect(self._on_pending_changed)
         self.calibrations.pending_changed.connect(self._on_pending_changed)
@@ -50,26 +61,64 @@ class SettingsDraft(QObject):
             return None
         return ChannelCurve.stored(channel, calibration, self.parameters.stored_of)
 
+    def select_state(self, state: DeviceState, connection: ConnectionSettings | None) -> None:
+        """Take what another board on the same line stores; edits are forgotten.
+
+        What waits for a power cycle of the former board is known again when that is selected.
+        """
+        before = self.stored
+        if before is not None:
+            self._set_aside[BoardIdentity.of(before)] = _SetAside(
+                before.parameters, self.parameters.all_active, self.reset_pending
+            )
+        known = self._set_aside.pop(BoardIdentity.of(settings_of(state)), None)
+        self.undo.clear()
+        self._take(state, connection, known.active if known else {}, keep_edits=False)
+        self.reset_pending = (
+            known is not None and known.reset_pending and known.stored == self.parameters.all_stored
+        )
+        self.loaded.emit()
+
     def take_state(
-        self, state: DeviceState, connection: ConnectionSettings | None, *, power_cycled: bool
+        self,
+        state: DeviceState,
+        connection: ConnectionSettings | None,
+        *,
+        power_cycled: bool,
+        opened: bool = False,
     ) -> None:
         """Take what a board stores; edits stay if it is the same kind of board.
 
-        Other stored values than before show that a pending reset has been done.
+        Other stored values than before show that a pending reset has been done. `opened`: the
+        line is, just now.
         """
+        if opened:
+            self._set_aside.clear()
         if power_cycled or self.parameters.all_stored != state.parameters:
             self.reset_pending = False
+        self._take(state, connection, {}, power_cycled=power_cycled)
+        self.loaded.emit()
+
+    def _take(
+        self,
+        state: DeviceState,
+        connection: ConnectionSettings | None,
+        active: Mapping[str, int],
+        *,
+        power_cycled: bool = True,
+        keep_edits: bool = True,
+    ) -> None:
         model = state.signature.model
         self._begin(model, state.signature.firmware)
         self.parameters.load(
             state.specs,
             state.parameters,
             state.unread,
-            active=state.active_parameters(connection),
+            active={**active, **state.active_parameters(connection)},
             power_cycled=power_cycled,
+            keep_edits=keep_edits,
         )
-        self.calibrations.load(model.key, state.source, state.calibrations)
-        self.loaded.emit()
+        self.calibrations.load(model.key, state.source, state.calibrations, keep_edits=keep_edits)
 
     def note_stored(self, state: DeviceState) -> None:
         self.parameters.note_stored(state.parameters)
@@ -171,15 +220,19 @@ class SettingsDraft(QObject):
         self.pending_changed.emit(self.pending)
 
 
-def diff_against_draft(draft: SettingsDraft, settings: Settings) -> Comparison:
+def diff_against_draft(
+    draft: SettingsDraft, settings: Settings, *, is_stored: bool = False
+) -> Comparison:
     """Compare the settings shown with what they would be with other settings taken in.
+
+    With `is_stored` those without edits are compared.
 
     Settings that the board does not have, or does not accept now, are left out and named.
 
     Raises:
         BadRequest: the settings are for another model, or nothing was read to compare with.
     """
-    shown = draft.shown
+    shown = draft.stored if is_stored else draft.shown
     if shown is None:
         raise BadRequest(translate("Draft", "There are no settings to compare with"))
     if settings.product.key != shown.product.key:

@@ -55,13 +55,24 @@ class EditBackup(QObject):
         self._undecided: Settings | None = None  # saved edits that the draft does not hold
         self._left: tuple[BoardIdentity | None, bool] = (None, False)
         self._edits_left: Settings | None = None
+        self._parked: dict[BoardIdentity, Settings] = {}  # of boards that are not selected
         self.files.found.connect(self._on_found)
         self.files.failed.connect(self._on_failed)
         draft.pending_changed.connect(self._on_changed)
 
-    def leave_board(self) -> None:
-        """Save no changes until `take_board`: the draft is about to take what a board stores."""
+    def leave_board(self, *, is_deselected: bool = False) -> None:
+        """Save no changes until `take_board`: the draft is about to take what a board stores.
+
+        Edits of a board that `is_deselected`, since another one on its line is selected, are made
+        again when it is taken the next time.
+        """
         stored = self._draft.stored
+        if is_deselected and stored is not None and self._board is not None and self._draft.pending:
+            self._parked[self._board] = replace(
+                stored,
+                parameters=dict(self._draft.parameters.pending),
+                calibrations=dict(self._draft.calibrations.edited),
+            )
         self._left = self._board, self._is_read
         self._edits_left = None if stored is None else self._edits(stored)
         self._board = None
@@ -81,6 +92,9 @@ class EditBackup(QObject):
             self._is_read = self._has_file = False
             self._undecided = None
             self._set_offer(None)
+            if parked := self._parked.pop(self._board, None):
+                rows = diff_against_draft(self._draft, parked).rows
+                self._draft.stage(rows, self.tr("Edits of this board"))
             self.files.read(self._board)
             return
         if self._edits_left is not None:

@@ -1,0 +1,378 @@
+"""Several boards on one line, as the window sees them."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.pages.motors import is_stopped
+from tests.support.simulator import StartSimulator
+from tests.support.virtual_devices import VirtualSimulator
+from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardStep
+from trex_gui.devices.trex.model.boards import BoardList, Presence
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.simulator.line import TrexLine
+from trex_gui.ui.devices.connection import ConnectionState
+
+
+class Stand:
+    """A device on a line with boards, and what the window says."""
+
+    def __init__(self, device: Device, simulator: VirtualSimulator, qtbot: QtBot) -> None:
+        self.device = device
+        self.boards = BoardList(device)
+        self.simulator = simulator
+        self.qtbot = qtbot
+        self.errors: list[str] = []
+        self.infos: list[str] = []
+        device.notifier.error.connect(self.errors.append)
+        device.notifier.info.connect(self.infos.append)
+
+    @property
+    def line(self) -> TrexLine:
+        line = self.simulator.line
+        assert isinstance(line, TrexLine)
+        return line
+
+    def connect(self, number: int | None = 7) -> None:
+        self.device.connect_to(ConnectionSettings(self.simulator.url, device_number=number))
+        self.wait(lambda: self.device.is_connected and self.device.motors.is_available)
+
+    def wait(self, condition: Callable[[], object]) -> None:
+        self.qtbot.waitUntil(lambda: bool(condition()), timeout=60_000)
+
+    def scan(self) -> None:
+        self.boards.scan()
+        self.wait(lambda: self.boards.scanned is None and not self.boards.is_selecting)
+
+    def select(self, number: int) -> None:
+        done: list[object] = []
+        self.boards.select(number, done.append)
+        self.wait(lambda: done)
+
+    def show(self, number: int) -> dict[str, Any]:
+        return self.simulator.show(f"@{number}" if len(self.line.boards) > 1 else "")
+
+    def is_stopped(self, number: int) -> bool:
+        return is_stopped(self.simulator, f"@{number}")
+
+    @property
+    def presences(self) -> dict[int, Presence]:
+        return {one.number: one.presence for one in self.boards.boards}
+
+
+@pytest.fixture
+def make(start_simulator: StartSimulator, qtbot: QtBot) -> Iterator[Callable[..., Stand]]:
+    devices: list[Device] = []
+
+    def make(*boards: str) -> Stand:
+        options = [word for board in boards for word in ("--device", board)]
+        simulator = start_simulator("--unpaced", *options)
+        assert isinstance(simulator, VirtualSimulator)
+        devices.append(Device())
+        return Stand(devices[-1], simulator, qtbot)
+
+    yield make
+    for device in devices:
+        qtbot.waitUntil(device.shut_down)
+        device.edit_backup.files.shut_down()
+
+
+Make = Callable[..., Stand]
+
+
+# --- Finding ----------------------------------------------------------------------------
+
+
+def test_scan_finds_each_board_by_number(make: Make) -> None:
+    stand = make("3", "7", "9:trexjr")
+    stand.connect(7)
+    assert not stand.boards.has_several
+    stand.scan()
+    assert stand.presences == {
+        3: Presence.RESPONDING,
+        7: Presence.SELECTED,
+        9: Presence.RESPONDING,
+    }
+    assert [str(one.signature) for one in stand.boards.boards] == [
+        "TReX 1.2",
+        "TReX 1.2",
+        "TReX Jr 1.2",
+    ]
+    assert stand.infos == ["3 board(s) on this line."]
+    assert not stand.device.quality.is_noisy
+    # One that is switched off is noticed, and is noticed again.
+    stand.simulator.do("@3 power off")
+    stand.wait(lambda: stand.presences[3] is Presence.SILENT)
+    stand.simulator.do("@3 power on")
+    stand.wait(lambda: stand.presences[3] is Presence.RESPONDING)
+    stand.device.disconnect_line()
+    stand.wait(lambda: stand.device.link is ConnectionState.DISCONNECTED)
+    assert set(stand.presences.values()) == {Presence.UNKNOWN}
+
+
+def test_scan_of_single_board_says_what_others_would_need(make: Make) -> None:
+    stand = make("7")
+    stand.connect(None)
+    stand.scan()
+    assert not stand.boards.has_several
+    assert "No other board replies" in stand.infos[-1]
+    assert stand.device.settings is not None
+    assert stand.device.settings.device_number is None
+
+
+def test_commands_carry_a_number_once_several_boards_are_known(make: Make) -> None:
+    stand = make("7", "9")
+    stand.simulator.do("@9 power off")
+    stand.connect(None)
+    stand.simulator.do("@9 power on")
+    stand.scan()
+    assert stand.device.settings is not None
+    assert stand.device.settings.device_number == 7
+    stand.wait(lambda: stand.device.motors.is_available)
+    stand.device.motors.arm()
+    stand.device.motors.set_speed(1, 20)
+    stand.wait(lambda: stand.show(7)["motors"][0]["target_speed"])
+    assert not stand.show(9)["motors"][0]["target_speed"]
+
+
+def test_arming_ends_scan_and_forbids_another(make: Make) -> None:
+    stand = make("7", "9")
+    stand.connect(7)
+    stand.boards.scan()
+    stand.wait(lambda: (stand.boards.scanned or 0) > 20)
+    stand.device.motors.arm()
+    assert stand.boards.scanned is None
+    stand.boards.scan()
+    assert stand.boards.scanned is None
+    assert stand.device.motors.armed
+
+
+# --- Selecting --------------------------------------------------------------------------
+
+
+def test_selecting_stops_driven_board_first(make: Make) -> None:
+    stand = make("7", "9")
+    stand.connect(7)
+    stand.device.motors.arm()
+    stand.device.motors.set_speed(1, 20)
+    stand.wait(lambda: stand.show(7)["motors"][0]["target_speed"])
+    stand.select(9)
+    assert stand.is_stopped(7)
+    assert not stand.device.motors.armed
+    assert not stand.device.may_move
+    assert stand.device.driving.lost_board == ""
+    assert not stand.errors
+    # What is driven now is the other one, and so is what a stop reaches.
+    stand.wait(lambda: stand.device.motors.is_available)
+    stand.device.motors.arm()
+    stand.device.motors.set_speed(2, 20)
+    stand.wait(lambda: stand.show(9)["motors"][1]["target_speed"])
+    assert stand.is_stopped(7)
+    stand.device.motors.press_stop()
+    stand.wait(lambda: not stand.device.may_move)
+    assert stand.is_stopped(9)
+
+
+def test_silent_driven_board_stays_selected(make: Make) -> None:
+    stand = make("7", "9")
+    stand.connect(7)
+    stand.device.motors.arm()
+    stand.device.motors.set_speed(1, 20)
+    stand.wait(lambda: stand.show(7)["motors"][0]["target_speed"])
+    stand.simulator.do("@7 power off")
+    stand.wait(lambda: stand.device.link is ConnectionState.NOT_RESPONDING)
+    stand.select(9)
+    assert stand.boards.selected == 7
+    assert stand.device.may_move
+    stand.wait(lambda: any("was not selected, since no stop" in one for one in stand.errors))
+
+
+def test_board_that_is_off_is_not_selected(make: Make) -> None:
+    stand = make("7", "9")
+    stand.connect(7)
+    stand.scan()
+    stand.simulator.do("@9 power off")
+    stand.select(9)
+    assert stand.presences == {7: Presence.SELECTED, 9: Presence.SILENT}
+    assert stand.device.is_connected
+    stand.wait(lambda: any("does not respond" in one for one in stand.errors))
+    stand.wait(lambda: stand.device.motors.can_arm)
+    # Another one can be selected although the present one does not respond.
+    stand.simulator.do("@9 power on")
+    stand.simulator.do("@7 power off")
+    stand.wait(lambda: stand.device.link is ConnectionState.NOT_RESPONDING)
+    stand.select(9)
+    assert stand.presences[9] is Presence.SELECTED
+    assert stand.device.is_connected
+
+
+def test_edits_and_counts_of_each_board_return(make: Make) -> None:
+    stand = make("7", "9")
+    device = stand.device
+    stand.connect(7)
+    stand.scan()
+    device.parameters.edit("serial_timeout", 5)
+    device.parameters.edit("crc7_polynomial", 0x11)
+    stand.line.boards[0].serial.report(UartError.FORMAT, shut_down=False)
+    stand.wait(lambda: any(one.count for one in device.errors.entries))
+    stand.select(9)
+    assert device.draft.pending == 0
+    assert not device.draft.undo.canUndo()
+    assert not any(one.count for one in device.errors.entries)
+    device.parameters.edit("serial_timeout", 9)
+    stand.select(7)
+    assert dict(device.parameters.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
+    assert any(one.count for one in device.errors.entries)
+    # What waits for the next start waits still.
+    device.apply()
+    stand.wait(lambda: device.draft.pending == 0 and not device.applying)
+    waiting = device.parameters.waiting_for_power
+    assert waiting
+    stand.select(9)
+    assert dict(device.parameters.pending) == {"serial_timeout": 9}
+    assert not device.parameters.waiting_for_power
+    stand.select(7)
+    assert device.parameters.waiting_for_power == waiting
+    assert device.edit_backup.offer is None
+    assert any("returns" in one or "return when" in one for one in stand.infos)
+
+
+# --- Numbers ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", [None, 7])
+def test_board_gets_a_free_number(make: Make, number: int | None) -> None:
+    stand = make("7", "9") if number else make("7")
+    stand.connect(number)
+    stand.scan()
+    if number:
+        stand.device.set_device_number(9)
+        stand.wait(lambda: any("has the device number 9" in one for one in stand.errors))
+        assert not stand.device.applying
+        assert stand.show(7)["parameters"]["device_number"] == 7
+    stand.device.set_device_number(12)
+    stand.wait(lambda: stand.boards.selected == 12 and not stand.device.applying)
+    assert stand.line.boards[0].eeprom["device_number"] == 12
+    if number:
+        assert stand.presences == {9: Presence.RESPONDING, 12: Presence.SELECTED}
+        stand.select(9)
+        stand.select(12)
+        assert stand.device.is_connected
+
+
+# --- One file for several boards --------------------------------------------------------
+
+
+def wanted(**parameters: int) -> Settings:
+    return Settings(device_table().models[0], "1.2", parameters)
+
+
+class Work(ApplyToBoards):
+    """Settings that are written to boards of a stand, and waited for."""
+
+    def __init__(self, stand: Stand) -> None:
+        super().__init__(stand.boards, stand.device, stand.device)
+        self._stand = stand
+
+    def reviewed(self, settings: Settings, *numbers: int) -> None:
+        self.review(settings, numbers)
+        self._stand.wait(lambda: not self.is_running)
+
+    def written(self, *numbers: int) -> None:
+        self.write(numbers)
+        self._stand.wait(lambda: not self.is_running)
+
+    @property
+    def steps(self) -> dict[int, BoardStep]:
+        return {plan.number: plan.step for plan in self.plans}
+
+
+def test_settings_are_written_to_several_boards(make: Make) -> None:
+    stand = make("3", "7", "9:trexjr", "12")
+    stand.connect(7)
+    stand.scan()
+    stand.simulator.do("@12 power off")
+    stand.device.parameters.edit("motor1_acceleration", 9)
+    work = Work(stand)
+    settings = wanted(device_number=55, uart_settings=10, serial_timeout=5, ignored_channels=2)
+    work.reviewed(settings, 3, 7, 9, 12)
+    assert stand.boards.selected == 7
+    assert work.steps == {
+        3: BoardStep.REVIEWED,
+        7: BoardStep.REVIEWED,
+        9: BoardStep.FAILED,
+        12: BoardStep.FAILED,
+    }
+    assert [plan.to_write for plan in work.plans] == [2, 2, 0, 0]
+    assert "are for a TReX" in work.plans[2].problem
+    assert "does not respond" in work.plans[3].problem
+    assert not any(board.eeprom["serial_timeout"] for board in stand.line.boards)
+
+    work.written(3, 7)
+    assert [work.steps[number] for number in (3, 7)] == [BoardStep.WRITTEN] * 2
+    assert stand.boards.selected == 7
+    stored = [
+        (board.eeprom["device_number"], board.eeprom["serial_timeout"])
+        for board in stand.line.boards
+    ]
+    assert stored == [(3, 5), (7, 5), (9, 0), (12, 0)]
+    assert {board.eeprom["uart_settings"] for board in stand.line.boards} == {5}
+    assert dict(stand.device.parameters.pending) == {"motor1_acceleration": 9}
+    history = stand.device.history
+    kept = [history.load(snapshot) for snapshot in history.snapshots()]
+    numbers = {settings.parameters["device_number"] for settings in kept}
+    assert numbers == {3, 7}
+
+
+def test_first_error_while_writing_ends_the_work(make: Make) -> None:
+    stand = make("3", "7", "9")
+    stand.connect(9)
+    stand.scan()
+    work = Work(stand)
+    work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
+    stand.line.boards[0].eeprom.write("serial_timeout", 8)  # by another program
+    stand.simulator.do("@3 power cycle")
+
+    def fail() -> None:
+        if work.steps[7] is BoardStep.WRITING:
+            stand.simulator.do("@7 power off")
+
+    work.changed.connect(fail)
+    work.written(3, 7, 9)
+    assert work.steps == {
+        3: BoardStep.FAILED,
+        7: BoardStep.FAILED,
+        9: BoardStep.SKIPPED,
+    }
+    assert "other settings than when it was reviewed" in work.plans[0].problem
+    assert stand.line.boards[0].eeprom["serial_timeout"] == 8
+    assert stand.line.boards[2].eeprom["serial_timeout"] == 0
+    assert stand.boards.selected == 9
+
+
+def test_work_is_cancelled_between_boards(make: Make) -> None:
+    stand = make("3", "7", "9")
+    stand.connect(7)
+    stand.scan()
+    work = Work(stand)
+    work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
+
+    def cancel() -> None:
+        if work.steps[3] is BoardStep.WRITING and not stand.device.is_saving_snapshot:
+            work.cancel()
+
+    stand.device.link_changed.connect(cancel)
+    work.written(3, 7, 9)
+    assert work.steps == {
+        3: BoardStep.WRITTEN,
+        7: BoardStep.SKIPPED,
+        9: BoardStep.SKIPPED,
+    }
+    assert [board.eeprom["serial_timeout"] for board in stand.line.boards] == [5, 0, 0]
+    assert stand.boards.selected == 7

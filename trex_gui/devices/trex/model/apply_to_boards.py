@@ -1,0 +1,246 @@
+"""One set of settings for several boards on a line: what changes, and writing it."""
+
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+from enum import Enum, auto
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.model.boards import BoardList
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.settings.draft import diff_against_draft
+from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
+from trex_gui.devices.trex.session.reconnecting import REACH
+from trex_gui.devices.trex.settings.comparison import Comparison
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.translations import error_text
+
+
+class BoardStep(Enum):
+    """How far one board is."""
+
+    WAITING = auto()
+    READING = auto()
+    REVIEWED = auto()
+    WRITING = auto()
+    WRITTEN = auto()
+    FAILED = auto()
+    """Not read, not written, or not verified; see `BoardPlan.problem`."""
+    SKIPPED = auto()
+    """It was not its turn any more when an error or the user ended the work."""
+
+
+@dataclass(frozen=True, slots=True)
+class BoardPlan:
+    """What is done with one board.
+
+    Attributes:
+        number: its device number, which it keeps.
+        changes: what differs from what it stores; `None` before it was read.
+        problem: why it was not read or written, for the user.
+    """
+
+    number: int
+    step: BoardStep = BoardStep.WAITING
+    changes: Comparison | None = None
+    problem: str = ""
+
+    @property
+    def to_write(self) -> int:
+        """The number of settings to write."""
+        return 0 if self.changes is None else self.changes.changed
+
+
+class ApplyToBoards(QObject):
+    """Reads several boards, then writes the same settings to each, one board after the other.
+
+    Each keeps its device number and its serial settings: they are how it is reached on the line.
+    A board that does not respond, or is of another model, is left out. The first error while
+    writing ends the work: a line that damages one write would damage the next. Before each board
+    is written a snapshot is saved, and it is compared with what was reviewed. In the end the board
+    that was selected at first is selected again.
+    """
+
+    changed = Signal()  # `plans` or `is_running`
+    finished = Signal()  # everything was read, or written, or has ended early
+
+    def __init__(self, boards: BoardList, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._boards = boards
+        self._device = device
+        self.plans: tuple[BoardPlan, ...] = ()
+        self.is_running = False
+        self._wanted: Settings | None = None
+        self._home: int | None = None  # the board that was selected at first
+        self._is_writing = False
+        self._is_cancelled = False
+        self._current: int | None = None  # the board that is being written
+        device.applied.connect(self._on_applied)
+        device.request_failed.connect(self._on_request_failed)
+        device.link_changed.connect(self._on_link_changed)
+
+    def review(self, settings: Settings, numbers: Collection[int]) -> None:
+        """Read these boards, and find out what the settings change of each."""
+        if self.is_running:
+            return
+        kept = {key: wire for key, wire in settings.parameters.items() if key not in REACH}
+        self._wanted = replace(settings, parameters=kept)
+        self._begin([BoardPlan(number) for number in sorted(numbers)], is_writing=False)
+
+    def write(self, numbers: Collection[int]) -> None:
+        """Write what was reviewed to those of the boards that have these numbers."""
+        if not self.is_running:
+            plans = [
+                replace(plan, step=BoardStep.WAITING)
+                if plan.number in numbers and plan.step is BoardStep.REVIEWED and plan.to_write
+                else plan
+                for plan in self.plans
+            ]
+            self._begin(plans, is_writing=True)
+
+    def cancel(self) -> None:
+        """End the work after the board that is being read or written."""
+        self._is_cancelled = True
+        if self._device.is_saving_snapshot and self._current is not None:
+            self._device.cancel_apply()
+            self._set(self._current, BoardStep.SKIPPED)
+            self._current = None
+            self._go_on()
+
+    def _begin(self, plans: list[BoardPlan], *, is_writing: bool) -> None:
+        self.plans = tuple(plans)
+        self.is_running = True
+        self._is_writing, self._is_cancelled = is_writing, False
+        self._home = self._boards.selected
+        self._go_on()
+
+    def _plan(self, number: int) -> BoardPlan:
+        return next(plan for plan in self.plans if plan.number == number)
+
+    def _set(self, number: int, step: BoardStep, problem: str = "") -> None:
+        self._replace(replace(self._plan(number), step=step, problem=problem))
+
+    def _replace(self, plan: BoardPlan) -> None:
+        self.plans = tuple(plan if one.number == plan.number else one for one in self.plans)
+        self.changed.emit()
+
+    # --- One board after the other ------------------------------------------------------
+
+    def _go_on(self) -> None:
+        waiting = [plan.number for plan in self.plans if plan.step is BoardStep.WAITING]
+        if self._is_cancelled or not waiting:
+            self._end()
+            return
+        number = waiting[0]
+        self._set(number, BoardStep.READING)
+        self._select(number)
+
+    def _select(self, number: int) -> None:
+        if number == self._boards.selected and self._device.is_connected:
+            self._on_selected(number, None)
+        elif self._boards.can_select:
+            self._boards.select(number, lambda error: self._on_selected(number, error))
+        else:
+            self._on_selected(number, TrexError(ErrorCode.CLOSED))
+
+    def _on_selected(self, number: int, error: StudioError | None) -> None:
+        if not self.is_running:
+            return
+        if error is not None:
+            self._set(number, BoardStep.FAILED, error_text(error))
+            is_silent = isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_SILENT
+            self._is_cancelled = self._is_cancelled or not is_silent
+            self._go_on()
+            return
+        if (blocker := self._device.settings_blocker) or self._wanted is None:
+            self._set(number, BoardStep.FAILED, blocker)
+            self._go_on()
+            return
+        try:
+            changes = diff_against_draft(self._device.draft, self._wanted, is_stored=True)
+        except BadRequest as unfit:
+            self._set(number, BoardStep.FAILED, error_text(unfit))
+            self._go_on()
+            return
+        if self._is_writing:
+            self._write(number, changes)
+        else:
+            self._replace(BoardPlan(number, BoardStep.REVIEWED, changes))
+            self._go_on()
+
+    def _write(self, number: int, changes: Comparison) -> None:
+        if changes != self._plan(number).changes:
+            problem = self.tr(
+                "Not written: the board stores other settings than when it was reviewed."
+            )
+            self._set(number, BoardStep.FAILED, problem)
+            self._go_on()
+            return
+        rows = [row for row in changes.rows if row.changed]
+        parameters = tuple((row.key, row.after) for row in rows if isinstance(row.after, int))
+        calibrations = tuple(
+            (CALIBRATION_KEYS[row.key], row.after)
+            for row in rows
+            if isinstance(row.after, Calibration)
+        )
+        self._current = number
+        self._set(number, BoardStep.WRITING)
+        self._device.write(
+            self.tr("The same settings for several boards"), parameters, calibrations
+        )
+
+    @Slot(object)
+    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
+        if (number := self._current) is None:
+            return
+        self._current = None
+        failed = [result for result in results if result.error is not None]
+        if failed:
+            names = ", ".join(self._device.name_of(result.key) for result in failed)
+            reasons = dict.fromkeys(error_text(one.error) for one in failed if one.error)
+            text = self.tr("Not stored: {0}. {1}").format(names, " ".join(reasons))
+            self._set(number, BoardStep.FAILED, text)
+            self._is_cancelled = True
+        else:
+            self._set(number, BoardStep.WRITTEN)
+        self._go_on()
+
+    @Slot(str)
+    def _on_request_failed(self, reason: str) -> None:
+        if (number := self._current) is not None:
+            self._current = None
+            self._set(number, BoardStep.FAILED, reason)
+            self._is_cancelled = True
+            self._go_on()
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        if not self.is_running:
+            return
+        if self._device.link is ConnectionState.DISCONNECTED:
+            for plan in self.plans:
+                if plan.step in {BoardStep.READING, BoardStep.WRITING}:
+                    self._set(plan.number, BoardStep.FAILED, self.tr("The line was closed."))
+            self._current = self._home = None
+            self._end()
+
+    def _end(self) -> None:
+        """Go back to the board that was selected at first, and report."""
+        for plan in self.plans:
+            if plan.step is BoardStep.WAITING:
+                self._set(plan.number, BoardStep.SKIPPED)
+        home, self._home = self._home, None
+        if home is not None and home != self._boards.selected and self._boards.can_select:
+            self._boards.select(home, lambda _error: self._finish())
+        else:
+            self._finish()
+
+    def _finish(self) -> None:
+        if self.is_running:
+            self.is_running = False
+            self.changed.emit()
+            self.finished.emit()

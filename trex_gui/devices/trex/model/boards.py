@@ -1,0 +1,309 @@
+"""The boards that share a line: which there are, and which of them is selected."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from enum import Enum, auto
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.errors import BadReply, StudioError
+from trex_gui.core.session import Outcome
+from trex_gui.devices.trex.discovery import NUMBERS
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.devices.trex.session.messages import ProbeNumber
+from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.runtime import new_timer
+from trex_gui.ui.translations import error_text
+
+_PRESENCE_MS = 2000
+"""Milliseconds between two queries whether a board that is not selected responds.
+
+One of them takes at most 4 % of the line, and is sent only while nothing is driven.
+"""
+
+
+class Presence(Enum):
+    """What is known of a board on the line."""
+
+    SELECTED = auto()
+    RESPONDING = auto()
+    SILENT = auto()
+    UNREADABLE = auto()
+    """Something replies that cannot be read: several boards may have this number."""
+    UNKNOWN = auto()
+    """It was not asked since the line was opened."""
+
+
+@dataclass(frozen=True, slots=True)
+class LineBoard:
+    """One board; `signature` is `None` while it is not known."""
+
+    number: int
+    signature: Signature | None
+    presence: Presence
+
+
+Done = Callable[[StudioError | None], None]
+"""Gets `None`, or why another board was not selected."""
+
+
+class BoardList(QObject):
+    """The boards that were found on the line of a device.
+
+    Boards are told apart by device number. They are found by asking for each number who has it,
+    which moves and clears nothing. Once several are known, commands carry the number of the
+    selected one: without a number they would reach every board.
+
+    Attributes:
+        boards: by number; of the last line that was open.
+        scanned: how many numbers were asked; `None` while no scan runs.
+        is_selecting: whether another board is being selected.
+    """
+
+    changed = Signal()  # any attribute, or what the properties return
+
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self.boards: tuple[LineBoard, ...] = ()
+        self.scanned: int | None = None
+        self.is_selecting = False
+        self._url = ""
+        self._is_asking = False
+        self._next = 0  # which board is asked next whether it responds
+        self._presence = new_timer(self, _PRESENCE_MS, self._on_presence_due)
+        device.link_changed.connect(self._on_link_changed)
+        device.state_changed.connect(self._on_state_changed)
+        device.motors.arming_changed.connect(self._on_link_changed)
+
+    @property
+    def selected(self) -> int | None:
+        """The number of the board that the pages show; `None` without one."""
+        device = self._device
+        if device.settings is not None and device.settings.device_number is not None:
+            return device.settings.device_number
+        return device.parameters.stored_of(ParameterKey.DEVICE_NUMBER)
+
+    @property
+    def has_several(self) -> bool:
+        return len(self.boards) > 1
+
+    @property
+    def can_scan(self) -> bool:
+        return self._may_ask and self.scanned is None
+
+    @property
+    def can_select(self) -> bool:
+        device = self._device
+        return (
+            device.link in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}
+            and not device.applying
+            and not self.is_selecting
+        )
+
+    @property
+    def _may_ask(self) -> bool:
+        """Whether other boards may be asked: not while motors are driven."""
+        device = self._device
+        is_driven = device.motors.armed or device.may_move
+        return device.is_writable and not is_driven and not self.is_selecting
+
+    # --- Finding ------------------------------------------------------------------------
+
+    def scan(self) -> None:
+        """Ask for every device number who has it; ends when the motors are armed."""
+        if self.can_scan:
+            self.scanned = 0
+            self.changed.emit()
+            self._ask_next()
+
+    def cancel_scan(self) -> None:
+        """Ask no more; what was found stays."""
+        if self.scanned is not None:
+            self.scanned = None
+            self.changed.emit()
+
+    def _ask_next(self) -> None:
+        number = self.scanned
+        if number is None or self._is_asking:
+            return
+        if not self._may_ask:
+            self.cancel_scan()
+            return
+        if number == NUMBERS:
+            self.scanned = None
+            self._finish_scan()
+            return
+        settings = self._device.settings
+        if settings is not None and number == settings.device_number:
+            self._note(number, self._signature, Presence.SELECTED)
+            self._go_on()
+        else:
+            self._ask(number, self._go_on)
+
+    def _go_on(self) -> None:
+        if self.scanned is not None:
+            self.scanned += 1
+            self.changed.emit()
+            self._ask_next()
+
+    def _finish_scan(self) -> None:
+        """Report what was found; from now on address one board if there are several."""
+        found = [one for one in self.boards if one.presence is not Presence.SILENT]
+        if len(found) > 1:
+            text = self.tr("%n board(s) on this line.", "", len(found))
+            self._device.notifier.info.emit(text)
+        else:
+            self._device.notifier.info.emit(
+                self.tr(
+                    "No other board replies on this line. Each needs power, the serial settings "
+                    "of this one, and a device number of its own."
+                )
+            )
+        self._on_state_changed()
+        settings = self._device.settings
+        readable = [one.number for one in found if one.presence is not Presence.UNREADABLE]
+        if len(found) > 1 and readable and settings is not None and settings.device_number is None:
+            selected = self.selected
+            self._select(selected if selected in readable else readable[0])
+
+    def _ask(self, number: int, then: Callable[[], object]) -> None:
+        """Ask who has a number, and note the reply."""
+
+        def take(outcome: Outcome) -> None:
+            self._is_asking = False
+            match outcome.value, outcome.error:
+                case Signature() as signature, _:
+                    self._note(number, signature, Presence.RESPONDING)
+                case _, BadReply():
+                    self._note(number, None, Presence.UNREADABLE)
+                case None, None if self._board(number) is not None:
+                    self._note(number, None, Presence.SILENT)
+            then()
+
+        self._is_asking = self._device.connection.request(
+            lambda request: ProbeNumber(request, number), take
+        )
+
+    def _board(self, number: int) -> LineBoard | None:
+        return next((one for one in self.boards if one.number == number), None)
+
+    def _note(self, number: int, signature: Signature | None, presence: Presence) -> None:
+        before = self._board(number)
+        if number == self.selected and self._is_addressed:
+            presence = Presence.SELECTED
+        if signature is None and before is not None:
+            signature = before.signature
+        board = LineBoard(number, signature, presence)
+        if board != before:
+            others = [one for one in self.boards if one.number != number]
+            self.boards = tuple(sorted([*others, board], key=lambda one: one.number))
+            self.changed.emit()
+
+    @property
+    def _signature(self) -> Signature | None:
+        state = self._device.state
+        return None if state is None else state.signature
+
+    @property
+    def _is_addressed(self) -> bool:
+        settings = self._device.settings
+        return settings is not None and settings.device_number is not None
+
+    # --- Selecting ----------------------------------------------------------------------
+
+    def select(self, number: int, then: Done = lambda _error: None) -> None:
+        """Show another board on every page, once the motors of the present one are stopped.
+
+        Without the confirmation of its stop, or if the other one does not respond, the present
+        board stays selected.
+        """
+        if self.can_select and (number != self.selected or not self._is_addressed):
+            self.cancel_scan()
+            self._select(number, then)
+
+    def _select(self, number: int, then: Done = lambda _error: None) -> None:
+        device = self._device
+        self.is_selecting = True
+        self.changed.emit()
+
+        def finish(error: StudioError | None) -> None:
+            self.is_selecting = False
+            if isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_MOVING:
+                device.driving.note_unconfirmed()
+            elif isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_SILENT:
+                self._note(number, None, Presence.SILENT)
+            if error is not None:
+                device.notifier.delayed_error.emit(error_text(error))
+            self._on_state_changed()
+            then(error)
+
+        def on_stopped(error: StudioError | None) -> None:
+            if not device.connection.is_open:
+                finish(TrexError(ErrorCode.CLOSED))
+            elif error is not None or device.may_move:
+                finish(TrexError(ErrorCode.NOT_SELECTED_MOVING, number))
+            else:
+                sharing = tuple(one.number for one in self.boards)
+                device.connection.select(number, sharing, lambda outcome: finish(outcome.error))
+
+        if device.motors.armed or device.may_move:
+            device.driving.stop(on_stopped, self.tr("Another board is being selected."))
+        else:
+            on_stopped(None)
+
+    # --- What has changed ---------------------------------------------------------------
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        device = self._device
+        if device.link is ConnectionState.DISCONNECTED:
+            self.scanned = None
+            self.is_selecting = self._is_asking = False
+            self._presence.stop()
+            self.boards = tuple(_as(one, Presence.UNKNOWN) for one in self.boards)
+        elif not self._may_ask:
+            self.cancel_scan()
+        self.changed.emit()
+
+    @Slot()
+    def _on_state_changed(self) -> None:
+        """Follow the selected board: it may be another one, or have another number now."""
+        device = self._device
+        if device.state is None or device.settings is None:
+            return
+        if device.settings.url != self._url:
+            self._url = device.settings.url
+            self.boards = ()
+        selected, before = self.selected, self.boards
+        if before and selected is not None and self._is_addressed:
+            kept = [one for one in before if one.number != selected]
+            if self.is_selecting:
+                kept = [_as(one, Presence.RESPONDING) if _is_shown(one) else one for one in kept]
+            else:  # the board has got another number
+                kept = [one for one in kept if not _is_shown(one)]
+            board = LineBoard(selected, self._signature, Presence.SELECTED)
+            self.boards = tuple(sorted([*kept, board], key=lambda one: one.number))
+        if self.has_several and not self._presence.isActive():
+            self._presence.start()
+        device.driving.set_reaching_several(self.has_several and not self._is_addressed)
+        self.changed.emit()
+
+    @Slot()
+    def _on_presence_due(self) -> None:
+        """Ask the next board that is not selected whether it responds."""
+        others = [one for one in self.boards if one.presence is not Presence.SELECTED]
+        if others and self._may_ask and self.scanned is None and not self._is_asking:
+            self._next = (self._next + 1) % len(others)
+            self._ask(others[self._next].number, lambda: None)
+
+
+def _as(board: LineBoard, presence: Presence) -> LineBoard:
+    return replace(board, presence=presence)
+
+
+def _is_shown(board: LineBoard) -> bool:
+    return board.presence is Presence.SELECTED
