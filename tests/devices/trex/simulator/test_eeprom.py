@@ -8,6 +8,8 @@ import pytest
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.simulator.command import simulate
+from trex_gui.devices.trex.simulator.line import TrexLine
 from trex_gui.devices.trex.simulator.memory import Eeprom, EepromError
 
 STICK = Calibration(2600, 3660, 4700, 50)
@@ -168,3 +170,19 @@ def test_unusable_path_raises_eeprom_error(tmp_path: Path) -> None:
         Eeprom.open(tmp_path / "missing" / "eeprom.json")
     with pytest.raises(EepromError, match="cannot be read"):
         Eeprom.open(tmp_path)
+
+
+@pytest.mark.parametrize("choice", ["on", "off"])
+def test_factory_value_of_error_shutdown_decides_about_stray_bytes(choice: str) -> None:
+    simulation = simulate(error_shutdown=choice)
+    line = simulation.line
+    assert isinstance(line, TrexLine)
+    for change in ("power on", "factory"):
+        simulation.control(change)
+        simulation.control("power cycle")
+        line.advance(2)
+        line.send(bytes.fromhex("C2 50"))
+        line.advance(0.1)
+        line.send(b"\r")  # as a program that ends each command with a line end
+        line.advance(0.1)
+        assert (line.boards[0].motors[0].speed == 0x50) is (choice == "off")

@@ -118,7 +118,8 @@ class ParameterSpec:
     """One entry of the parameter table as it holds for one model; no layer repeats it.
 
     `minimum`, `maximum` and `default` are wire values; physical value = wire * `scale` in
-    `unit`. `inferred` names the fields that no source confirms.
+    `unit`. `inferred` names the fields that no source confirms; `doubt` is a sentence with what
+    speaks against an inferred default.
     """
 
     number: int
@@ -140,6 +141,7 @@ class ParameterSpec:
     needs_power_cycle: bool = False
     since: str = "1.0"
     inferred: frozenset[str] = frozenset()
+    doubt: str = ""
 
     @property
     def readable(self) -> bool:
@@ -409,4 +411,5 @@ def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
         needs_power_cycle=row["needs_reset"],
         since=row["since"],
         inferred=frozenset(inferred),
+        doubt=row.get("doubt", ""),
     )

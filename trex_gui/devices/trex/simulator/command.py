@@ -85,6 +85,7 @@ def simulate(
     echo: bool = False,
     paced: bool = True,
     eeprom: Path | None = None,
+    error_shutdown: str = "on",
     devices: Sequence[DeviceOption] = (),
     seed: int = 0,
     demo: bool = False,
@@ -93,7 +94,13 @@ def simulate(
         Board(
             device.model or model,
             firmware,
-            eeprom=_eeprom(eeprom, device, device.model or model, len(devices)),
+            eeprom=_eeprom(
+                eeprom,
+                device,
+                device.model or model,
+                len(devices),
+                error_shutdown=error_shutdown == "on",
+            ),
             mode=mode,
             mix=mix,
             seed=seed + index,
@@ -107,12 +114,18 @@ def simulate(
     return Simulation(line, partial(control, line))
 
 
-def _eeprom(path: Path | None, device: DeviceOption, model: str, count: int) -> Eeprom:
+def _eeprom(
+    path: Path | None, device: DeviceOption, model: str, count: int, *, error_shutdown: bool
+) -> Eeprom:
     """Return the memory of a board; a number stored in a file overrides the option."""
     if path is not None and count > 1:
         path = path.with_name(f"{path.stem}-{device.number}{path.suffix}")
     is_new = path is None or not os.path.exists(path)  # noqa: PTH110 - raises nothing
-    eeprom = Eeprom(model) if path is None else Eeprom.open(path, model)
+    eeprom = (
+        Eeprom(model, error_shutdown=error_shutdown)
+        if path is None
+        else Eeprom.open(path, model, error_shutdown=error_shutdown)
+    )
     stored = eeprom[ParameterKey.DEVICE_NUMBER]
     if device.number is None or device.number == stored:
         return eeprom
@@ -148,6 +161,12 @@ SIMULATOR = SimulatorPlugin(
             type=click.Path(path_type=Path, dir_okay=False),
             help="File for the board's EEPROM. With several devices each has its own, with its "
             "number before the suffix.",
+        ),
+        _choice(
+            "--error-shutdown",
+            ("on", "off"),
+            "on",
+            "What the factory stores as uart_error_shutdown: that on is the default is doubtful.",
         ),
         click.Option(
             ["--device", "devices"],

@@ -41,22 +41,27 @@ class Eeprom:
     """EEPROM of one board in wire values; a file, if there is one, is saved after each write.
 
     It has a cell for every parameter of any firmware of the model. `unsaved`: why the last write
-    is not in the file.
+    is not in the file. `error_shutdown`: whether the factory switches UART-error shutdown on, which
+    no source says.
     """
 
-    def __init__(self, model: str = "trex", *, path: Path | None = None) -> None:
+    def __init__(
+        self, model: str = "trex", *, path: Path | None = None, error_shutdown: bool = True
+    ) -> None:
         self.model = device_table().model(model)
         self.reset_pending = False
         self.unsaved: EepromError | None = None
         self._path = path
         self._specs = parameters_of(model, self.model.firmware[-1])
-        self._values = self._factory_values()
+        self.factory = {spec.key: spec.default for spec in self._specs.readable}
+        self.factory[ParameterKey.UART_ERROR_SHUTDOWN] = int(error_shutdown)
+        self._values = dict(self.factory)
         self._calibrations = _factory_calibrations()
 
     @classmethod
-    def open(cls, path: Path, model: str = "trex") -> "Eeprom":
+    def open(cls, path: Path, model: str = "trex", *, error_shutdown: bool = True) -> "Eeprom":
         """Return the EEPROM in a file, which is created if missing; EepromError if damaged."""
-        eeprom = cls(model, path=path)
+        eeprom = cls(model, path=path, error_shutdown=error_shutdown)
         try:
             with open_ordinary(path) as file:
                 text = file.read().decode("utf-8")
@@ -94,7 +99,7 @@ class Eeprom:
         self.write_calibration(source, channel, calibration)
 
     def factory_reset(self) -> None:
-        self._values = self._factory_values()
+        self._values = dict(self.factory)
         self._calibrations = _factory_calibrations()
         self.reset_pending = False
         self._save_if_possible()
@@ -112,7 +117,7 @@ class Eeprom:
     def reset_if_pending(self) -> None:
         """Do the reset that 0x7F requested, at power-up. Inferred: calibrations stay."""
         if self.reset_pending:
-            self._values = self._factory_values()
+            self._values = dict(self.factory)
             self.reset_pending = False
             self._save_if_possible()
 
@@ -138,9 +143,6 @@ class Eeprom:
                 draft.unlink()
             message = f"the EEPROM file {self._path} cannot be written: {error}"
             raise EepromError(message) from error
-
-    def _factory_values(self) -> dict[str, int]:
-        return {spec.key: spec.default for spec in self._specs.readable}
 
     def _document(self) -> dict[str, Any]:
         document: dict[str, Any] = {
@@ -305,7 +307,7 @@ class Memory:
 
     def _begin_write(self, key: str, value: int, *, at_once: bool) -> None:
         store = partial(self._store, key, value, at_once=at_once)
-        lose = partial(self.eeprom.write, key, self.parameters[key].default)
+        lose = partial(self.eeprom.write, key, self.eeprom.factory[key])
         self._steps.append(_Step(PARAMETER_WRITE, store, lose))
 
     def set_calibration(self, channel: int, calibration: Calibration, mode: Mode) -> ResultCode:
@@ -331,7 +333,7 @@ class Memory:
     def restore_line_settings(self) -> None:
         """Begin to write the default serial settings, for the recovery by jumpers."""
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL):
-            self._begin_write(key, self.parameters[key].default, at_once=False)
+            self._begin_write(key, self.eeprom.factory[key], at_once=False)
 
     @property
     def busy_for(self) -> float:

@@ -340,6 +340,7 @@ def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel
     for key, reports in (
         ("device_number", "The default is confirmed by the vendor; the range is inferred."),
         ("serial_timeout", "The range is confirmed by the vendor; the default is inferred."),
+        ("uart_error_shutdown", "The default of on is doubtful: public programs"),
         ("motor1_current_limit", "The board rejects any value"),
         ("uart_settings", "The meaning of the wire values is inferred"),
         ("uart_settings", "Wire value: 5. "),

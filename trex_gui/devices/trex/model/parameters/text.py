@@ -153,6 +153,7 @@ class ParameterText(QObject):
         has_limits = all(spec.limits_confirmed for spec in specs)
         has_default = all(spec.default_confirmed for spec in specs)
         text = self._sources[has_limits, has_default]
+        text = " ".join((text, *filter(None, (spec.doubt for spec in specs))))
         if any({"scale", "bits"} & spec.inferred for spec in specs):
             text += " " + self.tr("The meaning of the wire values is inferred, too.")
         if not (has_limits and has_default):
