@@ -23,13 +23,13 @@ def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
 def test_panel_is_shown_while_nothing_is_connected(window: WindowDriver) -> None:
     status = window.open_page("statusPage")
     assert status.find(QWidget, "startPanel").isVisible()
-    assert not status.find(QWidget, "errorsTable").isVisible()
+    assert not status.find(QWidget, "statusMotors").isVisible()
     assert status.find(QWidget, "startNoPort").isVisible()
 
     window.click("startDemo")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert not status.find(QWidget, "startPanel").isVisible()
-    assert status.find(QWidget, "errorsTable").isVisible()
+    assert status.find(QWidget, "statusMotors").isVisible()
 
     window.disconnect()
     assert status.find(QWidget, "startPanel").isVisible()

@@ -137,8 +137,16 @@ class Workspace(QWidget):
             placeholder.deleteLater()
 
     def show_page(self, key: str) -> None:
-        keys = [info.key for info in self._infos]
-        self.pages.setCurrentIndex(keys.index(key))
+        self.pages.setCurrentIndex(self._index_of(key))
+
+    def set_page_title(self, key: str, title: str) -> None:
+        """Change the title on the tab of a page; its entry in the Window menu stays."""
+        index = self._index_of(key)
+        if self.pages.tabText(index) != title:
+            self.pages.setTabText(index, title)
+
+    def _index_of(self, key: str) -> int:
+        return [info.key for info in self._infos].index(key)
 
     def page_entries(self) -> Entries:
         return [

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from trex_gui.devices.trex.client.client import Counters
-from trex_gui.devices.trex.model.connection_quality import ConnectionQuality
+from trex_gui.devices.trex.model.connection_quality import ConnectionQuality, quality_text
 
 
 class MeasuredLine:
@@ -43,7 +43,9 @@ def test_nothing_is_claimed_before_enough_was_measured() -> None:
     line = MeasuredLine()
     assert line.run(2.5) == []
     assert line.quality.is_noisy is None
+    assert quality_text(line.quality) == "being measured …"
     assert line.run(4) == [False]
+    assert quality_text(line.quality) == "good: 100.0 % of the requests of the last 6 s answered"
 
 
 @pytest.mark.parametrize(
@@ -54,6 +56,10 @@ def test_share_of_lost_transactions_is_measured(failures: dict[str, float]) -> N
     line = MeasuredLine()
     assert True in line.run(20, **failures)
     assert line.quality.lost == pytest.approx(0.026, abs=0.001)
+    assert line.quality.rate == pytest.approx(190, abs=1)
+    assert 10 <= line.quality.seconds < 13
+    text = quality_text(line.quality)
+    assert text.startswith("noisy: 97.4 % of the requests of the last 1")
 
 
 def test_line_with_stray_bytes_is_noisy_although_no_reply_is_lost() -> None:

@@ -5,8 +5,9 @@ from datetime import UTC, datetime
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.model.errors import ErrorLog
+from trex_gui.devices.trex.model.errors import ErrorLog, stops_motors
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, Status, UartError
 
 BITS: list[Status | UartError] = [
@@ -40,7 +41,7 @@ def test_each_of_13_bits_has_its_own_entry(log: ErrorLog) -> None:
     assert [entry.bit for entry in log.entries] == BITS
     assert [type(entry.bit) for entry in log.entries] == [Status] * 5 + [UartError] * 8
     assert len({entry.name for entry in log.entries}) == 13
-    assert all(entry.meaning for entry in log.entries)
+    assert all(entry.meaning and entry.remedy for entry in log.entries)
 
 
 def test_log_starts_with_zero_counts(log: ErrorLog) -> None:
@@ -83,6 +84,44 @@ def test_reset_clears_counts_and_times(log: ErrorLog, qtbot: QtBot) -> None:
         log.reset()
     assert counts(log) == [0] * 13
     assert all(entry.last is None for entry in log.entries)
+
+
+def test_clearing_keeps_counts_and_ends_with_the_next_report(log: ErrorLog) -> None:
+    assert log.uncleared == 0
+    log.take(news(Status.MOTOR1_FAULT, Status.UART_ERROR, UartError.SEND_OVERRUN))
+    assert log.uncleared == 2, "the bit that announces UART errors is no error of its own"
+    log.clear()
+    assert log.uncleared == 0
+    assert sum(counts(log)) == 3
+    log.take(news(Status.UART_ERROR))
+    assert log.uncleared == 1
+
+
+def test_error_is_active_while_it_is_reported(log: ErrorLog, virtual_time: VirtualRuntime) -> None:
+    log.take(news(Status.MOTOR1_FAULT))
+    virtual_time.advance(0.5)
+    assert log.is_active(log.entries[0])
+    virtual_time.advance(1)
+    assert not log.is_active(log.entries[0])
+    assert not log.is_active(log.entries[1])
+
+
+@pytest.mark.parametrize(
+    ("bit", "stops", "stops_if_set"),
+    [
+        (Status.MOTOR2_FAULT, True, True),
+        (Status.MOTOR2_OVER_LIMIT, False, False),
+        (Status.UART_ERROR, False, True),
+        (UartError.TIMEOUT, True, True),
+        (UartError.SEND_OVERRUN, False, True),
+        (UartError.FRAMING, False, True),
+    ],
+)
+def test_what_stops_the_motors_depends_on_error_shutdown(
+    bit: Status | UartError, *, stops: bool, stops_if_set: bool
+) -> None:
+    assert stops_motors(bit, errors_stop=False) is stops
+    assert stops_motors(bit, errors_stop=True) is stops_if_set
 
 
 def test_returned_entries_are_not_updated(log: ErrorLog) -> None:

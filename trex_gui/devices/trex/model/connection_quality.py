@@ -3,6 +3,8 @@
 from collections import deque
 from dataclasses import dataclass
 
+from PySide6.QtCore import QCoreApplication
+
 from trex_gui.devices.trex.client.client import Counters
 
 _WINDOW = 10.0  # seconds that count, on the session's clock
@@ -37,17 +39,19 @@ class ConnectionQuality:
     Attributes:
         is_noisy: `None` until enough was measured.
         lost: share of transactions without a reply or with a corrupted one, as last judged.
+        seconds: how long was judged, 10 or more; less at first.
+        rate: transactions a second in that time; 0 until it is known.
     """
 
     def __init__(self) -> None:
         self.is_noisy: bool | None = None
-        self.lost = 0.0
+        self.lost = self.seconds = self.rate = 0.0
         self._marks = deque[_Mark]()
 
     def reset(self) -> bool:
         """Begin to measure again; return whether that changed the judgement."""
         changed = self.is_noisy is not None
-        self.is_noisy, self.lost = None, 0.0
+        self.is_noisy, self.lost, self.seconds, self.rate = None, 0.0, 0.0, 0.0
         self._marks.clear()
         return changed
 
@@ -65,6 +69,8 @@ class ConnectionQuality:
         while len(marks) > 2 and self._is_enough(marks[1], newest):
             marks.popleft()
         requests = newest.requests - marks[0].requests
+        self.seconds = time - marks[0].time
+        self.rate = requests / self.seconds if self.seconds else 0.0
         if requests < _FEWEST:
             return False
         before = self.is_noisy, round(self.lost, 3)
@@ -78,3 +84,17 @@ class ConnectionQuality:
     def _is_enough(oldest: _Mark, newest: _Mark) -> bool:
         is_long = newest.time - oldest.time >= _WINDOW
         return is_long and newest.requests - oldest.requests >= _FEWEST
+
+
+def quality_text(quality: ConnectionQuality) -> str:
+    """Return how many requests were answered lately, and what that means."""
+    if quality.is_noisy is None:
+        return _tr("being measured …")
+    text = _tr("noisy: {0:.1f} % of the requests of the last {1:.0f} s answered")
+    if not quality.is_noisy:
+        text = _tr("good: {0:.1f} % of the requests of the last {1:.0f} s answered")
+    return text.format(100 * (1 - quality.lost), quality.seconds)
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("ConnectionQuality", text)

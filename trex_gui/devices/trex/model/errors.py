@@ -1,6 +1,7 @@
 """Events of a board, and every error bit: how often it was reported, and when last.
 
-Reading a latched bit clears it, so every bit that was read is counted here.
+Reading a latched bit clears it, so every bit that was read is counted here. The board latches it
+again for as long as its cause lasts.
 """
 
 import math
@@ -10,9 +11,11 @@ from datetime import UTC, datetime
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.errors import QT_TRANSLATE_NOOP
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.driving.blockers import DriveBlocker
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
@@ -33,33 +36,95 @@ class ErrorEntry:
     bit: Status | UartError
     name: str
     meaning: str
+    remedy: str
     count: int = 0
     last: datetime | None = None  # date and time of the last report; `None` without one
     seen_at: float = -math.inf  # the same in seconds of the program's monotonic clock
     is_doubtful: bool = False  # the last report may be a corrupted reply
+    is_uncleared: bool = False  # reported since the user cleared the errors
 
 
-_ORDER = (
-    *(Status.MOTOR1_FAULT, Status.MOTOR1_OVER_LIMIT),
-    *(Status.MOTOR2_FAULT, Status.MOTOR2_OVER_LIMIT),
-    Status.UART_ERROR,
-)
+_STATUS_REMEDIES = {
+    Status.MOTOR1_FAULT: DriveBlocker.FAULT.remedy,
+    Status.MOTOR1_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
+    Status.MOTOR2_FAULT: DriveBlocker.FAULT.remedy,
+    Status.MOTOR2_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
+    Status.UART_ERROR: QT_TRANSLATE_NOOP("DriveBlocker", "See the rows below."),
+}
+"""What to do about each status bit, in the order in which the bits are shown."""
+
+_UART_REMEDIES = {
+    UartError.TIMEOUT: DriveBlocker.TIMEOUT.remedy,
+    UartError.FORMAT: QT_TRANSLATE_NOOP(
+        "DriveBlocker",
+        "Check cable and ground, and that no other program sends on this line.",
+    ),
+    UartError.CRC: QT_TRANSLATE_NOOP(
+        "DriveBlocker",
+        "Check cable and ground, and that every program on this line uses the same polynomial.",
+    ),
+    UartError.FRAMING: QT_TRANSLATE_NOOP(
+        "DriveBlocker",
+        "Check cable, ground and baud rate, and keep motor leads away from the line.",
+    ),
+    UartError.DATA_OVERRUN: QT_TRANSLATE_NOOP("DriveBlocker", "Use a lower baud rate."),
+    UartError.PARITY: QT_TRANSLATE_NOOP(
+        "DriveBlocker",
+        "Check cable and ground, and that every program on this line uses the same parity.",
+    ),
+    UartError.READ_OVERRUN: QT_TRANSLATE_NOOP(
+        "DriveBlocker", "Let no other program send on this line."
+    ),
+    UartError.SEND_OVERRUN: QT_TRANSLATE_NOOP(
+        "DriveBlocker", "Let other programs request fewer channels at once."
+    ),
+}
 
 _UNSEEN = (
-    *(ErrorEntry(bit, *STATUS_MEANING[bit]) for bit in _ORDER),
-    *(ErrorEntry(bit, *words) for bit, words in UART_MEANING.items()),
+    *(ErrorEntry(bit, *STATUS_MEANING[bit], remedy) for bit, remedy in _STATUS_REMEDIES.items()),
+    *(ErrorEntry(bit, *words, _UART_REMEDIES[bit]) for bit, words in UART_MEANING.items()),
 )
+
+ACTIVE_FOR = 1.0
+"""Seconds after its last report for which an error is active: the status is read ten times a
+second, and again and again says what lasts."""
+
+
+def stops_motors(bit: Status | UartError, *, errors_stop: bool) -> bool:
+    """Whether the board stops motors while this is reported.
+
+    `errors_stop`: whether its UART-Error Shutdown (0x08) is set.
+    """
+    if isinstance(bit, UartError):
+        return bit is UartError.TIMEOUT or errors_stop
+    return bool(bit & (Status.MOTOR1_FAULT | Status.MOTOR2_FAULT)) or (
+        bit is Status.UART_ERROR and errors_stop
+    )
 
 
 class ErrorLog(QObject):
     """Counts and times of all status and UART error bits."""
 
-    changed = Signal()  # a bit was reported, or everything was reset
+    changed = Signal()  # a bit was reported, or the errors were cleared or reset
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.entries = _UNSEEN  # of motor 1, of motor 2, UART error and its kinds
         self._others: dict[str, tuple[ErrorEntry, ...]] = {}  # of boards that are not selected
+
+    @property
+    def uncleared(self) -> int:
+        """How many kinds of errors were reported since they were cleared.
+
+        The bit that announces UART errors does not count beside them.
+        """
+        bits = [one.bit for one in self.entries if one.is_uncleared]
+        has_details = any(isinstance(bit, UartError) for bit in bits)
+        return sum(not (has_details and bit is Status.UART_ERROR) for bit in bits)
+
+    @staticmethod
+    def is_active(entry: ErrorEntry) -> bool:
+        return now() - entry.seen_at < ACTIVE_FOR
 
     def recent(self, motor: int, seconds: float = 3.0) -> list[ErrorEntry]:
         """Return the entries about motor 1 or 2 that are at most `seconds` old.
@@ -79,7 +144,12 @@ class ErrorLog(QObject):
         today = datetime.now(UTC).astimezone()
         self.entries = tuple(
             replace(
-                entry, count=entry.count + 1, last=today, seen_at=now(), is_doubtful=is_doubtful
+                entry,
+                count=entry.count + 1,
+                last=today,
+                seen_at=now(),
+                is_doubtful=is_doubtful,
+                is_uncleared=True,
             )
             if entry.bit & (latched.status if isinstance(entry.bit, Status) else latched.uart)
             else entry
@@ -93,7 +163,13 @@ class ErrorLog(QObject):
         self.entries = self._others.pop(board, _UNSEEN)
         self.changed.emit()
 
+    def clear(self) -> None:
+        """Take the errors as known; counts stay, and what is still active is reported again."""
+        self.entries = tuple(replace(entry, is_uncleared=False) for entry in self.entries)
+        self.changed.emit()
+
     def reset(self) -> None:
+        """Forget every count and time, too."""
         self.entries = _UNSEEN
         self.changed.emit()
 
@@ -110,7 +186,13 @@ _NAMED = 3  # written settings that an event names; the rest are counted
 
 
 class BoardEvents(EventLog):
-    """Stops, Apply, faults, and lost and restored connections of one board."""
+    """Stops, Apply, faults, and lost and restored connections of one board.
+
+    Attributes:
+        connected_at: on `clock`; `None` while no board is connected.
+        restarts: how often the board was seen to have restarted since then.
+        returns: how often it responded again after it was silent.
+    """
 
     def __init__(
         self,
@@ -124,6 +206,8 @@ class BoardEvents(EventLog):
         self._motors = motors
         self._seen: dict[str, float] = {}
         self._was_read = False  # since the line was opened
+        self.connected_at: float | None = None
+        self.restarts = self.returns = 0
         motors.stop_requested.connect(self._on_stop_requested)
         connection.device_read.connect(self._on_read)
         connection.not_responding.connect(self._on_not_responding)
@@ -153,14 +237,18 @@ class BoardEvents(EventLog):
                 self.clear()
                 self._seen.clear()
                 self._was_read = True
+                self.connected_at = self._clock()
+                self.restarts = self.returns = 0
                 text = self.tr("Connected to {0} on {1}.")
                 self.add(
                     EventKind.LINK,
                     text.format(report.state.signature, report.settings.text()),
                 )
             case ReadReason.RETURNED:
+                self.returns += 1
                 self.add(EventKind.LINK, self.tr("The board responds again"))
             case ReadReason.RESTARTED:
+                self.restarts += 1
                 self.add(EventKind.LINK, self.tr("The board was switched off and on"))
             case ReadReason.SETTING_CHANGED:
                 text = self.tr(
@@ -180,6 +268,7 @@ class BoardEvents(EventLog):
 
     @Slot(object)
     def _on_closed(self, last: Closed | None) -> None:
+        self.connected_at = None
         if self._was_read:
             self._was_read = False
             may_move = last is not None and last.may_move

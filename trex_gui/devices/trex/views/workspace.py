@@ -79,6 +79,7 @@ class TrexWorkspace(Workspace):
                 PageInfo("motors", self.tr("&Motors"), self._make_motors_page),
                 PageInfo("currents", self.tr("C&urrents"), self._make_currents_page),
                 PageInfo("parameters", self.tr("&Parameters"), self._make_parameters_page),
+                PageInfo("errors", self.tr("&Errors"), self._make_errors_page),
                 PageInfo("log", self.tr("Lo&g"), self._make_log_page),
                 PageInfo("transcript", self.tr("T&raffic"), self._make_traffic_page),
             )
@@ -138,6 +139,7 @@ class TrexWorkspace(Workspace):
         ):
             changed.connect(self._on_actions_changed)
         device.draft.pending_changed.connect(self._keep_edits)
+        device.errors.changed.connect(self._on_errors_changed)
         self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
     # --- Pages --------------------------------------------------------------------------
@@ -215,6 +217,11 @@ class TrexWorkspace(Workspace):
             self._plot = PlotWindow(self._device)
         self._plot.show()
         self._plot.activateWindow()
+
+    def _make_errors_page(self) -> QWidget:
+        from trex_gui.devices.trex.views.pages.errors import ErrorsPage  # noqa: PLC0415
+
+        return ErrorsPage(self._device, self)
 
     def _make_log_page(self) -> QWidget:
         return LogPage(self.log, self.key, self.notifier, self)
@@ -382,6 +389,12 @@ class TrexWorkspace(Workspace):
                 self._actions[key].setChecked(checked)
         self.actions_changed.emit()
         self._question.reconsider()
+
+    @Slot()
+    def _on_errors_changed(self) -> None:
+        count = self._device.errors.uncleared
+        title = self.tr("Errors ({0})").format(count) if count else self.tr("Errors")
+        self.set_page_title("errors", title)
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:

@@ -1,4 +1,4 @@
-"""Page of the board, its line, why its motors do not run, and every error that it reported."""
+"""Page of the board, its line, and every reason why its motors do not run."""
 
 from html import escape
 
@@ -6,16 +6,14 @@ from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFormLayout,
-    QHeaderView,
     QLabel,
-    QTableWidget,
-    QTableWidgetItem,
     QWidget,
 )
 
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT, DriveBlocker, Effect
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, BoardInputs, led_patterns
+from trex_gui.devices.trex.model.connection_quality import quality_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import (
     DriveStatus,
@@ -104,7 +102,6 @@ class StatusPage(QWidget):
         self._lost = ui.named(Note(0, self), "statusLost")
 
         self._values: dict[str, QLabel] = {}
-        self._errors: list[tuple[QTableWidgetItem, QTableWidgetItem, QTableWidgetItem]] = []
         board = self._form(
             self.tr("Board"),
             {
@@ -121,7 +118,7 @@ class StatusPage(QWidget):
                 "port": self.tr("Port:"),
                 "settings": self.tr("Settings:"),
                 "side": self.tr("Connector:"),
-                "traffic": self.tr("Requests:"),
+                "quality": self.tr("Quality:"),
             },
         )
         self._set_up = ui.button(
@@ -133,29 +130,17 @@ class StatusPage(QWidget):
         )
         text = self.tr("Who drives, jumpers, sticks, motors and limits, step by step.")
         lead = ui.row(self._set_up, (Muted(text, self._report), 1), spacing=10)
-        errors = ui.GroupBox(self.tr("Errors seen"), self)
-        self._table = self._error_table(errors)
-        reset = ui.button(
-            errors,
-            "resetCountsButton",
-            self.tr("Reset co&unts"),
-            icon="clear",
-            on_click=device.errors.reset,
-        )
-        ui.column(self._table, (reset, 0, Qt.AlignmentFlag.AlignRight), into=errors)
         self._motors = MotorsBox(self._report)
         forms = ui.row((board, 3), (line, 2))
-        ui.column(lead, self._motors, forms, (errors, 1), into=self._report, margins=0)
+        ui.column(lead, self._motors, forms, 1, into=self._report, margins=0)
         ui.column(self._lost, start, (self._report, 1), into=self)
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
-        device.errors.changed.connect(self._on_errors_changed)
         device.telemetry.text_due.connect(self._on_text_due)
         for changed in (device.motors.arming_changed, device.motors.lockout_changed):
             changed.connect(self._show_motors)
         self._on_device_changed()
-        self._on_errors_changed()
 
     def _form(self, title: str, rows: dict[str, str]) -> ui.GroupBox:
         box = ui.GroupBox(title, self)
@@ -166,28 +151,6 @@ class StatusPage(QWidget):
             form.addRow(text, value)
             self._values[key] = value
         return box
-
-    def _error_table(self, parent: QWidget) -> QTableWidget:
-        entries = self._device.errors.entries
-        table = QTableWidget(len(entries), 4, parent)
-        ui.flat_table(table, "errorsTable", self.tr("Errors seen"))
-        table.setHorizontalHeaderLabels(
-            [self.tr("Error"), self.tr("Count"), self.tr("Last seen"), self.tr("What it means")]
-        )
-        table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header = table.horizontalHeader()
-        header.sectionResized.connect(table.resizeRowsToContents)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(3, QHeaderView.ResizeMode.Stretch)
-        for row, entry in enumerate(entries):
-            name, count, last = QTableWidgetItem(entry.name), QTableWidgetItem(), QTableWidgetItem()
-            count.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            meaning = QTableWidgetItem(entry.meaning)
-            meaning.setToolTip(entry.meaning)
-            for column, item in enumerate((name, count, last, meaning)):
-                table.setItem(row, column, item)
-            self._errors.append((name, count, last))
-        return table
 
     @Slot()
     def _on_device_changed(self) -> None:
@@ -202,7 +165,6 @@ class StatusPage(QWidget):
         for label in self._values.values():
             label.setText(self.tr("N/A"))
             label.setEnabled(is_connected)
-        self._table.setEnabled(is_connected)
         self._set_up.setEnabled(is_connected)
         if state is None or settings is None or not is_connected:
             return
@@ -251,29 +213,9 @@ class StatusPage(QWidget):
         self._show_motors()
         if not self._device.is_connected:
             return
-        counters = self._device.connection.counters
         self._values["control"].setText(self._device.control_text)
-        text = self.tr(
-            "{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f}\u00a0ms"
-        ).format(counters.requests, counters.missing, counters.corrupted, 1000 * counters.slowest)
-        self._values["traffic"].setText(text)
+        self._values["quality"].setText(quality_text(self._device.quality))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._on_text_due()
-
-    @Slot()
-    def _on_errors_changed(self) -> None:
-        entries = self._device.errors.entries
-        for (name, count, last), entry in zip(self._errors, entries, strict=True):
-            count.setText(str(entry.count))
-            text = entry.last.strftime("%H:%M:%S") if entry.last else self.tr("never")
-            doubt = ""
-            if entry.is_doubtful:
-                text = self.tr("{0} (doubtful)").format(text)
-                doubt = self.tr("The line is noisy and has no CRC: a corrupted reply looks alike.")
-            last.setText(text)
-            last.setToolTip(doubt)
-            font = name.font()
-            font.setBold(entry.count > 0)
-            name.setFont(font)

@@ -1,0 +1,84 @@
+"""The page of errors: what is active, what stops the motors, counts, and the connection."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QTableWidget
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.ui.devices.connection import ConnectionState
+
+
+def row(page: WidgetDriver, error: str) -> dict[str, str]:
+    """Return the cells of an error by the title of their column."""
+    model = page.find(QTableWidget, "errorsTable").model()
+    titles = [
+        model.headerData(column, Qt.Orientation.Horizontal) for column in range(model.columnCount())
+    ]
+    for number in range(model.rowCount()):
+        cells = [str(model.index(number, column).data()) for column in range(len(titles))]
+        if cells[0] == error:
+            return dict(zip(titles, cells, strict=True))
+    raise AssertionError(f"no row {error}")
+
+
+def is_bold(page: WidgetDriver, error: str) -> bool:
+    (item,) = page.find(QTableWidget, "errorsTable").findItems(error, Qt.MatchFlag.MatchExactly)
+    return item.font().bold()
+
+
+def test_errors_are_shown_until_they_are_cleared_and_reset(
+    window: WindowDriver, quick_simulator: SimulatedDevice
+) -> None:
+    window.connect(quick_simulator.url)
+    tabs = window.window.pages
+    page = window.open_page("errorsPage")
+    index = tabs.currentIndex()
+    window.device.errors.reset()  # what connecting left
+    assert tabs.tabText(index) == "Errors"
+    assert not page.is_enabled("clearErrorsButton")
+    fault = row(page, "Motor 1 fault")
+    assert [fault["Active now"], fault["Count"], fault["Last seen"]] == ["No", "0", "never"]
+
+    quick_simulator.do("fault 1 on")
+    page.wait(lambda: row(page, "Motor 1 fault")["Active now"] == "⚠ Yes")
+    fault = row(page, "Motor 1 fault")
+    assert fault["Stopping the motors"] == "⚠ Yes"
+    assert "let it cool" in fault["What it means, and what to do"]
+    assert "let it cool" not in row(page, "Motor 2 fault")["What it means, and what to do"]
+    assert is_bold(page, "Motor 1 fault")
+    assert not is_bold(page, "Motor 2 fault")
+    assert tabs.tabText(index) == "Errors (1)"
+    page.click("clearErrorsButton")
+    assert not is_bold(page, "Motor 1 fault")
+    page.wait(lambda: is_bold(page, "Motor 1 fault"))  # it is still active
+
+    quick_simulator.do("fault 1 off")
+    page.wait(lambda: row(page, "Motor 1 fault")["Active now"] == "No")
+    count = row(page, "Motor 1 fault")["Count"]
+    assert int(count) > 2
+    page.click("clearErrorsButton")
+    assert tabs.tabText(index) == "Errors"
+    assert row(page, "Motor 1 fault")["Count"] == count
+
+    page.click("resetCountsButton")
+    assert row(page, "Motor 1 fault")["Count"] == "0"
+    assert row(page, "Motor 1 fault")["Last seen"] == "never"
+    assert not page.is_enabled("resetCountsButton")
+
+    page.wait(lambda: "good: " in page.text("qualityValue"))
+    assert int(page.text("rateValue")) > 100
+    assert page.text("connectedValue").startswith("0:00:")
+    assert page.text("returnsValue") == "0"
+    assert page.text("restartsValue") == "0"
+    quick_simulator.do("power off")
+    window.wait(lambda: window.device.link is ConnectionState.NOT_RESPONDING)
+    assert page.text("qualityValue") == "N/A"
+    quick_simulator.do("power on")
+    page.wait(lambda: page.text("returnsValue") == "1")
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+    page.wait(lambda: page.text("restartsValue") == "1")
+
+    window.disconnect()
+    assert page.text("connectedValue") == "N/A"
+    assert not page.is_enabled("errorsTable")

@@ -1,0 +1,219 @@
+"""Page of every error that the board has reported, and of how good the connection is."""
+
+from datetime import timedelta
+from enum import IntEnum
+
+from PySide6.QtCore import QCoreApplication, Qt, Slot
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QFormLayout,
+    QHeaderView,
+    QLabel,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from trex_gui.devices.trex.driving.blockers import TEXT_CONTEXT
+from trex_gui.devices.trex.model.connection_quality import quality_text
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.errors import ErrorEntry, stops_motors
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
+from trex_gui.ui.runtime import now
+from trex_gui.ui.widgets import builders as ui
+from trex_gui.ui.widgets.behaviour import only_when_visible
+from trex_gui.ui.widgets.labels import Muted
+
+_Column = IntEnum("_Column", "ERROR ACTIVE STOPS COUNT LAST REMEDY", start=0)
+
+
+class ErrorsPage(QWidget):
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("errorsPage")
+        self._device = device
+        self._items: list[dict[_Column, QTableWidgetItem]] = []
+        self._table = self._make_table()
+        text = self.tr(
+            "Reading an error clears it in the board; this program counts each one. Errors in bold "
+            "were reported since you cleared them."
+        )
+        self._clear = ui.button(
+            self,
+            "clearErrorsButton",
+            self.tr("C&lear errors"),
+            tip=self.tr(
+                "Take the errors in bold as known; counts stay, and an error that is still active "
+                "comes back at once"
+            ),
+            icon="ok",
+            on_click=device.errors.clear,
+        )
+        self._reset = ui.button(
+            self,
+            "resetCountsButton",
+            self.tr("Reset co&unts"),
+            tip=self.tr("Set every count to zero, and forget when errors were seen"),
+            icon="clear",
+            on_click=device.errors.reset,
+        )
+        buttons = ui.row((Muted(text, self), 1), self._clear, self._reset, spacing=10)
+        self._values: dict[str, QLabel] = {}
+        line = self._make_line_box()
+        ui.column((self._table, 1), buttons, line, into=self)
+
+        device.errors.changed.connect(self._show_errors)
+        device.link_changed.connect(self._on_device_changed)
+        device.state_changed.connect(self._on_device_changed)
+        device.telemetry.text_due.connect(self._on_text_due)
+        self._on_device_changed()
+
+    def _make_table(self) -> QTableWidget:
+        count = len(self._device.errors.entries)
+        table = ui.flat_table(
+            QTableWidget(count, len(_Column), self), "errorsTable", self.tr("Errors")
+        )
+        titles = {
+            _Column.ERROR: self.tr("Error"),
+            _Column.ACTIVE: self.tr("Active now"),
+            _Column.STOPS: self.tr("Stopping the motors"),
+            _Column.COUNT: self.tr("Count"),
+            _Column.LAST: self.tr("Last seen"),
+            _Column.REMEDY: self.tr("What it means, and what to do"),
+        }
+        table.setHorizontalHeaderLabels([titles[column] for column in _Column])
+        table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header = table.horizontalHeader()
+        header.sectionResized.connect(table.resizeRowsToContents)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(_Column.REMEDY, QHeaderView.ResizeMode.Stretch)
+        for row in range(table.rowCount()):
+            items = {column: QTableWidgetItem() for column in _Column}
+            for column, item in items.items():
+                table.setItem(row, column, item)
+            items[_Column.COUNT].setTextAlignment(
+                Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            )
+            self._items.append(items)
+        return table
+
+    def _make_line_box(self) -> ui.GroupBox:
+        box = ui.GroupBox(self.tr("Connection"), self)
+        parts = [
+            {
+                "quality": (self.tr("Quality:"), ""),
+                "requests": (self.tr("Requests:"), self.tr("Since the connection was opened")),
+            },
+            {
+                "rate": (self.tr("Reads per second:"), ""),
+                "connected": (self.tr("Connected for:"), ""),
+            },
+            {
+                "restarts": (
+                    self.tr("Restarts seen:"),
+                    self.tr("The board came back in another mode: its power was off meanwhile"),
+                ),
+                "returns": (
+                    self.tr("Returned after silence:"),
+                    self.tr(
+                        "The board was silent for a while: its power was low or off, it restarted, "
+                        "or the cable has a bad contact"
+                    ),
+                ),
+            },
+        ]
+        forms = []
+        for part in parts:
+            form = QFormLayout()
+            form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+            for key, (title, tip) in part.items():
+                value = ui.label(
+                    box, f"{key}Value", tip=tip, wrap=True, expand=True, selectable=True
+                )
+                form.addRow(ui.label(box, "", title, tip=tip), value)
+                self._values[key] = value
+            forms.append(form)
+        wide, *narrow = forms
+        ui.row((wide, 3), *((form, 1) for form in narrow), into=box, spacing=16)
+        return box
+
+    # --- What has changed ---------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._show_errors()
+        self._on_text_due()
+
+    @Slot()
+    def _on_device_changed(self) -> None:
+        is_connected = self._device.is_connected
+        self._table.setEnabled(is_connected)
+        for value in self._values.values():
+            value.setEnabled(is_connected)
+            if not is_connected:
+                value.setText(self.tr("N/A"))
+        self._show_errors()
+        self._on_text_due()
+
+    @Slot()
+    @only_when_visible
+    def _on_text_due(self) -> None:
+        device = self._device
+        self._show_errors()  # an error is over some time after its last report
+        opened = device.events.connected_at
+        if not device.is_connected or opened is None:
+            return
+        counters, events, quality = device.connection.counters, device.events, device.quality
+        requests = self.tr(
+            "{0}; timeouts: {1}, corrupted replies: {2}, slowest reply: {3:.0f}\u00a0ms"
+        ).format(counters.requests, counters.missing, counters.corrupted, 1000 * counters.slowest)
+        texts = {
+            "quality": quality_text(quality),
+            "requests": requests,
+            "rate": f"{quality.rate:.0f}" if quality.rate else self.tr("being measured …"),
+            "connected": str(timedelta(seconds=int(now() - opened))),
+            "restarts": str(events.restarts),
+            "returns": str(events.returns),
+        }
+        for key, text in texts.items():
+            self._values[key].setText(text)
+
+    @Slot()
+    @only_when_visible
+    def _show_errors(self) -> None:
+        errors = self._device.errors
+        for items, entry in zip(self._items, errors.entries, strict=True):
+            self._show_entry(items, entry)
+        self._clear.setEnabled(errors.uncleared > 0)
+        self._reset.setEnabled(any(entry.count for entry in errors.entries))
+
+    def _show_entry(self, items: dict[_Column, QTableWidgetItem], entry: ErrorEntry) -> None:
+        device = self._device
+        is_active = device.is_connected and device.errors.is_active(entry)
+        errors_stop = device.parameters.stored_of(ParameterKey.UART_ERROR_SHUTDOWN) == 1
+        is_stopping = is_active and stops_motors(entry.bit, errors_stop=errors_stop)
+        last, doubt = self.tr("never"), ""
+        if entry.last is not None:
+            last = entry.last.strftime("%H:%M:%S")
+        if entry.is_doubtful:
+            last = self.tr("{0} (doubtful)").format(last)
+            doubt = self.tr("The line is noisy and has no CRC: a corrupted reply looks alike.")
+        remedy = QCoreApplication.translate(TEXT_CONTEXT, entry.remedy) if entry.count else ""
+        yes, no = self.tr("⚠ Yes"), self.tr("No")
+        texts = {
+            _Column.ERROR: entry.name,
+            _Column.ACTIVE: yes if is_active else no,
+            _Column.STOPS: yes if is_stopping else no,
+            _Column.COUNT: str(entry.count),
+            _Column.LAST: last,
+            _Column.REMEDY: f"{entry.meaning} {remedy}".rstrip(),
+        }
+        for column, text in texts.items():
+            item = items[column]
+            if item.text() != text:
+                item.setText(text)
+            font = item.font()
+            if column is not _Column.REMEDY and font.bold() != entry.is_uncleared:
+                font.setBold(entry.is_uncleared)
+                item.setFont(font)
+        items[_Column.LAST].setToolTip(doubt)
